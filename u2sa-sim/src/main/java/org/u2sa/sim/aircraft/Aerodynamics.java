@@ -1,0 +1,198 @@
+package org.u2sa.sim.aircraft;
+
+import static org.u2sa.sim.aircraft.Airframe.CHORD_M;
+import static org.u2sa.sim.aircraft.Airframe.SPAN_M;
+import static org.u2sa.sim.aircraft.Airframe.WING_AREA_M2;
+
+/**
+ * Forces and moments of the air on the Cessna 172, power aside.
+ *
+ * <p>Stability and control derivatives: Roskam, Airplane Flight Dynamics and Automatic Flight
+ * Controls, part I, appendix B, airplane A (four-seat light aircraft: the Cessna 172), per radian,
+ * rudder sign turned so that positive yaws right. Drag: Loftin, Quest for Performance, NASA SP-468,
+ * table of the Cessna Skyhawk: zero-lift drag 0.0319, best lift-to-drag ratio 11.6. Stall: sigmoid
+ * blend into a flat plate, Beard and McLain, Small Unmanned Aircraft, eqs. 4.9 and 4.10, placed so
+ * that the handbook's stall speeds come out (172P: 51 KCAS flaps up, 46 KCAS flaps 30°). Ground
+ * effect: McCormick, Aerodynamics, Aeronautics, and Flight Mechanics, eq. 5.86.
+ */
+final class Aerodynamics {
+  private static final double CL_0 =
+      0.31; // wing incidence: at zero angle of attack of the fuselage
+  private static final double CL_ALPHA = 4.6;
+  private static final double CL_Q = 3.9;
+  private static final double CL_ELEVATOR = 0.43;
+  private static final double CD_0 = 0.0319;
+  private static final double CD_INDUCED = 0.0582; // 1 / (4 · 11.6² · 0.0319)
+  private static final double CD_SIDESLIP = 0.17;
+  private static final double CM_ALPHA = -0.89;
+  private static final double CM_ALPHA_RATE = -5.2;
+  private static final double CM_Q = -12.4;
+  private static final double CM_ELEVATOR = -1.28;
+  private static final double CY_BETA = -0.31;
+  private static final double CY_P = -0.037;
+  private static final double CY_R = 0.21;
+  private static final double CY_RUDDER = -0.187;
+  private static final double CR_BETA = -0.089; // rolling moment, l in the books
+  private static final double CR_P = -0.47;
+  private static final double CR_R = 0.096; // at CL 0.31
+  private static final double CR_AILERON = 0.178;
+  private static final double CR_RUDDER = -0.0147;
+  private static final double CN_BETA = 0.065;
+  private static final double CN_P = -0.030;
+  private static final double CN_R = -0.099;
+  private static final double CN_AILERON = -0.053;
+  private static final double CN_RUDDER = 0.0657;
+
+  private static final double STALL_RAD = Math.toRadians(16.4); // middle of the break
+  private static final double BREAK_SHARPNESS = 50.0; // Beard and McLain, table E.2
+  private static final double PLATE_DRAG = 1.8;
+  private static final double STALL_NOSE_DROP = -0.10; // the wing's centre of pressure moves aft
+  private static final double AUTOROTATION = 0.10; // roll damping turns to this past the stall …
+  private static final double ROLL_DAMPING_2 = -1.5; // … and is bounded by the rate's square
+
+  /**
+   * Flaps 0…30°: lift at equal angle of attack, so that 46 KCAS comes out; drag and moment by
+   * McCormick, chapters 3 and 4.
+   */
+  private static final Table FLAP_LIFT =
+      new Table(0.0, 0.0, 1.0 / 3, 0.19, 2.0 / 3, 0.31, 1.0, 0.38);
+
+  private static final Table FLAP_DRAG =
+      new Table(0.0, 0.0, 1.0 / 3, 0.007, 2.0 / 3, 0.022, 1.0, 0.045);
+  private static final Table FLAP_MOMENT =
+      new Table(0.0, 0.0, 1.0 / 3, -0.020, 2.0 / 3, -0.030, 1.0, -0.035);
+
+  /**
+   * Ground-adjusted tabs: fly straight hands off at 75 % power and 1800 Pa, where slipstream and
+   * torque would turn the aircraft left.
+   */
+  private static final double CR_RIGGING = 0.00099;
+
+  private static final double CN_RIGGING = 0.00031;
+  private static final double WING_ABOVE_CG_M = 0.9;
+
+  // body forces [N] and moments [N m], and what makes the pitching moment of angle-of-attack rate
+  // [N m s]
+  double forceX;
+  double forceY;
+  double forceZ;
+  double momentX;
+  double momentY;
+  double momentZ;
+  double alphaRateMoment;
+
+  private double flapLift;
+  private double flapDrag;
+  private double flapMoment;
+  private double aileron;
+  private double elevator;
+  private double rudder;
+
+  /** Takes the surfaces for the coming step. */
+  void set(ControlInputs inputs, double flapPosition) {
+    flapLift = FLAP_LIFT.at(flapPosition);
+    flapDrag = FLAP_DRAG.at(flapPosition);
+    flapMoment = FLAP_MOMENT.at(flapPosition);
+    double stick = inputs.elevator(); // positive: trailing edge down
+    elevator = stick * (stick < 0.0 ? Airframe.ELEVATOR_UP_RAD : Airframe.ELEVATOR_DOWN_RAD);
+    aileron = inputs.aileron() * Airframe.AILERON_RAD;
+    rudder = inputs.rudder() * Airframe.RUDDER_RAD;
+  }
+
+  /**
+   * @param u velocity through the air, body axes [m/s]
+   * @param p rotation against the air [rad/s]
+   * @param slipstreamPa dynamic pressure that the propeller adds at the tail
+   * @param heightM of the centre of gravity above ground
+   */
+  void compute(
+      double u,
+      double v,
+      double w,
+      double p,
+      double q,
+      double r,
+      double density,
+      double slipstreamPa,
+      double heightM) {
+    double plane2 = u * u + w * w;
+    double plane = StrictMath.sqrt(plane2);
+    double speed2 = plane2 + v * v;
+    double speed = StrictMath.sqrt(speed2);
+    if (speed < 0.01) {
+      forceX = forceY = forceZ = momentX = momentY = momentZ = alphaRateMoment = 0.0;
+      if (slipstreamPa <= 0.0) {
+        return;
+      }
+    }
+    double perSpeed = speed < 0.01 ? 0.0 : 1.0 / speed;
+    double sinAlpha = plane < 0.01 ? 0.0 : w / plane;
+    double cosAlpha = plane < 0.01 ? 1.0 : u / plane;
+    double sinBeta = v * perSpeed;
+    double alpha = plane < 0.01 ? 0.0 : StrictMath.atan2(w, u);
+    double pressure = 0.5 * density * speed2;
+    double tail = (pressure + slipstreamPa) * WING_AREA_M2;
+    double qs = pressure * WING_AREA_M2;
+    double rate = 0.25 * density * speed * WING_AREA_M2; // q S / (2 V)
+
+    double stall = stallFraction(alpha);
+    double attached = CL_0 + CL_ALPHA * alpha + flapLift;
+    double plate = 2.0 * Math.copySign(sinAlpha * sinAlpha, sinAlpha) * cosAlpha;
+    double wingLift = (1.0 - stall) * attached + stall * plate;
+    double ground = groundFactor(heightM);
+    double attachedDrag = CD_0 + flapDrag + CD_INDUCED * ground * attached * attached;
+    double plateDrag = CD_0 + flapDrag + PLATE_DRAG * sinAlpha * sinAlpha;
+    double wingDrag =
+        (1.0 - stall) * attachedDrag + stall * plateDrag + CD_SIDESLIP * sinBeta * sinBeta;
+
+    double lift = qs * wingLift + tail * CL_ELEVATOR * elevator + rate * CHORD_M * CL_Q * q;
+    double drag = qs * wingDrag;
+    double side =
+        qs * CY_BETA * sinBeta + tail * CY_RUDDER * rudder + rate * SPAN_M * (CY_P * p + CY_R * r);
+    forceX = lift * sinAlpha - drag * u * perSpeed;
+    forceY = side - drag * v * perSpeed;
+    forceZ = -lift * cosAlpha - drag * w * perSpeed;
+
+    double liftBounded = Math.min(1.6, Math.max(0.0, wingLift));
+    // Yaw speeds up one wing: rolling moment grows with lift (Etkin, Dynamics of Flight, section
+    // 5.8), the fin's part stays.
+    double rollOfYaw = CR_R * (0.5 + 0.5 * liftBounded / CL_0);
+    double rollDamping = (1.0 - stall) * CR_P + stall * AUTOROTATION;
+    double helix = p * SPAN_M * 0.5 * perSpeed;
+    double rolling =
+        qs
+                * (CR_RIGGING
+                    + CR_BETA * sinBeta
+                    + CR_AILERON * aileron * (1.0 - 0.5 * stall)
+                    + ROLL_DAMPING_2 * stall * helix * Math.abs(helix))
+            + tail * CR_RUDDER * rudder
+            + rate * SPAN_M * (rollDamping * p + rollOfYaw * r);
+    double pitching =
+        qs * (CM_ALPHA * sinAlpha + flapMoment + STALL_NOSE_DROP * stall * Math.signum(sinAlpha))
+            + tail * CM_ELEVATOR * elevator
+            + rate * CHORD_M * CM_Q * q;
+    double yawing =
+        qs * (CN_RIGGING + CN_BETA * sinBeta + CN_AILERON * aileron)
+            + tail * CN_RUDDER * rudder
+            + rate * SPAN_M * (CN_P * p + CN_R * r);
+    momentX = rolling * SPAN_M;
+    momentY = pitching * CHORD_M;
+    momentZ = yawing * SPAN_M;
+    alphaRateMoment = rate * CHORD_M * CHORD_M * CM_ALPHA_RATE;
+  }
+
+  /** How far the wing is stalled, 0…1. */
+  static double stallFraction(double alpha) {
+    double up = StrictMath.exp(-BREAK_SHARPNESS * (alpha - STALL_RAD));
+    double down = StrictMath.exp(BREAK_SHARPNESS * (alpha + STALL_RAD));
+    if (Double.isInfinite(up) || Double.isInfinite(down)) {
+      return 1.0;
+    }
+    return Math.min(1.0, (1.0 + up + down) / ((1.0 + up) * (1.0 + down)));
+  }
+
+  private static double groundFactor(double heightM) {
+    double ratio = 16.0 * Math.max(0.0, heightM + WING_ABOVE_CG_M) / SPAN_M;
+    return ratio * ratio / (1.0 + ratio * ratio);
+  }
+}

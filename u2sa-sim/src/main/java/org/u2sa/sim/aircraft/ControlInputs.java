@@ -1,0 +1,110 @@
+package org.u2sa.sim.aircraft;
+
+/**
+ * What the pilot does, normalised; signs are FlightGear's.
+ *
+ * @param aileron −1…1, positive rolls right
+ * @param elevator −1…1, positive is stick forward: nose down
+ * @param rudder −1…1, positive yaws right; also steers the nose wheel
+ * @param throttle 0 (idle) … 1 (full)
+ * @param mixture 0 (cut-off) … 1 (full rich)
+ * @param flaps 0 (up) … 1 (30°); the motor follows at its own pace
+ * @param brakeLeft 0…1, left main wheel
+ * @param brakeRight 0…1, right main wheel
+ */
+public record ControlInputs(
+    double aileron,
+    double elevator,
+    double rudder,
+    double throttle,
+    double mixture,
+    double flaps,
+    double brakeLeft,
+    double brakeRight) {
+
+  /**
+   * @throws IllegalArgumentException if a value is not a number or outside its range
+   */
+  public ControlInputs {
+    require("aileron", aileron, -1.0);
+    require("elevator", elevator, -1.0);
+    require("rudder", rudder, -1.0);
+    require("throttle", throttle, 0.0);
+    require("mixture", mixture, 0.0);
+    require("flaps", flaps, 0.0);
+    require("brakeLeft", brakeLeft, 0.0);
+    require("brakeRight", brakeRight, 0.0);
+  }
+
+  /** Surfaces centred, throttle idle, mixture rich, flaps up, brakes off. */
+  public static ControlInputs neutral() {
+    return new ControlInputs(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0);
+  }
+
+  /**
+   * Finite values moved into their ranges: for inputs from a wire. @throws IllegalArgumentException
+   * if one is not finite
+   */
+  public static ControlInputs limited(
+      double aileron,
+      double elevator,
+      double rudder,
+      double throttle,
+      double mixture,
+      double flaps,
+      double brakeLeft,
+      double brakeRight) {
+    return new ControlInputs(
+        limit("aileron", aileron, -1.0),
+        limit("elevator", elevator, -1.0),
+        limit("rudder", rudder, -1.0),
+        limit("throttle", throttle, 0.0),
+        limit("mixture", mixture, 0.0),
+        limit("flaps", flaps, 0.0),
+        limit("brakeLeft", brakeLeft, 0.0),
+        limit("brakeRight", brakeRight, 0.0));
+  }
+
+  /** These inputs with other aileron, elevator and rudder. */
+  public ControlInputs withSurfaces(double newAileron, double newElevator, double newRudder) {
+    return new ControlInputs(
+        newAileron, newElevator, newRudder, throttle, mixture, flaps, brakeLeft, brakeRight);
+  }
+
+  /** These inputs with another throttle. */
+  public ControlInputs withThrottle(double newThrottle) {
+    return new ControlInputs(
+        aileron, elevator, rudder, newThrottle, mixture, flaps, brakeLeft, brakeRight);
+  }
+
+  /** These inputs with another mixture. */
+  public ControlInputs withMixture(double newMixture) {
+    return new ControlInputs(
+        aileron, elevator, rudder, throttle, newMixture, flaps, brakeLeft, brakeRight);
+  }
+
+  /** These inputs with other flaps. */
+  public ControlInputs withFlaps(double newFlaps) {
+    return new ControlInputs(
+        aileron, elevator, rudder, throttle, mixture, newFlaps, brakeLeft, brakeRight);
+  }
+
+  /** These inputs with other brakes. */
+  public ControlInputs withBrakes(double newLeft, double newRight) {
+    return new ControlInputs(
+        aileron, elevator, rudder, throttle, mixture, flaps, newLeft, newRight);
+  }
+
+  private static void require(String name, double value, double lowest) {
+    if (!(value >= lowest && value <= 1.0)) {
+      throw new IllegalArgumentException(name + ": " + value + " is outside " + lowest + "…1.0");
+    }
+  }
+
+  private static double limit(String name, double value, double lowest) {
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException(name + ": " + value + " is not a number");
+    }
+    return Math.min(1.0, Math.max(lowest, value));
+  }
+}

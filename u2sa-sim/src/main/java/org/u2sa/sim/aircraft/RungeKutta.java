@@ -1,0 +1,37 @@
+package org.u2sa.sim.aircraft;
+
+/** The classical fourth-order step, with its working space. */
+final class RungeKutta {
+  private final double[] k1;
+  private final double[] k2;
+  private final double[] k3;
+  private final double[] k4;
+  private final double[] between;
+
+  RungeKutta(int size) {
+    k1 = new double[size];
+    k2 = new double[size];
+    k3 = new double[size];
+    k4 = new double[size];
+    between = new double[size];
+  }
+
+  void step(FlightDynamics dynamics, double[] state, double dtS) {
+    dynamics.derivatives(state, k1);
+    advance(state, k1, dtS / 2);
+    dynamics.derivatives(between, k2);
+    advance(state, k2, dtS / 2);
+    dynamics.derivatives(between, k3);
+    advance(state, k3, dtS);
+    dynamics.derivatives(between, k4);
+    for (int i = 0; i < state.length; i++) {
+      state[i] += dtS / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+    }
+  }
+
+  private void advance(double[] state, double[] slope, double dtS) {
+    for (int i = 0; i < state.length; i++) {
+      between[i] = state[i] + dtS * slope[i];
+    }
+  }
+}

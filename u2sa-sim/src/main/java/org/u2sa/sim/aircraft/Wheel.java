@@ -1,0 +1,141 @@
+package org.u2sa.sim.aircraft;
+
+/**
+ * One wheel on its leg: a spring and damper upwards, an elastic tyre that slides at its friction
+ * limit along the ground.
+ *
+ * <p>The tyre is the single contact point model (Pacejka, Tire and Vehicle Dynamics, chapter 7):
+ * the contact patch is held back by springs. Standing still it holds the aircraft as an elastic
+ * anchor, so nothing creeps; rolling it relaxes over a length, which makes the cornering force
+ * proportional to the slip angle. Sliding limits: friction ellipse.
+ */
+final class Wheel {
+  /** Deepest travel of a leg before metal meets the runway [m]. */
+  static final double DEEPEST_M = 0.30;
+
+  private static final double TYRE_STIFFNESS = 90_000.0; // both ways along the ground [N/m]
+  private static final double TYRE_DAMPING = 4_000.0; // [N s/m]
+  private static final double RELAXATION_M = 0.3; // half to one wheel radius
+  private static final double GRIP = 0.7; // dry asphalt, light aircraft tyre
+  private static final double BRAKE_GRIP = 0.45; // what the 172's single discs can use of it
+  private static final double ROLLING = 0.02; // hard runway: McCormick, table 7.2
+  private static final double LEAST_SIDE = 0.2; // of the grip that a locked wheel keeps sideways
+
+  final double x;
+  final double y;
+  final double z;
+  private final double stiffness;
+  private final double damping;
+  private final double steerRad; // at full rudder, right positive
+  private double cosSteer = 1.0;
+  private double sinSteer;
+  private double brake;
+
+  // results of compute(), NED
+  double forceN;
+  double forceE;
+  double forceD;
+  double slipAlongMps;
+  double slipAcrossMps;
+  private double along;
+  private double across;
+  private double alongLimit;
+  private double acrossLimit;
+  private double compression;
+  private double sinkMps;
+
+  /**
+   * @param z below the centre of gravity, leg unloaded [m]
+   * @param stiffness [N/m]
+   * @param damping [N s/m]
+   */
+  Wheel(double x, double y, double z, double stiffness, double damping, double steerRad) {
+    this.x = x;
+    this.y = y;
+    this.z = z;
+    this.stiffness = stiffness;
+    this.damping = damping;
+    this.steerRad = steerRad;
+  }
+
+  void set(double rudder, double newBrake) {
+    cosSteer = StrictMath.cos(steerRad * rudder);
+    sinSteer = StrictMath.sin(steerRad * rudder);
+    brake = newBrake;
+  }
+
+  /**
+   * @param heightM of the unloaded contact point above ground, negative when compressed
+   * @param velN velocity of that point [m/s]
+   * @param deflectionAlong of the tyre [m]
+   */
+  void compute(
+      Attitude attitude,
+      double heightM,
+      double velN,
+      double velE,
+      double velD,
+      double deflectionAlong,
+      double deflectionAcross) {
+    compression = Math.max(0.0, -heightM);
+    sinkMps = velD;
+    if (compression == 0.0) {
+      forceN = forceE = forceD = slipAlongMps = slipAcrossMps = 0.0;
+      alongLimit = acrossLimit = 0.0;
+      return;
+    }
+    double load = Math.max(0.0, stiffness * compression + damping * velD);
+    double rollN = attitude.xn * cosSteer + attitude.yn * sinSteer;
+    double rollE = attitude.xe * cosSteer + attitude.ye * sinSteer;
+    double length = StrictMath.sqrt(rollN * rollN + rollE * rollE);
+    if (length > 1e-6) {
+      rollN /= length;
+      rollE /= length;
+    } else {
+      rollN = 1.0;
+      rollE = 0.0;
+    }
+    slipAlongMps = velN * rollN + velE * rollE;
+    slipAcrossMps = velE * rollN - velN * rollE;
+    alongLimit = (ROLLING + BRAKE_GRIP * brake) * load;
+    along = limit(-TYRE_STIFFNESS * deflectionAlong - TYRE_DAMPING * slipAlongMps, alongLimit);
+    double grip = GRIP * load;
+    acrossLimit =
+        StrictMath.sqrt(
+            Math.max(LEAST_SIDE * LEAST_SIDE * grip * grip, grip * grip - along * along));
+    across = limit(-TYRE_STIFFNESS * deflectionAcross - TYRE_DAMPING * slipAcrossMps, acrossLimit);
+    forceN = along * rollN - across * rollE;
+    forceE = along * rollE + across * rollN;
+    forceD = -load;
+  }
+
+  double deflectionAlongRate() {
+    return slipAlongMps;
+  }
+
+  double deflectionAcrossRate(double deflection) {
+    return slipAcrossMps - Math.abs(slipAlongMps) / RELAXATION_M * deflection;
+  }
+
+  /** A tyre cannot be stretched further than its friction holds. */
+  double boundedAlong(double deflection) {
+    return limit(deflection, alongLimit / TYRE_STIFFNESS);
+  }
+
+  double boundedAcross(double deflection) {
+    return limit(deflection, acrossLimit / TYRE_STIFFNESS);
+  }
+
+  double compressionM() {
+    return compression;
+  }
+
+  /** Speed of the contact point downwards [m/s]. */
+  double sinkMps() {
+    return sinkMps;
+  }
+
+  private static double limit(double value, double bound) {
+    return Math.max(-bound, Math.min(bound, value));
+  }
+}

@@ -1,0 +1,63 @@
+package org.u2sa.sim.atmosphere;
+
+/**
+ * The troposphere of the ICAO standard atmosphere (ICAO Doc 7488/3; identical to ISO 2533 up to 11
+ * km).
+ */
+public final class StandardAtmosphere {
+  /** Pressure at sea level [Pa]. */
+  public static final double SEA_LEVEL_PRESSURE_PA = 101_325.0;
+
+  /** Temperature at sea level [K]. */
+  public static final double SEA_LEVEL_TEMPERATURE_K = 288.15;
+
+  /** Density at sea level [kg/m³]. */
+  public static final double SEA_LEVEL_DENSITY_KG_PER_M3 = 1.225;
+
+  /** Speed of sound at sea level [m/s]. */
+  public static final double SEA_LEVEL_SOUND_SPEED_MPS = 340.294;
+
+  /** Standard acceleration of gravity [m/s²]. */
+  public static final double GRAVITY_MPS2 = 9.80665;
+
+  /**
+   * Lowest and highest altitude served [m]: the Dead Sea's shore is inside, the stratosphere is
+   * not.
+   */
+  public static final double LOWEST_M = -1_000.0;
+
+  /** Top of the troposphere [m geopotential]. */
+  public static final double HIGHEST_M = 11_000.0;
+
+  private static final double LAPSE_K_PER_M = -0.0065;
+  private static final double GAS_CONSTANT = 287.05287; // dry air [J/(kg K)]
+  private static final double HEAT_RATIO = 1.4;
+  private static final double EARTH_RADIUS_M = 6_356_766.0; // nominal radius of ICAO Doc 7488
+
+  private StandardAtmosphere() {}
+
+  /**
+   * The standard air at an altitude.
+   *
+   * @param altitudeM geometric altitude above mean sea level [m]; outside {@link #LOWEST_M}…{@link
+   *     #HIGHEST_M} the air of the nearer bound is given, so that a diverging aircraft meets air
+   *     and not an exception
+   * @throws IllegalArgumentException if the altitude is not finite
+   */
+  public static Air at(double altitudeM) {
+    if (!Double.isFinite(altitudeM)) {
+      throw new IllegalArgumentException("altitude: " + altitudeM + " is not a number of metres");
+    }
+    double geopotentialM = EARTH_RADIUS_M * altitudeM / (EARTH_RADIUS_M + altitudeM);
+    double bounded = Math.min(HIGHEST_M, Math.max(LOWEST_M, geopotentialM));
+    double temperature = SEA_LEVEL_TEMPERATURE_K + LAPSE_K_PER_M * bounded;
+    double exponent = -GRAVITY_MPS2 / (LAPSE_K_PER_M * GAS_CONSTANT);
+    double pressure =
+        SEA_LEVEL_PRESSURE_PA * StrictMath.pow(temperature / SEA_LEVEL_TEMPERATURE_K, exponent);
+    return new Air(
+        temperature,
+        pressure,
+        pressure / (GAS_CONSTANT * temperature),
+        StrictMath.sqrt(HEAT_RATIO * GAS_CONSTANT * temperature));
+  }
+}

@@ -1,0 +1,75 @@
+package org.u2sa.sim.atmosphere;
+
+/**
+ * The wind where one aircraft is, moved on step by step: a {@link Wind}'s steady part and its
+ * gusts, as air velocity.
+ */
+public final class WindField {
+  private static final double FOOT_M = 0.3048;
+  private static final double ROUGHNESS_M =
+      0.15 * FOOT_M; // MIL-F-8785C, 3.7.3.4, category C flight phases
+  private static final double REFERENCE_M = 20.0 * FOOT_M;
+  private static final double LOWEST_M = 3.0 * FOOT_M;
+  private static final double HIGHEST_M = 1_000.0 * FOOT_M;
+
+  private final Wind wind;
+  private final DrydenGusts gusts;
+  private double northMps;
+  private double eastMps;
+  private double downMps;
+
+  /**
+   * @param spanM wing span of the aircraft [m]
+   */
+  public WindField(Wind wind, double spanM) {
+    this.wind = wind;
+    this.gusts = new DrydenGusts(wind.gustSigmaMps(), spanM, wind.seed());
+  }
+
+  /**
+   * Moves on by one step.
+   *
+   * @param heightM aircraft's height above ground [m]
+   * @param airspeedMps its true airspeed [m/s]
+   * @param cosHeading cosine of its true heading, along which the longitudinal gusts lie
+   * @param sinHeading sine of its true heading
+   */
+  public void step(
+      double dtS, double heightM, double airspeedMps, double cosHeading, double sinHeading) {
+    gusts.step(dtS, heightM, airspeedMps);
+    double steady = wind.speedMps() * profile(heightM);
+    double forward = gusts.forwardMps();
+    double right = gusts.rightMps();
+    northMps = -steady * StrictMath.cos(wind.fromRad()) + cosHeading * forward - sinHeading * right;
+    eastMps = -steady * StrictMath.sin(wind.fromRad()) + sinHeading * forward + cosHeading * right;
+    downMps = gusts.downMps();
+  }
+
+  private double profile(double heightM) {
+    if (!wind.heightProfile()) {
+      return 1.0;
+    }
+    double height = Math.min(HIGHEST_M, Math.max(LOWEST_M, heightM));
+    return StrictMath.log(height / ROUGHNESS_M) / StrictMath.log(REFERENCE_M / ROUGHNESS_M);
+  }
+
+  /** Velocity of the air towards north [m/s]. */
+  public double northMps() {
+    return northMps;
+  }
+
+  /** Velocity of the air towards east [m/s]. */
+  public double eastMps() {
+    return eastMps;
+  }
+
+  /** Velocity of the air downwards [m/s]. */
+  public double downMps() {
+    return downMps;
+  }
+
+  /** The gusts alone, with their rotation. */
+  public DrydenGusts gusts() {
+    return gusts;
+  }
+}
