@@ -43,7 +43,7 @@ final class Aerodynamics {
   private static final double CN_AILERON = -0.053;
   private static final double CN_RUDDER = 0.0657;
 
-  private static final double STALL_RAD = Math.toRadians(16.4); // middle of the break
+  private static final double STALL_RAD = Math.toRadians(17.8); // middle of the break
   private static final double BREAK_SHARPNESS = 50.0; // Beard and McLain, table E.2
   private static final double PLATE_DRAG = 1.8;
   private static final double STALL_NOSE_DROP = -0.10; // the wing's centre of pressure moves aft
@@ -55,7 +55,7 @@ final class Aerodynamics {
    * McCormick, chapters 3 and 4.
    */
   private static final Table FLAP_LIFT =
-      new Table(0.0, 0.0, 1.0 / 3, 0.19, 2.0 / 3, 0.31, 1.0, 0.38);
+      new Table(0.0, 0.0, 1.0 / 3, 0.15, 2.0 / 3, 0.25, 1.0, 0.30);
 
   private static final Table FLAP_DRAG =
       new Table(0.0, 0.0, 1.0 / 3, 0.007, 2.0 / 3, 0.022, 1.0, 0.045);
@@ -156,7 +156,7 @@ final class Aerodynamics {
     double liftBounded = Math.min(1.6, Math.max(0.0, wingLift));
     // Yaw speeds up one wing: rolling moment grows with lift (Etkin, Dynamics of Flight, section
     // 5.8), the fin's part stays.
-    double rollOfYaw = CR_R * (0.5 + 0.5 * liftBounded / CL_0);
+    double rollOfYaw = CR_R * (0.75 + 0.25 * liftBounded / CL_0);
     double rollDamping = (1.0 - stall) * CR_P + stall * AUTOROTATION;
     double helix = p * SPAN_M * 0.5 * perSpeed;
     double rolling =
@@ -185,9 +185,6 @@ final class Aerodynamics {
   static double stallFraction(double alpha) {
     double up = StrictMath.exp(-BREAK_SHARPNESS * (alpha - STALL_RAD));
     double down = StrictMath.exp(BREAK_SHARPNESS * (alpha + STALL_RAD));
-    if (Double.isInfinite(up) || Double.isInfinite(down)) {
-      return 1.0;
-    }
     return Math.min(1.0, (1.0 + up + down) / ((1.0 + up) * (1.0 + down)));
   }
 

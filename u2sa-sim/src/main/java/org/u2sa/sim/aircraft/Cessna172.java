@@ -64,12 +64,7 @@ public final class Cessna172 {
   /** An aircraft standing on its wheels at the start's elevation, with other ground elsewhere. */
   public static Cessna172 onRunway(
       RunwayStart start, Terrain terrain, Wind wind, boolean engineRunning) {
-    double[] s = new double[FlightDynamics.SIZE];
-    s[LON] = Math.toRadians(start.longitudeDeg());
-    s[LAT] = Math.toRadians(start.latitudeDeg());
-    s[ALT] = start.elevationM() + LandingGear.STANDING_M;
-    Attitude.write(s, Q0, 0.0, LandingGear.STANDING_PITCH_RAD, start.headingRad());
-    s[SHAFT] = engineRunning ? PistonEngine.IDLE_RPM * PistonEngine.RADPERS_PER_RPM : 0.0;
+    double[] s = InitialState.standing(start, engineRunning);
     return new Cessna172(s, terrain, wind, engineRunning, 0.0);
   }
 
@@ -80,23 +75,7 @@ public final class Cessna172 {
 
   /** An aircraft in the air above other than level ground. */
   public static Cessna172 inFlight(FlightStart start, Terrain terrain, Wind wind) {
-    double[] s = new double[FlightDynamics.SIZE];
-    s[LON] = Math.toRadians(start.longitudeDeg());
-    s[LAT] = Math.toRadians(start.latitudeDeg());
-    s[ALT] = start.altitudeM();
-    Attitude.write(s, Q0, start.rollRad(), start.pitchRad(), start.headingRad());
-    Attitude attitude = new Attitude();
-    attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
-    double cosBeta = StrictMath.cos(start.sideslipRad());
-    double u = start.trueAirspeedMps() * StrictMath.cos(start.angleOfAttackRad()) * cosBeta;
-    double v = start.trueAirspeedMps() * StrictMath.sin(start.sideslipRad());
-    double w = start.trueAirspeedMps() * StrictMath.sin(start.angleOfAttackRad()) * cosBeta;
-    WindField steady = new WindField(wind.withGusts(0.0, 0L), Airframe.SPAN_M);
-    steady.step(1.0, start.altitudeM() - start.groundElevationM(), 0.0, 1.0, 0.0);
-    s[VN] = attitude.north(u, v, w) + steady.northMps();
-    s[VE] = attitude.east(u, v, w) + steady.eastMps();
-    s[VD] = attitude.down(u, v, w);
-    s[SHAFT] = start.engineRpm() * PistonEngine.RADPERS_PER_RPM;
+    double[] s = InitialState.flying(start, wind);
     return new Cessna172(s, terrain, wind, start.engineRpm() > 0.0, start.flaps());
   }
 
@@ -152,7 +131,7 @@ public final class Cessna172 {
 
   private void surround(double dtS) {
     dynamics.attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
-    dynamics.groundM = terrain.elevationM(Math.toDegrees(s[LON]), Math.toDegrees(s[LAT]));
+    dynamics.groundM = groundM();
     dynamics.densityKgPerM3 = StandardAtmosphere.at(s[ALT]).densityKgPerM3();
     double heading = dynamics.attitude.headingRad();
     wind.step(
@@ -167,6 +146,23 @@ public final class Cessna172 {
     dynamics.gustP = wind.gusts().rollRadPerS();
     dynamics.gustQ = wind.gusts().pitchRadPerS();
     dynamics.gustR = wind.gusts().yawRadPerS();
+  }
+
+  private double groundM() {
+    double lon = Math.toDegrees(s[LON]);
+    double lat = Math.toDegrees(s[LAT]);
+    double elevation = terrain.elevationM(lon, lat);
+    if (!Double.isFinite(elevation)) {
+      throw new IllegalStateException(
+          "terrain elevation at "
+              + lat
+              + "°, "
+              + lon
+              + "°: "
+              + elevation
+              + " is not a number of metres");
+    }
+    return elevation;
   }
 
   private void prepare(ControlInputs inputs) {

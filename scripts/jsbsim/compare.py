@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Sets the simulated Cessna 172 beside JSBSim's c172p and prints a Markdown table.
+
+    pip install jsbsim==1.3.3
+    mvn -q -B -pl u2sa-sim -am compile
+    python3 scripts/jsbsim/compare.py
+
+Our side is measured by org.u2sa.sim.aircraft.PerformanceTable, JSBSim's here with the same procedures. JSBSim's aircraft is loaded to the
+same 2400 lb by its front seats, which leaves its centre of gravity where it was. JSBSim's rudder is positive to the left.
+"""
+
+import argparse
+import csv
+import io
+import math
+import pathlib
+import subprocess
+import sys
+
+try:
+    import jsbsim
+except ImportError:
+    sys.exit("jsbsim is not installed: pip install jsbsim==1.3.3")
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RATE = 120
+MASS_LB = 2400.0
+LONGITUDINAL, FULL, TURN = 0, 1, 4
+
+
+def ours(classes):
+    command = ["java", "-cp", str(classes), "org.u2sa.sim.aircraft.PerformanceTable"]
+    answer = subprocess.run(command, capture_output=True, text=True)
+    if answer.returncode != 0:
+        sys.exit(f"{' '.join(command)} failed: {answer.stderr.strip()}\nbuild first: mvn -q -B -pl u2sa-sim -am compile")
+    rows = csv.DictReader(io.StringIO(answer.stdout))
+    return {(r["kind"], r["condition"], r["quantity"]): float(r["value"]) for r in rows}
+
+
+def aircraft(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
+    fdm = jsbsim.FGFDMExec(None)
+    fdm.set_debug_level(0)
+    if not fdm.load_model("c172p"):
+        sys.exit("JSBSim has no c172p")
+    fdm.set_dt(1.0 / RATE)
+    fdm["ic/h-sl-ft"] = feet
+    fdm["ic/terrain-elevation-ft"] = -10000.0
+    fdm["ic/vc-kts"] = knots
+    fdm["ic/gamma-deg"] = gamma
+    fdm["ic/phi-deg"] = bank
+    fdm["ic/psi-true-deg"] = 0.0
+    fdm["fcs/flap-cmd-norm"] = flaps
+    fdm["fcs/flap-pos-norm"] = flaps
+    fdm["fcs/mixture-cmd-norm"] = 1.0
+    fdm["fcs/throttle-cmd-norm"] = throttle
+    fuel = fdm["propulsion/tank[0]/contents-lbs"] + fdm["propulsion/tank[1]/contents-lbs"]
+    seat = (MASS_LB - 1500.0 - fuel) / 2.0
+    fdm["inertia/pointmass-weight-lbs[0]"] = seat
+    fdm["inertia/pointmass-weight-lbs[1]"] = seat
+    fdm.run_ic()
+    fdm["propulsion/set-running"] = -1
+    return fdm
+
+
+def trimmed(kind=FULL, **start):
+    fdm = aircraft(**start)
+    try:
+        fdm.do_trim(kind)
+    except jsbsim.TrimFailureError:
+        return None
+    return fdm
+
+
+def power_hp(fdm):
+    return fdm["propulsion/engine[0]/power-hp"]
+
+
+def rpm(fdm):
+    return fdm["propulsion/engine[0]/propeller-rpm"]
+
+
+def level(table):
+    for knots in (60, 70, 80, 90, 100, 110):
+        condition = f"{knots} KCAS 1000 ft"
+        fdm = trimmed(feet=1000.0, knots=knots)
+        if fdm is None:
+            continue
+        table["level", condition, "alpha deg"] = fdm["aero/alpha-deg"]
+        table["level", condition, "elevator deg"] = math.degrees(fdm["fcs/elevator-pos-rad"])
+        table["level", condition, "power hp"] = power_hp(fdm)
+        table["level", condition, "rpm"] = rpm(fdm)
+
+
+class Pilot:
+    """Holds airspeed by pitch, wings level (or a bank), and the ball centred."""
+
+    def __init__(self, fdm, knots=None, feet=None, bank=0.0):
+        self.fdm, self.knots, self.feet, self.bank = fdm, knots, feet, math.radians(bank)
+        self.integral = 0.0
+        self.elevator = fdm["fcs/elevator-cmd-norm"]
+
+    def step(self, elevator=None):
+        fdm = self.fdm
+        if elevator is None:
+            if self.knots is not None:
+                error = fdm["velocities/vc-kts"] - self.knots
+                wanted = math.radians(5.0) + 0.02 * error + self.integral
+                self.integral += 0.001 * error / RATE * 5.0
+            else:
+                climb = fdm["velocities/h-dot-fps"]
+                error = self.feet - fdm["position/h-sl-ft"]
+                wanted = math.radians(3.0) + 0.002 * error - 0.004 * climb + self.integral
+                self.integral += 0.0005 * error / RATE
+            wanted = max(-0.3, min(0.3, wanted))
+            elevator = self.elevator - 3.0 * (wanted - fdm["attitude/theta-rad"]) + 0.6 * fdm["velocities/q-rad_sec"]
+        fdm["fcs/elevator-cmd-norm"] = max(-1.0, min(1.0, elevator))
+        roll = self.bank - fdm["attitude/phi-rad"]
+        fdm["fcs/aileron-cmd-norm"] = max(-1.0, min(1.0, 3.0 * roll - 0.5 * fdm["velocities/p-rad_sec"]))
+        fdm["fcs/rudder-cmd-norm"] = max(-1.0, min(1.0, -2.0 * fdm["aero/beta-rad"]))
+        fdm.run()
+
+
+def seconds(count):
+    return range(int(count * RATE))
+
+
+def climb(table):
+    for knots in (65, 75, 85, 95):
+        condition = f"{knots} KCAS sea level full throttle"
+        fdm = aircraft(feet=0.0, knots=knots, throttle=1.0)
+        pilot = Pilot(fdm, knots=knots)
+        for _ in seconds(40.0):
+            pilot.step()
+        # down again to sea level in density: the climb has gained some 400 ft, and rates fall by 0.5 % for these
+        start, time = fdm["position/h-sl-ft"], fdm["simulation/sim-time-sec"]
+        for _ in seconds(20.0):
+            pilot.step()
+        gained = fdm["position/h-sl-ft"] - start
+        table["climb", condition, "ft/min"] = gained / (fdm["simulation/sim-time-sec"] - time) * 60.0
+        table["climb", condition, "rpm"] = rpm(fdm)
+
+
+def glide(table):
+    fdm = aircraft(feet=2000.0, knots=65.0, throttle=0.0)
+    pilot = Pilot(fdm, knots=65.0)
+    for _ in seconds(60.0):
+        pilot.step()
+    start = fdm["position/h-sl-ft"]
+    for _ in seconds(20.0):
+        pilot.step()
+    table["glide", "65 KCAS idle", "ft/min"] = (fdm["position/h-sl-ft"] - start) * 3.0
+
+
+def cruise(table):
+    for feet in (8000.0, 1000.0):
+        fdm = aircraft(feet=feet, knots=100.0, throttle=1.0)
+        pilot = Pilot(fdm, feet=feet)
+        for _ in seconds(240.0):
+            pilot.step()
+        table["cruise", f"{feet:.0f} ft full throttle", "KTAS"] = fdm["velocities/vtrue-kts"]
+
+
+def stall(table):
+    for flaps, name in ((0.0, "0"), (1.0, "30")):
+        fdm = aircraft(feet=4000.0, knots=65.0, throttle=0.0, flaps=flaps)
+        pilot = Pilot(fdm, knots=65.0)
+        for _ in seconds(40.0):
+            pilot.step()
+        stick = fdm["fcs/elevator-cmd-norm"]
+        lowest = math.inf
+        while stick > -1.0:
+            if fdm["velocities/q-rad_sec"] < -0.05:
+                break
+            lowest = min(lowest, fdm["velocities/vc-kts"])
+            stick = max(-1.0, stick - 0.02 / RATE)
+            pilot.step(elevator=stick)
+        table["stall", f"idle flaps {name}", "KCAS"] = lowest
+
+
+def turn(table):
+    for knots in (80.0, 100.0):
+        condition = f"{knots:.0f} KCAS bank 30 deg"
+        level_trim = trimmed(feet=1000.0, knots=knots)
+        throttle = level_trim["fcs/throttle-cmd-norm"]
+        # the throttle that holds the speed in the turn, by repeated flight
+        low, high = throttle, 1.0
+        for _ in range(12):
+            middle = 0.5 * (low + high)
+            fdm = aircraft(feet=1000.0, knots=knots, bank=30.0, throttle=middle)
+            pilot = Pilot(fdm, feet=1000.0, bank=30.0)
+            for _ in seconds(120.0):
+                pilot.step()
+            if fdm["velocities/vc-kts"] < knots:
+                low = middle
+            else:
+                high = middle
+        heading, turned = fdm["attitude/psi-rad"], 0.0
+        for _ in seconds(20.0):
+            pilot.step()
+            now = fdm["attitude/psi-rad"]
+            turned += math.remainder(now - heading, 2.0 * math.pi)
+            heading = now
+        table["turn", condition, "deg/s"] = math.degrees(turned) / 20.0
+        table["turn", condition, "power hp"] = power_hp(fdm)
+        table["turn", condition, "alpha deg"] = fdm["aero/alpha-deg"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--classes", type=pathlib.Path, default=ROOT / "u2sa-sim" / "target" / "classes")
+    arguments = parser.parse_args()
+    mine = ours(arguments.classes)
+    theirs = {}
+    for measure in (level, climb, glide, cruise, stall, turn):
+        measure(theirs)
+    print(f"| kind | condition | quantity | U2SA | JSBSim {jsbsim.__version__} c172p | difference |")
+    print("|---|---|---|---:|---:|---:|")
+    for key, value in mine.items():
+        other = theirs.get(key)
+        digits = 0 if abs(value) >= 500 else 1 if abs(value) >= 20 else 2
+        beside = "no trim" if other is None else f"{other:.{digits}f}"
+        gap = "" if other is None else f"{value - other:+.{digits}f}"
+        print(f"| {' | '.join(key)} | {value:.{digits}f} | {beside} | {gap} |")
+
+
+if __name__ == "__main__":
+    main()

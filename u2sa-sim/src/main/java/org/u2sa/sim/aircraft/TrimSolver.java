@@ -1,0 +1,244 @@
+package org.u2sa.sim.aircraft;
+
+import static org.u2sa.sim.aircraft.FlightDynamics.P;
+import static org.u2sa.sim.aircraft.FlightDynamics.Q;
+import static org.u2sa.sim.aircraft.FlightDynamics.Q0;
+import static org.u2sa.sim.aircraft.FlightDynamics.R;
+import static org.u2sa.sim.aircraft.FlightDynamics.VD;
+import static org.u2sa.sim.aircraft.FlightDynamics.VE;
+import static org.u2sa.sim.aircraft.FlightDynamics.VN;
+
+import org.u2sa.sim.atmosphere.StandardAtmosphere;
+
+/**
+ * Finds {@link Trim}s: Newton's method on the six accelerations (Stevens and Lewis, 2nd ed.,
+ * section 3.6).
+ */
+final class TrimSolver {
+  private static final int SIZE = 6;
+  private static final int ALPHA = 0;
+  private static final int BETA = 1;
+  private static final int ELEVATOR = 2;
+  private static final int AILERON = 3;
+  private static final int RUDDER = 4;
+  private static final int POWER = 5; // throttle, or flight path angle where the throttle is given
+
+  private static final int MOST_STEPS = 60;
+  private static final double BALANCED = 1e-7; // largest acceleration left [m/s², rad/s²]
+  private static final double[] LONGEST_MOVE = {0.05, 0.05, 0.2, 0.2, 0.2, 0.1};
+  private static final double CLEAR_OF_GROUND_M = 1_000.0;
+
+  private final double altitudeM;
+  private final double speedMps;
+  private final double rollRad;
+  private final double flaps;
+  private final FlightDynamics dynamics = new FlightDynamics(new PistonEngine(true));
+  private final double[] state = new double[FlightDynamics.SIZE];
+  private final double[] rate = new double[FlightDynamics.SIZE];
+  private double givenThrottle = Double.NaN;
+
+  TrimSolver(double altitudeM, double speedMps, double rollRad, double flaps) {
+    Arguments.requireInside("trim altitude [m]", altitudeM, -500.0, 10_000.0);
+    Arguments.requireInside("trim airspeed [m/s]", speedMps, 15.0, 120.0);
+    Arguments.requireInside("trim roll [rad]", rollRad, -1.3, 1.3);
+    Arguments.requireInside("trim flaps", flaps, 0.0, 1.0);
+    this.altitudeM = altitudeM;
+    this.speedMps = speedMps;
+    this.rollRad = rollRad;
+    this.flaps = flaps;
+    dynamics.densityKgPerM3 = StandardAtmosphere.at(altitudeM).densityKgPerM3();
+    dynamics.groundM = altitudeM - CLEAR_OF_GROUND_M;
+    state[FlightDynamics.ALT] = altitudeM;
+  }
+
+  Trim level() {
+    return solve(new double[] {0.05, 0.0, -0.05, 0.0, 0.0, 0.6});
+  }
+
+  Trim atThrottle(double throttle) {
+    Arguments.requireInside("trim throttle", throttle, 0.0, 1.0);
+    givenThrottle = throttle;
+    return solve(new double[] {0.05, 0.0, -0.05, 0.0, 0.0, 0.0});
+  }
+
+  private Trim solve(double[] x) {
+    double[] f = new double[SIZE];
+    double[] moved = new double[SIZE];
+    for (int step = 0; step < MOST_STEPS; step++) {
+      residual(x, f);
+      double worst = 0.0;
+      for (double value : f) {
+        worst = Math.max(worst, Math.abs(value));
+      }
+      if (worst < BALANCED) {
+        return result(x);
+      }
+      double[][] matrix = new double[SIZE][SIZE + 1];
+      for (int j = 0; j < SIZE; j++) {
+        double old = x[j];
+        double h = 1e-6;
+        x[j] = old + h;
+        residual(x, moved);
+        x[j] = old - h;
+        double[] other = new double[SIZE];
+        residual(x, other);
+        x[j] = old;
+        for (int i = 0; i < SIZE; i++) {
+          matrix[i][j] = (moved[i] - other[i]) / (2.0 * h);
+        }
+      }
+      for (int i = 0; i < SIZE; i++) {
+        matrix[i][SIZE] = -f[i];
+      }
+      if (!move(x, matrix)) {
+        break;
+      }
+    }
+    throw new IllegalArgumentException(
+        "no steady flight at "
+            + speedMps
+            + " m/s, "
+            + altitudeM
+            + " m, roll "
+            + rollRad
+            + " rad, flaps "
+            + flaps
+            + (Double.isNaN(givenThrottle) ? "" : ", throttle " + givenThrottle)
+            + ": too slow, too fast or not enough power");
+  }
+
+  /**
+   * Solves the linear system by elimination with pivoting and moves x, each part no further than it
+   * may.
+   */
+  private static boolean move(double[] x, double[][] m) {
+    for (int c = 0; c < SIZE; c++) {
+      int pivot = c;
+      for (int i = c + 1; i < SIZE; i++) {
+        if (Math.abs(m[i][c]) > Math.abs(m[pivot][c])) {
+          pivot = i;
+        }
+      }
+      if (Math.abs(m[pivot][c]) < 1e-12) {
+        return false; // a control at its stop no longer changes anything
+      }
+      double[] swap = m[c];
+      m[c] = m[pivot];
+      m[pivot] = swap;
+      for (int i = 0; i < SIZE; i++) {
+        if (i != c) {
+          double factor = m[i][c] / m[c][c];
+          for (int j = c; j <= SIZE; j++) {
+            m[i][j] -= factor * m[c][j];
+          }
+        }
+      }
+    }
+    double scale = 1.0;
+    for (int i = 0; i < SIZE; i++) {
+      double delta = Math.abs(m[i][SIZE] / m[i][i]);
+      if (delta > LONGEST_MOVE[i]) {
+        scale = Math.min(scale, LONGEST_MOVE[i] / delta);
+      }
+    }
+    for (int i = 0; i < SIZE; i++) {
+      x[i] += scale * m[i][SIZE] / m[i][i];
+    }
+    return true;
+  }
+
+  private void residual(double[] x, double[] f) {
+    double theta = pitch(x);
+    double turn = turnRate();
+    double u = speedMps * StrictMath.cos(x[ALPHA]) * StrictMath.cos(x[BETA]);
+    double v = speedMps * StrictMath.sin(x[BETA]);
+    double w = speedMps * StrictMath.sin(x[ALPHA]) * StrictMath.cos(x[BETA]);
+    double p = -turn * StrictMath.sin(theta);
+    double q = turn * StrictMath.sin(rollRad) * StrictMath.cos(theta);
+    double r = turn * StrictMath.cos(rollRad) * StrictMath.cos(theta);
+    Attitude.write(state, Q0, rollRad, theta, 0.0);
+    Attitude a = dynamics.attitude;
+    a.set(state[Q0], state[Q0 + 1], state[Q0 + 2], state[Q0 + 3]);
+    state[VN] = a.north(u, v, w);
+    state[VE] = a.east(u, v, w);
+    state[VD] = a.down(u, v, w);
+    state[P] = p;
+    state[Q] = q;
+    state[R] = r;
+    ControlInputs inputs = controls(x);
+    double ratio = dynamics.densityKgPerM3 / StandardAtmosphere.SEA_LEVEL_DENSITY_KG_PER_M3;
+    dynamics.aero.set(inputs, flaps);
+    dynamics.engine.set(inputs.throttle(), 1.0, ratio, 200.0);
+    state[FlightDynamics.SHAFT] = shaftSpeed(u);
+    dynamics.derivatives(state, rate);
+    f[0] = a.forward(rate[VN], rate[VE], rate[VD]) + r * v - q * w;
+    f[1] = a.right(rate[VN], rate[VE], rate[VD]) + p * w - r * u;
+    f[2] = a.below(rate[VN], rate[VE], rate[VD]) + q * u - p * v;
+    f[3] = rate[P];
+    f[4] = rate[Q];
+    f[5] = rate[R];
+  }
+
+  private ControlInputs controls(double[] x) {
+    double throttle = Double.isNaN(givenThrottle) ? x[POWER] : givenThrottle;
+    return ControlInputs.limited(
+        x[AILERON], x[ELEVATOR], x[RUDDER], throttle, 1.0, flaps, 0.0, 0.0);
+  }
+
+  private double flightPath(double[] x) {
+    return Double.isNaN(givenThrottle) ? 0.0 : x[POWER];
+  }
+
+  private double turnRate() {
+    // Coordinated: ψ' = g tan φ / V (McCormick, Aerodynamics, Aeronautics, and Flight Mechanics,
+    // section 7)
+    return StandardAtmosphere.GRAVITY_MPS2 * StrictMath.tan(rollRad) / speedMps;
+  }
+
+  /** Pitch of a flight path: rate-of-climb constraint (Stevens and Lewis, 2nd ed., eq. 3.6-3). */
+  private double pitch(double[] x) {
+    double a = StrictMath.cos(x[ALPHA]) * StrictMath.cos(x[BETA]);
+    double b =
+        StrictMath.sin(rollRad) * StrictMath.sin(x[BETA])
+            + StrictMath.cos(rollRad) * StrictMath.sin(x[ALPHA]) * StrictMath.cos(x[BETA]);
+    double climb = StrictMath.sin(flightPath(x));
+    double climb2 = climb * climb;
+    return StrictMath.atan2(
+        a * b + climb * StrictMath.sqrt(Math.max(0.0, a * a - climb2 + b * b)), a * a - climb2);
+  }
+
+  /**
+   * Where engine and propeller balance, by bisection: torque falls with speed for one and rises for
+   * the other.
+   */
+  private double shaftSpeed(double axialMps) {
+    double low = 30.0;
+    double high = 400.0;
+    for (int i = 0; i < 60; i++) {
+      double middle = 0.5 * (low + high);
+      dynamics.propeller.compute(middle, axialMps, dynamics.densityKgPerM3);
+      if (dynamics.engine.torqueNm(middle) > dynamics.propeller.torqueNm()) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    return 0.5 * (low + high);
+  }
+
+  private Trim result(double[] x) {
+    double shaft = state[FlightDynamics.SHAFT];
+    return new Trim(
+        altitudeM,
+        speedMps,
+        rollRad,
+        pitch(x),
+        flightPath(x),
+        turnRate(),
+        x[ALPHA],
+        x[BETA],
+        controls(x),
+        shaft / PistonEngine.RADPERS_PER_RPM,
+        dynamics.propeller.torqueNm() * shaft);
+  }
+}
