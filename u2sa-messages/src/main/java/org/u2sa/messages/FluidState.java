@@ -1,0 +1,149 @@
+package org.u2sa.messages;
+
+import java.util.OptionalDouble;
+
+/**
+ * Motion through the fluid, air or water, along the vehicle's own axes (figure 6, right column):
+ * those of BODY (x forward, y left, z down) unless the message itself is in BODY_FRD or BODY_FLU.
+ *
+ * @param <S> what setters answer: {@link StateInformation}
+ */
+abstract class FluidState<S extends StateInformation> extends RotationState<S> {
+  /**
+   * Velocity of the vehicle through the fluid along its own x (forward) axis [m/s]; empty if
+   * absent.
+   */
+  public OptionalDouble fluidxDot() {
+    return number(StateField.FLUID_X_DOT);
+  }
+
+  /** Sets {@link #fluidxDot()}. */
+  public S fluidxDot(double value) {
+    return number(StateField.FLUID_X_DOT, value);
+  }
+
+  /**
+   * Velocity of the vehicle through the fluid along its own y (left in BODY) axis [m/s]; empty if
+   * absent.
+   */
+  public OptionalDouble fluidyDot() {
+    return number(StateField.FLUID_Y_DOT);
+  }
+
+  /** Sets {@link #fluidyDot()}. */
+  public S fluidyDot(double value) {
+    return number(StateField.FLUID_Y_DOT, value);
+  }
+
+  /**
+   * Velocity of the vehicle through the fluid along its own z (down in BODY) axis [m/s]; empty if
+   * absent.
+   */
+  public OptionalDouble fluidzDot() {
+    return number(StateField.FLUID_Z_DOT);
+  }
+
+  /** Sets {@link #fluidzDot()}. */
+  public S fluidzDot(double value) {
+    return number(StateField.FLUID_Z_DOT, value);
+  }
+
+  /**
+   * Acceleration of the vehicle against the fluid along its own x (forward) axis [m/s²]; empty if
+   * absent.
+   */
+  public OptionalDouble fluidxDoubleDot() {
+    return number(StateField.FLUID_X_DOUBLE_DOT);
+  }
+
+  /** Sets {@link #fluidxDoubleDot()}. */
+  public S fluidxDoubleDot(double value) {
+    return number(StateField.FLUID_X_DOUBLE_DOT, value);
+  }
+
+  /**
+   * Acceleration of the vehicle against the fluid along its own y (left in BODY) axis [m/s²]; empty
+   * if absent.
+   */
+  public OptionalDouble fluidyDoubleDot() {
+    return number(StateField.FLUID_Y_DOUBLE_DOT);
+  }
+
+  /** Sets {@link #fluidyDoubleDot()}. */
+  public S fluidyDoubleDot(double value) {
+    return number(StateField.FLUID_Y_DOUBLE_DOT, value);
+  }
+
+  /**
+   * Acceleration of the vehicle against the fluid along its own z (down in BODY) axis [m/s²]; empty
+   * if absent.
+   */
+  public OptionalDouble fluidzDoubleDot() {
+    return number(StateField.FLUID_Z_DOUBLE_DOT);
+  }
+
+  /** Sets {@link #fluidzDoubleDot()}. */
+  public S fluidzDoubleDot(double value) {
+    return number(StateField.FLUID_Z_DOUBLE_DOT, value);
+  }
+
+  /** Standard deviation of {@link #fluidxDot()} [m/s]; empty if absent. */
+  public OptionalDouble fluidxDotSigma() {
+    return number(StateField.FLUID_X_DOT_SIGMA);
+  }
+
+  /** Sets {@link #fluidxDotSigma()}. */
+  public S fluidxDotSigma(double value) {
+    return number(StateField.FLUID_X_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #fluidyDot()} [m/s]; empty if absent. */
+  public OptionalDouble fluidyDotSigma() {
+    return number(StateField.FLUID_Y_DOT_SIGMA);
+  }
+
+  /** Sets {@link #fluidyDotSigma()}. */
+  public S fluidyDotSigma(double value) {
+    return number(StateField.FLUID_Y_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #fluidzDot()} [m/s]; empty if absent. */
+  public OptionalDouble fluidzDotSigma() {
+    return number(StateField.FLUID_Z_DOT_SIGMA);
+  }
+
+  /** Sets {@link #fluidzDotSigma()}. */
+  public S fluidzDotSigma(double value) {
+    return number(StateField.FLUID_Z_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #fluidxDoubleDot()} [m/s²]; empty if absent. */
+  public OptionalDouble fluidxDoubleDotSigma() {
+    return number(StateField.FLUID_X_DOUBLE_DOT_SIGMA);
+  }
+
+  /** Sets {@link #fluidxDoubleDotSigma()}. */
+  public S fluidxDoubleDotSigma(double value) {
+    return number(StateField.FLUID_X_DOUBLE_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #fluidyDoubleDot()} [m/s²]; empty if absent. */
+  public OptionalDouble fluidyDoubleDotSigma() {
+    return number(StateField.FLUID_Y_DOUBLE_DOT_SIGMA);
+  }
+
+  /** Sets {@link #fluidyDoubleDotSigma()}. */
+  public S fluidyDoubleDotSigma(double value) {
+    return number(StateField.FLUID_Y_DOUBLE_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #fluidzDoubleDot()} [m/s²]; empty if absent. */
+  public OptionalDouble fluidzDoubleDotSigma() {
+    return number(StateField.FLUID_Z_DOUBLE_DOT_SIGMA);
+  }
+
+  /** Sets {@link #fluidzDoubleDotSigma()}. */
+  public S fluidzDoubleDotSigma(double value) {
+    return number(StateField.FLUID_Z_DOUBLE_DOT_SIGMA, value);
+  }
+}

@@ -1,0 +1,89 @@
+package org.u2sa.messages;
+
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Where a vehicle or a part of it is to go over the next time step: the error vector of the control
+ * system (thesis 3.2.3.8, figure 12).
+ */
+public class NavigationPoint extends U2SAData {
+  private static final Schema<NavigationPoint> SCHEMA =
+      Schema.of("NavigationPoint", NavigationPoint.class, NavigationPoint::new, U2SAData.TYPE);
+  private static final ValueField<NavigationPoint, String> SUBSYSTEM =
+      SCHEMA.text("subsystem", "VEHICLE");
+  private static final ValueField<NavigationPoint, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.BODY);
+  private static final ValueField<NavigationPoint, Point> POINT =
+      SCHEMA.requiredPoint("point", "m");
+  private static final NumberField<NavigationPoint> SPEED =
+      SCHEMA.optionalNumber("speed", "m/s", 0.0);
+
+  /** The schema. */
+  public static final MessageType<NavigationPoint> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends NavigationPoint> type() {
+    return TYPE;
+  }
+
+  /** Which part is to move; "VEHICLE" until set. */
+  public String subsystem() {
+    return require(SUBSYSTEM);
+  }
+
+  /** Sets {@link #subsystem()}. */
+  public NavigationPoint subsystem(String value) {
+    put(SUBSYSTEM, value);
+    return this;
+  }
+
+  /** The axes of the point; BODY until set. */
+  public ReferenceFrame referenceFrame() {
+    return require(REFERENCE_FRAME);
+  }
+
+  /** Sets {@link #referenceFrame()}. */
+  public NavigationPoint referenceFrame(ReferenceFrame value) {
+    put(REFERENCE_FRAME, value);
+    return this;
+  }
+
+  /** The point to reach, in the message's frame. */
+  public Point point() {
+    return require(POINT);
+  }
+
+  /** Sets {@link #point()}. */
+  public NavigationPoint point(Point value) {
+    put(POINT, value);
+    return this;
+  }
+
+  /** Speed to go there, through the fluid [m/s]; empty if control is to choose. */
+  public OptionalDouble speed() {
+    return get(SPEED);
+  }
+
+  /** Sets {@link #speed()}. */
+  public NavigationPoint speed(double value) {
+    put(SPEED, value);
+    return this;
+  }
+
+  /** The vehicle itself is to go to a point of BODY. */
+  public static NavigationPoint at(Point point) {
+    return new NavigationPoint().point(point);
+  }
+
+  @Override
+  final ReferenceFrame frame() {
+    return referenceFrame();
+  }
+
+  @Override
+  public NavigationPoint copy() {
+    return (NavigationPoint) super.copy();
+  }
+}

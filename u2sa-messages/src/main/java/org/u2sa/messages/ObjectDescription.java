@@ -1,0 +1,147 @@
+package org.u2sa.messages;
+
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Something in the environment (thesis 3.2.3.5, figure 9). This class itself is a single point, as
+ * an ultrasonic or infrared range finder sees it.
+ */
+public class ObjectDescription extends U2SAData {
+  private static final Schema<ObjectDescription> SCHEMA =
+      Schema.of(
+          "ObjectDescription", ObjectDescription.class, ObjectDescription::new, U2SAData.TYPE);
+  private static final ValueField<ObjectDescription, String> UID = SCHEMA.requiredText("uid");
+  private static final ValueField<ObjectDescription, String> OBJECT_TYPE =
+      SCHEMA.text("objectType", "");
+  private static final ValueField<ObjectDescription, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
+  private static final NumberField<ObjectDescription> X = SCHEMA.requiredCoordinate("x");
+  private static final NumberField<ObjectDescription> Y = SCHEMA.requiredCoordinate("y");
+  private static final NumberField<ObjectDescription> Z = SCHEMA.number("z", "m", 0.0);
+  private static final ValueField<ObjectDescription, ObjectLevel> LEVEL =
+      SCHEMA.optionalChoice("level", ObjectLevel.class);
+
+  static {
+    SCHEMA.alias("type", OBJECT_TYPE); // figure 9's name; on the wire "type" is the message's own
+    SCHEMA.alias("reference", REFERENCE_FRAME);
+  }
+
+  /** The schema. */
+  public static final MessageType<ObjectDescription> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends ObjectDescription> type() {
+    return TYPE;
+  }
+
+  /** Unique among the objects of a system. */
+  public String uid() {
+    return require(UID);
+  }
+
+  /** Sets {@link #uid()}. */
+  public ObjectDescription uid(String uid) {
+    put(UID, uid);
+    return this;
+  }
+
+  /** What it is to the mission, "barrel", "gate"; empty if unknown. */
+  public String objectType() {
+    return get(OBJECT_TYPE);
+  }
+
+  /** Sets {@link #objectType()}. */
+  public ObjectDescription objectType(String type) {
+    put(OBJECT_TYPE, type);
+    return this;
+  }
+
+  /** The axes of the centre and of all points; GLOBAL until set. */
+  public ReferenceFrame referenceFrame() {
+    return get(REFERENCE_FRAME);
+  }
+
+  /** Sets {@link #referenceFrame()}. */
+  public ObjectDescription referenceFrame(ReferenceFrame frame) {
+    put(REFERENCE_FRAME, frame);
+    return this;
+  }
+
+  /** The centre along x [m]; longitude [deg] in GLOBAL. */
+  public double x() {
+    return require(X);
+  }
+
+  /** Sets {@link #x()}. */
+  public ObjectDescription x(double value) {
+    put(X, value);
+    return this;
+  }
+
+  /** The centre along y [m]; latitude [deg] in GLOBAL. */
+  public double y() {
+    return require(Y);
+  }
+
+  /** Sets {@link #y()}. */
+  public ObjectDescription y(double value) {
+    put(Y, value);
+    return this;
+  }
+
+  /**
+   * The centre along z [m]; altitude in GLOBAL. 0 until set: a plane world, as in the thesis's
+   * circle (3.2.3.3).
+   */
+  public double z() {
+    return require(Z);
+  }
+
+  /** Sets {@link #z()}. */
+  public ObjectDescription z(double value) {
+    put(Z, value);
+    return this;
+  }
+
+  /** How much to avoid it; empty if nobody said. */
+  public Optional<ObjectLevel> level() {
+    return Optional.ofNullable(get(LEVEL));
+  }
+
+  /** Sets {@link #level()}. */
+  public ObjectDescription level(ObjectLevel level) {
+    put(LEVEL, level);
+    return this;
+  }
+
+  /** The centre. */
+  public final Point center() {
+    return Point.of(x(), y(), z());
+  }
+
+  /**
+   * Distance from a point to the closest point of the object [m]; 0 inside.
+   *
+   * @param from in the object's own frame; in GLOBAL longitude, latitude [deg] and altitude [m]
+   */
+  public final double distanceTo(Point from) {
+    return metricDistance(Metric.of(referenceFrame(), center()), from);
+  }
+
+  /** As {@link #distanceTo}; a subclass measures its own shape, in metres from the centre. */
+  double metricDistance(Metric metric, Point from) {
+    return metric.metres(from).distance();
+  }
+
+  @Override
+  final ReferenceFrame frame() {
+    return referenceFrame();
+  }
+
+  @Override
+  public ObjectDescription copy() {
+    return (ObjectDescription) super.copy();
+  }
+}

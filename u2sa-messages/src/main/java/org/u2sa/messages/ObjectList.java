@@ -1,0 +1,30 @@
+package org.u2sa.messages;
+
+import java.util.List;
+
+/** The objects that matter to the mission (thesis 3.2.3.3). */
+public final class ObjectList extends U2SAData {
+  private static final Schema<ObjectList> SCHEMA =
+      Schema.of("ObjectList", ObjectList.class, ObjectList::new, U2SAData.TYPE);
+  private static final ValueField<ObjectList, List<ObjectDescription>> OBJECTS =
+      SCHEMA.messages("objects", ObjectDescription.TYPE);
+
+  /** The schema. */
+  public static final MessageType<ObjectList> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ObjectList> type() {
+    return TYPE;
+  }
+
+  /** The objects. */
+  public List<ObjectDescription> objects() {
+    return require(OBJECTS);
+  }
+
+  /** Sets {@link #objects()}. */
+  public ObjectList objects(List<? extends ObjectDescription> value) {
+    put(OBJECTS, List.copyOf(value));
+    return this;
+  }
+}

@@ -1,0 +1,52 @@
+package org.u2sa.messages;
+
+/**
+ * Moves an actuator to a share of its range (thesis 3.2.3.9): of place or speed, as the actuator
+ * understands it.
+ */
+public class PercentageCommand extends ActuatorCommand {
+  private static final Schema<PercentageCommand> SCHEMA =
+      Schema.of(
+          "PercentageCommand",
+          PercentageCommand.class,
+          PercentageCommand::new,
+          ActuatorCommand.TYPE);
+  private static final NumberField<PercentageCommand> PERCENTAGE =
+      SCHEMA.requiredNumber("percentage", "%", -100.0, 100.0);
+
+  /** The schema. */
+  public static final MessageType<PercentageCommand> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends PercentageCommand> type() {
+    return TYPE;
+  }
+
+  /** Share of the actuator's range [%, -100…100]. */
+  public double percentage() {
+    return require(PERCENTAGE);
+  }
+
+  /** Sets {@link #percentage()}. */
+  public PercentageCommand percentage(double value) {
+    put(PERCENTAGE, value);
+    return this;
+  }
+
+  /** A command that holds until the next. */
+  public static PercentageCommand of(String actuator, double percentage) {
+    return new PercentageCommand().actuatorName(actuator).percentage(percentage);
+  }
+
+  @Override
+  public PercentageCommand actuatorName(String name) {
+    super.actuatorName(name);
+    return this;
+  }
+
+  @Override
+  public PercentageCommand expiry(double seconds) {
+    super.expiry(seconds);
+    return this;
+  }
+}

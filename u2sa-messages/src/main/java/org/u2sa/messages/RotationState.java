@@ -1,0 +1,191 @@
+package org.u2sa.messages;
+
+import java.util.OptionalDouble;
+
+/**
+ * Attitude, its rates and accelerations, with their standard deviations (figure 6, middle column).
+ * Senses of rotation are the frame's.
+ *
+ * @param <S> what setters answer: {@link StateInformation}
+ */
+abstract class RotationState<S extends StateInformation> extends TranslationState<S> {
+  /** Roll [rad]; right wing down positive in GLOBAL; empty if absent. */
+  public OptionalDouble phi() {
+    return number(StateField.PHI);
+  }
+
+  /** Sets {@link #phi()}. */
+  public S phi(double value) {
+    return number(StateField.PHI, value);
+  }
+
+  /** Pitch [rad]; nose up positive in GLOBAL; empty if absent. */
+  public OptionalDouble theta() {
+    return number(StateField.THETA);
+  }
+
+  /** Sets {@link #theta()}. */
+  public S theta(double value) {
+    return number(StateField.THETA, value);
+  }
+
+  /** Heading [rad]; clockwise from true north, 0…2π, in GLOBAL; empty if absent. */
+  public OptionalDouble psi() {
+    return number(StateField.PSI);
+  }
+
+  /** Sets {@link #psi()}. */
+  public S psi(double value) {
+    return number(StateField.PSI, value);
+  }
+
+  /** Roll rate, of the Euler angle [rad/s]; empty if absent. */
+  public OptionalDouble phiDot() {
+    return number(StateField.PHI_DOT);
+  }
+
+  /** Sets {@link #phiDot()}. */
+  public S phiDot(double value) {
+    return number(StateField.PHI_DOT, value);
+  }
+
+  /** Pitch rate, of the Euler angle [rad/s]; empty if absent. */
+  public OptionalDouble thetaDot() {
+    return number(StateField.THETA_DOT);
+  }
+
+  /** Sets {@link #thetaDot()}. */
+  public S thetaDot(double value) {
+    return number(StateField.THETA_DOT, value);
+  }
+
+  /** Heading rate, of the Euler angle [rad/s]; empty if absent. */
+  public OptionalDouble psiDot() {
+    return number(StateField.PSI_DOT);
+  }
+
+  /** Sets {@link #psiDot()}. */
+  public S psiDot(double value) {
+    return number(StateField.PSI_DOT, value);
+  }
+
+  /** Roll acceleration, of the Euler angle [rad/s²]; empty if absent. */
+  public OptionalDouble phiDoubleDot() {
+    return number(StateField.PHI_DOUBLE_DOT);
+  }
+
+  /** Sets {@link #phiDoubleDot()}. */
+  public S phiDoubleDot(double value) {
+    return number(StateField.PHI_DOUBLE_DOT, value);
+  }
+
+  /** Pitch acceleration, of the Euler angle [rad/s²]; empty if absent. */
+  public OptionalDouble thetaDoubleDot() {
+    return number(StateField.THETA_DOUBLE_DOT);
+  }
+
+  /** Sets {@link #thetaDoubleDot()}. */
+  public S thetaDoubleDot(double value) {
+    return number(StateField.THETA_DOUBLE_DOT, value);
+  }
+
+  /** Heading acceleration, of the Euler angle [rad/s²]; empty if absent. */
+  public OptionalDouble psiDoubleDot() {
+    return number(StateField.PSI_DOUBLE_DOT);
+  }
+
+  /** Sets {@link #psiDoubleDot()}. */
+  public S psiDoubleDot(double value) {
+    return number(StateField.PSI_DOUBLE_DOT, value);
+  }
+
+  /** Standard deviation of {@link #phi()} [rad]; empty if absent. */
+  public OptionalDouble phiSigma() {
+    return number(StateField.PHI_SIGMA);
+  }
+
+  /** Sets {@link #phiSigma()}. */
+  public S phiSigma(double value) {
+    return number(StateField.PHI_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #theta()} [rad]; empty if absent. */
+  public OptionalDouble thetaSigma() {
+    return number(StateField.THETA_SIGMA);
+  }
+
+  /** Sets {@link #thetaSigma()}. */
+  public S thetaSigma(double value) {
+    return number(StateField.THETA_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #psi()} [rad]; empty if absent. */
+  public OptionalDouble psiSigma() {
+    return number(StateField.PSI_SIGMA);
+  }
+
+  /** Sets {@link #psiSigma()}. */
+  public S psiSigma(double value) {
+    return number(StateField.PSI_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #phiDot()} [rad/s]; empty if absent. */
+  public OptionalDouble phiDotSigma() {
+    return number(StateField.PHI_DOT_SIGMA);
+  }
+
+  /** Sets {@link #phiDotSigma()}. */
+  public S phiDotSigma(double value) {
+    return number(StateField.PHI_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #thetaDot()} [rad/s]; empty if absent. */
+  public OptionalDouble thetaDotSigma() {
+    return number(StateField.THETA_DOT_SIGMA);
+  }
+
+  /** Sets {@link #thetaDotSigma()}. */
+  public S thetaDotSigma(double value) {
+    return number(StateField.THETA_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #psiDot()} [rad/s]; empty if absent. */
+  public OptionalDouble psiDotSigma() {
+    return number(StateField.PSI_DOT_SIGMA);
+  }
+
+  /** Sets {@link #psiDotSigma()}. */
+  public S psiDotSigma(double value) {
+    return number(StateField.PSI_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #phiDoubleDot()} [rad/s²]; empty if absent. */
+  public OptionalDouble phiDoubleDotSigma() {
+    return number(StateField.PHI_DOUBLE_DOT_SIGMA);
+  }
+
+  /** Sets {@link #phiDoubleDotSigma()}. */
+  public S phiDoubleDotSigma(double value) {
+    return number(StateField.PHI_DOUBLE_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #thetaDoubleDot()} [rad/s²]; empty if absent. */
+  public OptionalDouble thetaDoubleDotSigma() {
+    return number(StateField.THETA_DOUBLE_DOT_SIGMA);
+  }
+
+  /** Sets {@link #thetaDoubleDotSigma()}. */
+  public S thetaDoubleDotSigma(double value) {
+    return number(StateField.THETA_DOUBLE_DOT_SIGMA, value);
+  }
+
+  /** Standard deviation of {@link #psiDoubleDot()} [rad/s²]; empty if absent. */
+  public OptionalDouble psiDoubleDotSigma() {
+    return number(StateField.PSI_DOUBLE_DOT_SIGMA);
+  }
+
+  /** Sets {@link #psiDoubleDotSigma()}. */
+  public S psiDoubleDotSigma(double value) {
+    return number(StateField.PSI_DOUBLE_DOT_SIGMA, value);
+  }
+}

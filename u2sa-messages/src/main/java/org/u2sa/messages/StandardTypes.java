@@ -1,0 +1,54 @@
+package org.u2sa.messages;
+
+import java.util.List;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.ConfigurationChangeResult;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationVariable;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.FunctionalityRequest;
+import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.StopCommand;
+
+/** The registry of this module's own messages: one line each. */
+final class StandardTypes {
+  static final List<MessageType<?>> ALL =
+      List.of(
+          StateInformation.TYPE,
+          GoalInformation.TYPE,
+          Waypoint.TYPE,
+          GoalList.TYPE,
+          ObjectDescription.TYPE,
+          PointCloud.TYPE,
+          ShapeDescription.TYPE,
+          Circle.TYPE,
+          Rectangle.TYPE,
+          Line.TYPE,
+          Sphere.TYPE,
+          Cylinder.TYPE,
+          Box.TYPE,
+          ObjectList.TYPE,
+          NavigationPoint.TYPE,
+          ActuatorCommand.TYPE,
+          PercentageCommand.TYPE,
+          ActuatorAnnouncement.TYPE,
+          GoalCommand.TYPE,
+          DiscoveryRequest.TYPE,
+          DiscoveryResponse.TYPE,
+          FunctionalityRequest.TYPE,
+          FunctionalityResponse.TYPE,
+          StopCommand.TYPE,
+          ConfigurationRequest.TYPE,
+          ConfigurationVariable.TYPE,
+          ConfigurationResponse.TYPE,
+          ConfigurationChange.TYPE,
+          ConfigurationChangeResult.TYPE,
+          HealthReport.TYPE);
+
+  private StandardTypes() {}
+}

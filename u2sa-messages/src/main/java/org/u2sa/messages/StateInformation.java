@@ -1,0 +1,95 @@
+package org.u2sa.messages;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * All or part of a vehicle's state, from a sensor or from the State Estimator (thesis 3.2.3.2,
+ * figure 6).
+ *
+ * <p>48 optional numbers: see {@link StateField}. Their axes and senses of rotation are those of
+ * {@link #referenceFrame()}; velocities and accelerations are metric in every frame, standard
+ * deviations too.
+ */
+public class StateInformation extends FluidState<StateInformation> {
+  private static final Schema<StateInformation> SCHEMA =
+      Schema.of("StateInformation", StateInformation.class, StateInformation::new, U2SAData.TYPE);
+  private static final ValueField<StateInformation, String> SENSOR_NAME =
+      SCHEMA.text("sensorName", "");
+  private static final ValueField<StateInformation, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
+  private static final List<NumberField<StateInformation>> NUMBERS = numbers();
+
+  /** The schema. */
+  public static final MessageType<StateInformation> TYPE = SCHEMA.build();
+
+  private static List<NumberField<StateInformation>> numbers() {
+    List<NumberField<StateInformation>> fields = new ArrayList<>();
+    for (StateField field : StateField.values()) {
+      boolean horizontal = field == StateField.X || field == StateField.Y;
+      fields.add(
+          horizontal
+              ? SCHEMA.optionalCoordinate(field.fieldName())
+              : SCHEMA.optionalNumber(field.fieldName(), field.unit()));
+    }
+    return List.copyOf(fields);
+  }
+
+  @Override
+  public MessageType<? extends StateInformation> type() {
+    return TYPE;
+  }
+
+  /** The sensor or estimator that the state is from; empty until set. */
+  public String sensorName() {
+    return get(SENSOR_NAME);
+  }
+
+  /** Sets {@link #sensorName()}. */
+  public StateInformation sensorName(String name) {
+    put(SENSOR_NAME, name);
+    return this;
+  }
+
+  /** The axes of position, velocity, acceleration and attitude; GLOBAL until set. */
+  public ReferenceFrame referenceFrame() {
+    return get(REFERENCE_FRAME);
+  }
+
+  /**
+   * Sets {@link #referenceFrame()}; changes no number: for that see {@link #in(ReferenceFrame)}.
+   */
+  public StateInformation referenceFrame(ReferenceFrame frame) {
+    put(REFERENCE_FRAME, frame);
+    return this;
+  }
+
+  /** One of the 48 numbers; empty if absent. */
+  @Override
+  public OptionalDouble number(StateField field) {
+    return get(NUMBERS.get(field.ordinal()));
+  }
+
+  /**
+   * Sets one of the 48 numbers.
+   *
+   * @throws IllegalArgumentException if not finite
+   */
+  @Override
+  public StateInformation number(StateField field, double value) {
+    put(NUMBERS.get(field.ordinal()), value);
+    return this;
+  }
+
+  @Override
+  final ReferenceFrame frame() {
+    return referenceFrame();
+  }
+
+  @Override
+  public StateInformation copy() {
+    return (StateInformation) super.copy();
+  }
+}

@@ -1,0 +1,83 @@
+package org.u2sa.messages;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A field that holds anything but a double.
+ *
+ * @param <T> the message class
+ * @param <V> the value's class; immutable
+ */
+public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
+  final V ifUnset; // null: none
+  private final ValueKind<V> values;
+
+  ValueField(FieldOutline outline, ValueKind<V> values, V ifUnset) {
+    super(outline, values.kind());
+    this.values = values;
+    this.ifUnset = ifUnset;
+  }
+
+  V checked(Object value) {
+    try {
+      return values.checked(value);
+    } catch (IllegalArgumentException e) {
+      throw refused(value, e.getMessage());
+    }
+  }
+
+  @Override
+  public Optional<Object> get(T message) {
+    return Optional.ofNullable(message.orDefault(this));
+  }
+
+  @Override
+  public boolean isSet(T message) {
+    return message.valueAt(slot) != null;
+  }
+
+  @Override
+  boolean isWritten(T message) {
+    return ifUnset != null || isSet(message);
+  }
+
+  @Override
+  public void set(T message, Object value) {
+    message.putChecked(this, checked(value));
+  }
+
+  @Override
+  public void setText(T message, String text) {
+    setTexts(message, List.of(text));
+  }
+
+  @Override
+  public void setTexts(T message, List<String> texts) {
+    V value;
+    try {
+      value = values.parsed(texts);
+    } catch (IllegalArgumentException e) {
+      throw refused(texts.size() == 1 ? texts.get(0) : texts, e.getMessage());
+    }
+    set(message, value);
+  }
+
+  @Override
+  void write(CborWriter out, T message) throws IOException {
+    values.write(out, message.orDefault(this));
+  }
+
+  @Override
+  void read(CborReader in, T message) throws IOException, MalformedMessageException {
+    message.putChecked(this, checked(values.read(in)));
+  }
+
+  @Override
+  void copy(T from, T to) {
+    if (isSet(from)) {
+      to.putChecked(this, values.copied(from.orDefault(this)));
+    }
+  }
+}

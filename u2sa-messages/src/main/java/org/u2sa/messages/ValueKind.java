@@ -1,0 +1,33 @@
+package org.u2sa.messages;
+
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * How values of one {@link Kind} are checked, parsed, written and read. Errors of check and parse
+ * say what was expected.
+ */
+interface ValueKind<V> {
+  Kind kind();
+
+  /** The value as it is kept: immutable and within bounds. */
+  V checked(Object value);
+
+  V parsed(List<String> texts);
+
+  void write(CborWriter out, V value) throws IOException;
+
+  V read(CborReader in) throws IOException, MalformedMessageException;
+
+  /** For copies of messages: nested messages are copied too, all else is immutable. */
+  default V copied(V value) {
+    return value;
+  }
+
+  static String only(List<String> texts) {
+    if (texts.size() != 1) {
+      throw new IllegalArgumentException("expected one value");
+    }
+    return texts.get(0);
+  }
+}

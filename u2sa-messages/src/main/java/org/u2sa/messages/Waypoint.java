@@ -1,0 +1,195 @@
+package org.u2sa.messages;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * A place to reach (thesis 3.2.3.4, figure 8): some of x, y, z, and if need be attitude, time and
+ * speed there.
+ */
+public class Waypoint extends GoalInformation {
+  private static final Schema<Waypoint> SCHEMA =
+      Schema.of("Waypoint", Waypoint.class, Waypoint::new, GoalInformation.TYPE);
+  private static final ValueField<Waypoint, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
+  private static final NumberField<Waypoint> X = SCHEMA.optionalCoordinate("x");
+  private static final NumberField<Waypoint> Y = SCHEMA.optionalCoordinate("y");
+  private static final NumberField<Waypoint> Z = SCHEMA.optionalNumber("z", "m");
+  private static final NumberField<Waypoint> PHI = SCHEMA.optionalNumber("phi", "rad");
+  private static final NumberField<Waypoint> THETA = SCHEMA.optionalNumber("theta", "rad");
+  private static final NumberField<Waypoint> PSI = SCHEMA.optionalNumber("psi", "rad");
+  private static final NumberField<Waypoint> TIME = SCHEMA.optionalNumber("time", "s");
+  private static final NumberField<Waypoint> HORIZONTAL_THRESHOLD =
+      SCHEMA.requiredNumber("horizontalThreshold", "m", 0.0, Double.POSITIVE_INFINITY);
+  private static final NumberField<Waypoint> VERTICAL_THRESHOLD =
+      SCHEMA.optionalNumber("verticalThreshold", "m", 0.0);
+  private static final NumberField<Waypoint> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
+
+  static {
+    SCHEMA.alias("reference", REFERENCE_FRAME); // the thesis's mission example, 3.2.3.2
+  }
+
+  /** The schema. */
+  public static final MessageType<Waypoint> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends Waypoint> type() {
+    return TYPE;
+  }
+
+  /** The axes of position and attitude; GLOBAL until set. */
+  public ReferenceFrame referenceFrame() {
+    return get(REFERENCE_FRAME);
+  }
+
+  /** Sets {@link #referenceFrame()}. */
+  public Waypoint referenceFrame(ReferenceFrame frame) {
+    put(REFERENCE_FRAME, frame);
+    return this;
+  }
+
+  /** Position along x [m]; longitude [deg, east +] in GLOBAL; empty if it does not matter. */
+  public OptionalDouble x() {
+    return get(X);
+  }
+
+  /** Sets {@link #x()}. */
+  public Waypoint x(double value) {
+    put(X, value);
+    return this;
+  }
+
+  /** Position along y [m]; latitude [deg, north +] in GLOBAL; empty if it does not matter. */
+  public OptionalDouble y() {
+    return get(Y);
+  }
+
+  /** Sets {@link #y()}. */
+  public Waypoint y(double value) {
+    put(Y, value);
+    return this;
+  }
+
+  /** Position along z [m]; altitude above mean sea level in GLOBAL; empty if it does not matter. */
+  public OptionalDouble z() {
+    return get(Z);
+  }
+
+  /** Sets {@link #z()}. */
+  public Waypoint z(double value) {
+    put(Z, value);
+    return this;
+  }
+
+  /** Roll on arrival [rad]; empty if it does not matter. */
+  public OptionalDouble phi() {
+    return get(PHI);
+  }
+
+  /** Sets {@link #phi()}. */
+  public Waypoint phi(double value) {
+    put(PHI, value);
+    return this;
+  }
+
+  /** Pitch on arrival [rad]; empty if it does not matter. */
+  public OptionalDouble theta() {
+    return get(THETA);
+  }
+
+  /** Sets {@link #theta()}. */
+  public Waypoint theta(double value) {
+    put(THETA, value);
+    return this;
+  }
+
+  /** Heading on arrival [rad]; empty if it does not matter. */
+  public OptionalDouble psi() {
+    return get(PSI);
+  }
+
+  /** Sets {@link #psi()}. */
+  public Waypoint psi(double value) {
+    put(PSI, value);
+    return this;
+  }
+
+  /** When to be there [s since the start of the mission]; empty if it does not matter. */
+  public OptionalDouble time() {
+    return get(TIME);
+  }
+
+  /** Sets {@link #time()}. */
+  public Waypoint time(double value) {
+    put(TIME, value);
+    return this;
+  }
+
+  /** The waypoint is reached within this horizontal distance [m]. */
+  public double horizontalThreshold() {
+    return require(HORIZONTAL_THRESHOLD);
+  }
+
+  /** Sets {@link #horizontalThreshold()}. */
+  public Waypoint horizontalThreshold(double metres) {
+    put(HORIZONTAL_THRESHOLD, metres);
+    return this;
+  }
+
+  /** The waypoint is reached within this difference of height [m]; empty if it does not matter. */
+  public OptionalDouble verticalThreshold() {
+    return get(VERTICAL_THRESHOLD);
+  }
+
+  /** Sets {@link #verticalThreshold()}. */
+  public Waypoint verticalThreshold(double value) {
+    put(VERTICAL_THRESHOLD, value);
+    return this;
+  }
+
+  /** Speed to fly there, through the fluid [m/s]; empty if it does not matter. */
+  public OptionalDouble speed() {
+    return get(SPEED);
+  }
+
+  /** Sets {@link #speed()}. */
+  public Waypoint speed(double value) {
+    put(SPEED, value);
+    return this;
+  }
+
+  @Override
+  public Waypoint uid(String uid) {
+    super.uid(uid);
+    return this;
+  }
+
+  @Override
+  public Waypoint completed(boolean completed) {
+    super.completed(completed);
+    return this;
+  }
+
+  @Override
+  public Waypoint next(List<String> uids) {
+    super.next(uids);
+    return this;
+  }
+
+  @Override
+  public Waypoint description(String text) {
+    super.description(text);
+    return this;
+  }
+
+  @Override
+  final ReferenceFrame frame() {
+    return referenceFrame();
+  }
+
+  @Override
+  public Waypoint copy() {
+    return (Waypoint) super.copy();
+  }
+}

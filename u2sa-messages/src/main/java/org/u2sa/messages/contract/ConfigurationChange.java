@@ -1,0 +1,62 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Tells a service to change a variable (thesis 3.2.1.1). */
+public final class ConfigurationChange extends U2SAData {
+  private static final Schema<ConfigurationChange> SCHEMA =
+      Schema.of(
+          "ConfigurationChange",
+          ConfigurationChange.class,
+          ConfigurationChange::new,
+          U2SAData.TYPE);
+  private static final ValueField<ConfigurationChange, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ConfigurationChange, String> VARIABLE_NAME =
+      SCHEMA.requiredText("variableName");
+  private static final ValueField<ConfigurationChange, String> VALUE = SCHEMA.requiredText("value");
+
+  /** The schema. */
+  public static final MessageType<ConfigurationChange> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationChange> type() {
+    return TYPE;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ConfigurationChange serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** The variable. */
+  public String variableName() {
+    return require(VARIABLE_NAME);
+  }
+
+  /** Sets {@link #variableName()}. */
+  public ConfigurationChange variableName(String value) {
+    put(VARIABLE_NAME, value);
+    return this;
+  }
+
+  /** The new value as text. */
+  public String value() {
+    return require(VALUE);
+  }
+
+  /** Sets {@link #value()}. */
+  public ConfigurationChange value(String value) {
+    put(VALUE, value);
+    return this;
+  }
+}

@@ -1,0 +1,89 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** What became of a {@link ConfigurationChange}. */
+public final class ConfigurationChangeResult extends U2SAData {
+  private static final Schema<ConfigurationChangeResult> SCHEMA =
+      Schema.of(
+          "ConfigurationChangeResult",
+          ConfigurationChangeResult.class,
+          ConfigurationChangeResult::new,
+          U2SAData.TYPE);
+  private static final ValueField<ConfigurationChangeResult, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ConfigurationChangeResult, String> VARIABLE_NAME =
+      SCHEMA.requiredText("variableName");
+  private static final ValueField<ConfigurationChangeResult, Boolean> ACCEPTED =
+      SCHEMA.flag("accepted");
+  private static final ValueField<ConfigurationChangeResult, String> VALUE =
+      SCHEMA.text("value", "");
+  private static final ValueField<ConfigurationChangeResult, String> REASON =
+      SCHEMA.text("reason", "");
+
+  /** The schema. */
+  public static final MessageType<ConfigurationChangeResult> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationChangeResult> type() {
+    return TYPE;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ConfigurationChangeResult serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** The variable. */
+  public String variableName() {
+    return require(VARIABLE_NAME);
+  }
+
+  /** Sets {@link #variableName()}. */
+  public ConfigurationChangeResult variableName(String value) {
+    put(VARIABLE_NAME, value);
+    return this;
+  }
+
+  /** True if the variable has the new value now. */
+  public boolean accepted() {
+    return require(ACCEPTED);
+  }
+
+  /** Sets {@link #accepted()}. */
+  public ConfigurationChangeResult accepted(boolean value) {
+    put(ACCEPTED, value);
+    return this;
+  }
+
+  /** Its value now, as text. */
+  public String value() {
+    return require(VALUE);
+  }
+
+  /** Sets {@link #value()}. */
+  public ConfigurationChangeResult value(String value) {
+    put(VALUE, value);
+    return this;
+  }
+
+  /** Why it was refused; empty if accepted. */
+  public String reason() {
+    return require(REASON);
+  }
+
+  /** Sets {@link #reason()}. */
+  public ConfigurationChangeResult reason(String value) {
+    put(REASON, value);
+    return this;
+  }
+}

@@ -1,0 +1,51 @@
+package org.u2sa.messages.contract;
+
+import java.util.List;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** A service's configuration. */
+public final class ConfigurationResponse extends U2SAData {
+  private static final Schema<ConfigurationResponse> SCHEMA =
+      Schema.of(
+          "ConfigurationResponse",
+          ConfigurationResponse.class,
+          ConfigurationResponse::new,
+          U2SAData.TYPE);
+  private static final ValueField<ConfigurationResponse, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ConfigurationResponse, List<ConfigurationVariable>> VARIABLES =
+      SCHEMA.messages("variables", ConfigurationVariable.TYPE);
+
+  /** The schema. */
+  public static final MessageType<ConfigurationResponse> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationResponse> type() {
+    return TYPE;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ConfigurationResponse serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** All its variables. */
+  public List<ConfigurationVariable> variables() {
+    return require(VARIABLES);
+  }
+
+  /** Sets {@link #variables()}. */
+  public ConfigurationResponse variables(List<? extends ConfigurationVariable> value) {
+    put(VARIABLES, List.copyOf(value));
+    return this;
+  }
+}

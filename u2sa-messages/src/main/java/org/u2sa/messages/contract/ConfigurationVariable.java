@@ -1,0 +1,112 @@
+package org.u2sa.messages.contract;
+
+import java.util.OptionalDouble;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.NumberField;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** One variable of a service's configuration. */
+public final class ConfigurationVariable extends U2SAData {
+  private static final Schema<ConfigurationVariable> SCHEMA =
+      Schema.of(
+          "ConfigurationVariable",
+          ConfigurationVariable.class,
+          ConfigurationVariable::new,
+          U2SAData.TYPE);
+  private static final ValueField<ConfigurationVariable, String> NAME = SCHEMA.requiredText("name");
+  private static final ValueField<ConfigurationVariable, String> VARIABLE_TYPE =
+      SCHEMA.text("variableType", "string");
+  private static final ValueField<ConfigurationVariable, String> VALUE = SCHEMA.text("value", "");
+  private static final ValueField<ConfigurationVariable, String> UNIT = SCHEMA.text("unit", "");
+  private static final NumberField<ConfigurationVariable> MIN = SCHEMA.optionalNumber("min", "");
+  private static final NumberField<ConfigurationVariable> MAX = SCHEMA.optionalNumber("max", "");
+  private static final ValueField<ConfigurationVariable, String> DESCRIPTION =
+      SCHEMA.text("description", "");
+
+  /** The schema. */
+  public static final MessageType<ConfigurationVariable> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationVariable> type() {
+    return TYPE;
+  }
+
+  /** Its name, "HEADING GAIN". */
+  public String name() {
+    return require(NAME);
+  }
+
+  /** Sets {@link #name()}. */
+  public ConfigurationVariable name(String value) {
+    put(NAME, value);
+    return this;
+  }
+
+  /** "string", "double", "int" or "boolean". */
+  public String variableType() {
+    return require(VARIABLE_TYPE);
+  }
+
+  /** Sets {@link #variableType()}. */
+  public ConfigurationVariable variableType(String value) {
+    put(VARIABLE_TYPE, value);
+    return this;
+  }
+
+  /** Its value as text. */
+  public String value() {
+    return require(VALUE);
+  }
+
+  /** Sets {@link #value()}. */
+  public ConfigurationVariable value(String value) {
+    put(VALUE, value);
+    return this;
+  }
+
+  /** Its unit; empty if none. */
+  public String unit() {
+    return require(UNIT);
+  }
+
+  /** Sets {@link #unit()}. */
+  public ConfigurationVariable unit(String value) {
+    put(UNIT, value);
+    return this;
+  }
+
+  /** Smallest value allowed; empty if unbounded. */
+  public OptionalDouble min() {
+    return get(MIN);
+  }
+
+  /** Sets {@link #min()}. */
+  public ConfigurationVariable min(double value) {
+    put(MIN, value);
+    return this;
+  }
+
+  /** Largest value allowed; empty if unbounded. */
+  public OptionalDouble max() {
+    return get(MAX);
+  }
+
+  /** Sets {@link #max()}. */
+  public ConfigurationVariable max(double value) {
+    put(MAX, value);
+    return this;
+  }
+
+  /** What it does; empty if nobody said. */
+  public String description() {
+    return require(DESCRIPTION);
+  }
+
+  /** Sets {@link #description()}. */
+  public ConfigurationVariable description(String value) {
+    put(DESCRIPTION, value);
+    return this;
+  }
+}

@@ -1,0 +1,18 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+
+/** Asks every service of a system to say that it is there (thesis 3.2.2.1). */
+public final class DiscoveryRequest extends U2SAData {
+  /** The schema. */
+  public static final MessageType<DiscoveryRequest> TYPE =
+      Schema.of("DiscoveryRequest", DiscoveryRequest.class, DiscoveryRequest::new, U2SAData.TYPE)
+          .build();
+
+  @Override
+  public MessageType<DiscoveryRequest> type() {
+    return TYPE;
+  }
+}

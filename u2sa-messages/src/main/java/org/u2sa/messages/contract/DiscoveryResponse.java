@@ -1,0 +1,98 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.NumberField;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** A service says that it is there (thesis 3.2.2.1). */
+public final class DiscoveryResponse extends U2SAData {
+  private static final Schema<DiscoveryResponse> SCHEMA =
+      Schema.of(
+          "DiscoveryResponse", DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE);
+  private static final ValueField<DiscoveryResponse, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<DiscoveryResponse, String> SERVICE_TYPE =
+      SCHEMA.text("serviceType", "");
+  private static final ValueField<DiscoveryResponse, ServiceStatus> STATUS =
+      SCHEMA.requiredChoice("status", ServiceStatus.class);
+  private static final ValueField<DiscoveryResponse, String> HOST = SCHEMA.text("host", "");
+  private static final NumberField<DiscoveryResponse> UPTIME =
+      SCHEMA.number("uptime", "s", 0.0, 0.0);
+  private static final ValueField<DiscoveryResponse, String> VERSION = SCHEMA.text("version", "");
+
+  /** The schema. */
+  public static final MessageType<DiscoveryResponse> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<DiscoveryResponse> type() {
+    return TYPE;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public DiscoveryResponse serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** Its role; empty if none. */
+  public String serviceType() {
+    return require(SERVICE_TYPE);
+  }
+
+  /** Sets {@link #serviceType()}. */
+  public DiscoveryResponse serviceType(String value) {
+    put(SERVICE_TYPE, value);
+    return this;
+  }
+
+  /** Where it is in its life. */
+  public ServiceStatus status() {
+    return require(STATUS);
+  }
+
+  /** Sets {@link #status()}. */
+  public DiscoveryResponse status(ServiceStatus value) {
+    put(STATUS, value);
+    return this;
+  }
+
+  /** Host it runs on; empty if unknown. */
+  public String host() {
+    return require(HOST);
+  }
+
+  /** Sets {@link #host()}. */
+  public DiscoveryResponse host(String value) {
+    put(HOST, value);
+    return this;
+  }
+
+  /** Time since it started [s]. */
+  public double uptime() {
+    return require(UPTIME);
+  }
+
+  /** Sets {@link #uptime()}. */
+  public DiscoveryResponse uptime(double value) {
+    put(UPTIME, value);
+    return this;
+  }
+
+  /** Version of its software; empty if unknown. */
+  public String version() {
+    return require(VERSION);
+  }
+
+  /** Sets {@link #version()}. */
+  public DiscoveryResponse version(String value) {
+    put(VERSION, value);
+    return this;
+  }
+}

@@ -1,0 +1,64 @@
+package org.u2sa.messages.contract;
+
+import java.util.List;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** What a service publishes and subscribes to (thesis 3.2.2.1). */
+public final class FunctionalityResponse extends U2SAData {
+  private static final Schema<FunctionalityResponse> SCHEMA =
+      Schema.of(
+          "FunctionalityResponse",
+          FunctionalityResponse.class,
+          FunctionalityResponse::new,
+          U2SAData.TYPE);
+  private static final ValueField<FunctionalityResponse, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<FunctionalityResponse, List<String>> PUBLISHES =
+      SCHEMA.texts("publishes");
+  private static final ValueField<FunctionalityResponse, List<String>> SUBSCRIBES =
+      SCHEMA.texts("subscribes");
+
+  /** The schema. */
+  public static final MessageType<FunctionalityResponse> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<FunctionalityResponse> type() {
+    return TYPE;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public FunctionalityResponse serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** Each "channel/TypeChain". */
+  public List<String> publishes() {
+    return require(PUBLISHES);
+  }
+
+  /** Sets {@link #publishes()}. */
+  public FunctionalityResponse publishes(List<String> value) {
+    put(PUBLISHES, value);
+    return this;
+  }
+
+  /** Each "channel/TypeChain". */
+  public List<String> subscribes() {
+    return require(SUBSCRIBES);
+  }
+
+  /** Sets {@link #subscribes()}. */
+  public FunctionalityResponse subscribes(List<String> value) {
+    put(SUBSCRIBES, value);
+    return this;
+  }
+}

@@ -1,0 +1,32 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Tells the Mission Manager to change to a goal now (thesis 3.2.3.2). */
+public final class GoalCommand extends U2SAData {
+  private static final Schema<GoalCommand> SCHEMA =
+      Schema.of("GoalCommand", GoalCommand.class, GoalCommand::new, U2SAData.TYPE);
+  private static final ValueField<GoalCommand, String> UID = SCHEMA.requiredText("uid");
+
+  /** The schema. */
+  public static final MessageType<GoalCommand> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<GoalCommand> type() {
+    return TYPE;
+  }
+
+  /** The goal to pursue. */
+  public String uid() {
+    return require(UID);
+  }
+
+  /** Sets {@link #uid()}. */
+  public GoalCommand uid(String value) {
+    put(UID, value);
+    return this;
+  }
+}

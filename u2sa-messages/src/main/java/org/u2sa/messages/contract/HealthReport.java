@@ -1,0 +1,148 @@
+package org.u2sa.messages.contract;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.NumberField;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** A service's heartbeat (thesis 3.5.3). Counts are since the service started. */
+public final class HealthReport extends U2SAData {
+  private static final Schema<HealthReport> SCHEMA =
+      Schema.of("HealthReport", HealthReport.class, HealthReport::new, U2SAData.TYPE);
+  private static final ValueField<HealthReport, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<HealthReport, ServiceStatus> STATUS =
+      SCHEMA.requiredChoice("status", ServiceStatus.class);
+  private static final ValueField<HealthReport, String> LAST_ERROR =
+      SCHEMA.optionalText("lastError");
+  private static final ValueField<HealthReport, Long> INBOX_DEPTH = SCHEMA.count("inboxDepth", "");
+  private static final ValueField<HealthReport, Long> DROPPED = SCHEMA.count("dropped", "");
+  private static final ValueField<HealthReport, Long> REFUSED = SCHEMA.count("refused", "");
+  private static final ValueField<HealthReport, Long> OVERRUNS = SCHEMA.count("overruns", "");
+  private static final ValueField<HealthReport, Long> EXCEPTIONS = SCHEMA.count("exceptions", "");
+  private static final NumberField<HealthReport> CALLBACK_P50 =
+      SCHEMA.optionalNumber("callbackP50", "s", 0.0);
+  private static final NumberField<HealthReport> CALLBACK_P99 =
+      SCHEMA.optionalNumber("callbackP99", "s", 0.0);
+
+  /** The schema. */
+  public static final MessageType<HealthReport> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<HealthReport> type() {
+    return TYPE;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public HealthReport serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** Where it is in its life. */
+  public ServiceStatus status() {
+    return require(STATUS);
+  }
+
+  /** Sets {@link #status()}. */
+  public HealthReport status(ServiceStatus value) {
+    put(STATUS, value);
+    return this;
+  }
+
+  /** The newest error; empty if there was none. */
+  public Optional<String> lastError() {
+    return Optional.ofNullable(get(LAST_ERROR));
+  }
+
+  /** Sets {@link #lastError()}. */
+  public HealthReport lastError(String value) {
+    put(LAST_ERROR, value);
+    return this;
+  }
+
+  /** Messages that wait now. */
+  public long inboxDepth() {
+    return require(INBOX_DEPTH);
+  }
+
+  /** Sets {@link #inboxDepth()}. */
+  public HealthReport inboxDepth(long value) {
+    put(INBOX_DEPTH, value);
+    return this;
+  }
+
+  /** Messages dropped because the inbox was full or a newer one came. */
+  public long dropped() {
+    return require(DROPPED);
+  }
+
+  /** Sets {@link #dropped()}. */
+  public HealthReport dropped(long value) {
+    put(DROPPED, value);
+    return this;
+  }
+
+  /** Messages that could not be read or were not expected. */
+  public long refused() {
+    return require(REFUSED);
+  }
+
+  /** Sets {@link #refused()}. */
+  public HealthReport refused(long value) {
+    put(REFUSED, value);
+    return this;
+  }
+
+  /** Steps that took longer than their period. */
+  public long overruns() {
+    return require(OVERRUNS);
+  }
+
+  /** Sets {@link #overruns()}. */
+  public HealthReport overruns(long value) {
+    put(OVERRUNS, value);
+    return this;
+  }
+
+  /** Exceptions that were survived. */
+  public long exceptions() {
+    return require(EXCEPTIONS);
+  }
+
+  /** Sets {@link #exceptions()}. */
+  public HealthReport exceptions(long value) {
+    put(EXCEPTIONS, value);
+    return this;
+  }
+
+  /** Median duration of a callback [s]; empty before the first. */
+  public OptionalDouble callbackP50() {
+    return get(CALLBACK_P50);
+  }
+
+  /** Sets {@link #callbackP50()}. */
+  public HealthReport callbackP50(double value) {
+    put(CALLBACK_P50, value);
+    return this;
+  }
+
+  /** 99th percentile of the duration of a callback [s]; empty before the first. */
+  public OptionalDouble callbackP99() {
+    return get(CALLBACK_P99);
+  }
+
+  /** Sets {@link #callbackP99()}. */
+  public HealthReport callbackP99(double value) {
+    put(CALLBACK_P99, value);
+    return this;
+  }
+}

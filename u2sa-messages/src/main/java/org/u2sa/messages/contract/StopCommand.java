@@ -1,0 +1,46 @@
+package org.u2sa.messages.contract;
+
+import java.util.Optional;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Tells one service or all to stop (thesis 3.2.2.1). */
+public final class StopCommand extends U2SAData {
+  private static final Schema<StopCommand> SCHEMA =
+      Schema.of("StopCommand", StopCommand.class, StopCommand::new, U2SAData.TYPE);
+  private static final ValueField<StopCommand, Boolean> STOP_ALL = SCHEMA.flag("stopAll");
+  private static final ValueField<StopCommand, String> SERVICE_NAME =
+      SCHEMA.optionalText("serviceName");
+
+  /** The schema. */
+  public static final MessageType<StopCommand> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<StopCommand> type() {
+    return TYPE;
+  }
+
+  /** True: every service of the system. */
+  public boolean stopAll() {
+    return require(STOP_ALL);
+  }
+
+  /** Sets {@link #stopAll()}. */
+  public StopCommand stopAll(boolean value) {
+    put(STOP_ALL, value);
+    return this;
+  }
+
+  /** The one to stop; empty with {@link #stopAll()}. */
+  public Optional<String> serviceName() {
+    return Optional.ofNullable(get(SERVICE_NAME));
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public StopCommand serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+}

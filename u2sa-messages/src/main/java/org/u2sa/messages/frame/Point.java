@@ -1,0 +1,120 @@
+package org.u2sa.messages.frame;
+
+/**
+ * A point in space, in the axes of whatever names it (thesis 3.2.3.6, figure 10). Immutable.
+ *
+ * <p>Cartesian inside; {@link #azimuth()}, {@link #elevation()} and {@link #distance()} are the
+ * thesis's polar view of the same point. In {@link ReferenceFrame#GLOBAL} x is longitude [deg], y
+ * is latitude [deg] and z altitude [m]; polar values have no meaning there.
+ */
+public final class Point {
+  /** The origin of the axes. */
+  public static final Point ORIGIN = new Point(0.0, 0.0, 0.0);
+
+  private final double x;
+  private final double y;
+  private final double z;
+
+  private Point(double x, double y, double z) {
+    this.x = x;
+    this.y = y;
+    this.z = z;
+  }
+
+  /**
+   * A point by its coordinates [m].
+   *
+   * @throws IllegalArgumentException if one is NaN or infinite
+   */
+  public static Point of(double x, double y, double z) {
+    return new Point(finite("x", x), finite("y", y), finite("z", z));
+  }
+
+  /**
+   * A point by direction and distance, as range finders see it.
+   *
+   * @param azimuth angle from +x towards +y [rad]
+   * @param elevation angle from the x-y plane towards +z [rad]; in BODY, whose z points down,
+   *     positive is below the horizon
+   * @param distance from the origin [m], not negative
+   */
+  public static Point polar(double azimuth, double elevation, double distance) {
+    if (distance < 0.0) {
+      throw new IllegalArgumentException("distance: " + distance + " m is negative");
+    }
+    double flat = distance * Math.cos(elevation);
+    return of(flat * Math.cos(azimuth), flat * Math.sin(azimuth), distance * Math.sin(elevation));
+  }
+
+  private static double finite(String name, double value) {
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException(
+          "Point " + name + ": " + value + " is not a finite number");
+    }
+    return value;
+  }
+
+  /** Along the x axis [m]; longitude [deg] in GLOBAL. */
+  public double x() {
+    return x;
+  }
+
+  /** Along the y axis [m]; latitude [deg] in GLOBAL. */
+  public double y() {
+    return y;
+  }
+
+  /** Along the z axis [m]; altitude above mean sea level in GLOBAL. */
+  public double z() {
+    return z;
+  }
+
+  /** Angle from +x towards +y [rad, -π…π]; 0 at the origin. */
+  public double azimuth() {
+    return Math.atan2(y, x);
+  }
+
+  /** Angle from the x-y plane towards +z [rad, -π/2…π/2]; 0 at the origin. */
+  public double elevation() {
+    return Math.atan2(z, Math.hypot(x, y));
+  }
+
+  /** Distance from the origin [m]. */
+  public double distance() {
+    return Math.sqrt(x * x + y * y + z * z);
+  }
+
+  /** Straight distance to another point of the same Cartesian axes [m]. */
+  public double distanceTo(Point other) {
+    return minus(other).distance();
+  }
+
+  /** The vector from {@code other} to this point. */
+  public Point minus(Point other) {
+    return of(x - other.x, y - other.y, z - other.z);
+  }
+
+  /** This point moved by {@code other}. */
+  public Point plus(Point other) {
+    return of(x + other.x, y + other.y, z + other.z);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Point that
+        && Double.compare(x, that.x) == 0
+        && Double.compare(y, that.y) == 0
+        && Double.compare(z, that.z) == 0;
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * (31 * Double.hashCode(x) + Double.hashCode(y)) + Double.hashCode(z);
+  }
+
+  /** "(x, y, z)". */
+  @Override
+  public String toString() {
+    return "(" + x + ", " + y + ", " + z + ")";
+  }
+}

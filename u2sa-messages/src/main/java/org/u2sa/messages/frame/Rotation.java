@@ -1,0 +1,101 @@
+package org.u2sa.messages.frame;
+
+/**
+ * A proper rotation or an exchange of axes, as a 3 × 3 matrix that turns vectors of one set of axes
+ * into another. Immutable.
+ */
+public final class Rotation {
+  private final double[] m; // row by row
+
+  private Rotation(double[] m) {
+    this.m = m;
+  }
+
+  static Rotation rows(double... nine) {
+    return new Rotation(nine.clone());
+  }
+
+  /**
+   * Turns FRD vehicle axes into NED ones: yaw, then pitch, then roll (Stevens & Lewis, 2nd ed., eq.
+   * 1.4-6, transposed).
+   *
+   * @param phi right wing down [rad]
+   * @param theta nose up [rad]
+   * @param psi clockwise from north [rad]
+   */
+  public static Rotation nedFromFrd(double phi, double theta, double psi) {
+    double sinPhi = Math.sin(phi);
+    double cosPhi = Math.cos(phi);
+    double sinTheta = Math.sin(theta);
+    double cosTheta = Math.cos(theta);
+    double sinPsi = Math.sin(psi);
+    double cosPsi = Math.cos(psi);
+    return rows(
+        cosTheta * cosPsi,
+        sinPhi * sinTheta * cosPsi - cosPhi * sinPsi,
+        cosPhi * sinTheta * cosPsi + sinPhi * sinPsi,
+        cosTheta * sinPsi,
+        sinPhi * sinTheta * sinPsi + cosPhi * cosPsi,
+        cosPhi * sinTheta * sinPsi - sinPhi * cosPsi,
+        -sinTheta,
+        sinPhi * cosTheta,
+        cosPhi * cosTheta);
+  }
+
+  /** The same vector in the other axes. */
+  public Point times(Point v) {
+    return Point.of(
+        m[0] * v.x() + m[1] * v.y() + m[2] * v.z(),
+        m[3] * v.x() + m[4] * v.y() + m[5] * v.z(),
+        m[6] * v.x() + m[7] * v.y() + m[8] * v.z());
+  }
+
+  /** First {@code other}, then this. */
+  public Rotation times(Rotation other) {
+    double[] product = new double[9];
+    for (int row = 0; row < 3; row++) {
+      for (int column = 0; column < 3; column++) {
+        for (int k = 0; k < 3; k++) {
+          product[3 * row + column] += m[3 * row + k] * other.m[3 * k + column];
+        }
+      }
+    }
+    return new Rotation(product);
+  }
+
+  /** The way back. */
+  public Rotation transposed() {
+    return rows(m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]);
+  }
+
+  /**
+   * Standard deviations in the other axes, for errors that are independent along these; what
+   * correlates is dropped.
+   */
+  public Point timesSigma(Point sigma) {
+    double[] squared = new double[9];
+    for (int i = 0; i < 9; i++) {
+      squared[i] = m[i] * m[i];
+    }
+    Point variance =
+        new Rotation(squared)
+            .times(Point.of(sigma.x() * sigma.x(), sigma.y() * sigma.y(), sigma.z() * sigma.z()));
+    return Point.of(Math.sqrt(variance.x()), Math.sqrt(variance.y()), Math.sqrt(variance.z()));
+  }
+
+  /** Roll [rad, -π…π] of the vehicle, if this turns FRD into NED. */
+  public double phi() {
+    return Math.atan2(m[7], m[8]);
+  }
+
+  /** Pitch [rad, -π/2…π/2] of the vehicle, if this turns FRD into NED. */
+  public double theta() {
+    return Math.asin(Math.max(-1.0, Math.min(1.0, -m[6])));
+  }
+
+  /** Heading [rad, clockwise from north, 0…2π) of the vehicle, if this turns FRD into NED. */
+  public double psi() {
+    double psi = Math.atan2(m[3], m[0]);
+    return psi < 0.0 ? psi + 2.0 * Math.PI : psi;
+  }
+}
