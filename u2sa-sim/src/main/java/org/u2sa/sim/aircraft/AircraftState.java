@@ -27,7 +27,7 @@ package org.u2sa.sim.aircraft;
  * @param crashed whether the aircraft hit the ground too hard or with anything but its wheels; then
  *     it stays as it is
  * @param stalled whether the wing is past its stall angle in flight
- * @param loadFactor normal acceleration without gravity [g]: 1 in level flight and at rest
+ * @param loadFactor specific force upwards along the body axis [g]: 1 in level flight and at rest
  */
 public record AircraftState(
     double timeS,

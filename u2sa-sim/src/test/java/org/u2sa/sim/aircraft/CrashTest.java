@@ -1,0 +1,108 @@
+package org.u2sa.sim.aircraft;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.sim.atmosphere.Wind;
+
+class CrashTest {
+  private static final ControlInputs HANDS_OFF = ControlInputs.neutral();
+
+  @Test
+  void step_droppedFromAHand_bouncesAndStands() {
+    Cessna172 aircraft = above(0.3, 0.0, 0.0, 0.0);
+    aircraft.step(HANDS_OFF.withBrakes(1.0, 1.0), 10.0);
+    assertThat(aircraft.state().crashed()).isFalse();
+    assertThat(aircraft.state().heightAboveGroundM()).isBetween(-0.02, 0.02);
+  }
+
+  @Test
+  void step_droppedFromARoof_crashes() {
+    Cessna172 aircraft = above(3.0, 0.0, 0.0, 0.0);
+    aircraft.step(HANDS_OFF, 3.0);
+    assertThat(aircraft.state().crashed()).isTrue();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"35.0, 0.0", "-35.0, 0.0", "0.0, 20.0", "0.0, -20.0", "180.0, 0.0"})
+  void step_touchingWithAnythingButWheels_crashes(double rollDeg, double pitchDeg) {
+    Cessna172 aircraft = above(1.6, 25.0, Math.toRadians(rollDeg), Math.toRadians(pitchDeg));
+    for (int i = 0; i < 240 && !aircraft.state().crashed(); i++) {
+      aircraft.step(HANDS_OFF, 1.0 / 120.0);
+    }
+    assertThat(aircraft.state().crashed()).isTrue();
+  }
+
+  @Test
+  void step_intoTheGround_crashesAndStaysForEver() {
+    Cessna172 aircraft = above(100.0, 55.0, 0.0, -0.5);
+    aircraft.step(HANDS_OFF.withThrottle(1.0).withSurfaces(0.0, 0.5, 0.0), 30.0);
+    AircraftState wreck = aircraft.state();
+    assertThat(wreck.crashed()).isTrue();
+    assertThat(wreck.trueAirspeedMps()).isZero();
+    assertThat(wreck.engineRpm()).isZero();
+    aircraft.startEngine();
+    aircraft.step(HANDS_OFF.withThrottle(1.0).withSurfaces(1.0, -1.0, 1.0), 10.0);
+    AircraftState later = aircraft.state();
+    assertThat(later.timeS()).isEqualTo(wreck.timeS() + 10.0);
+    assertThat(later).usingRecursiveComparison().ignoringFields("timeS").isEqualTo(wreck);
+  }
+
+  @Test
+  void step_gentleFlare_landsAndIsWhole() {
+    Cessna172 aircraft = above(0.5, 30.0, 0.0, 0.12);
+    for (int i = 0; i < 400; i++) {
+      AircraftState state = aircraft.state();
+      double wanted = state.weightOnWheels() ? 0.04 : 0.12;
+      aircraft.step(HandPilot.hold(state, HANDS_OFF, wanted, 0.0, -0.15), 0.025);
+    }
+    assertThat(aircraft.state().crashed()).isFalse();
+    assertThat(aircraft.state().weightOnWheels()).isTrue();
+  }
+
+  @Test
+  void step_terrainRises_crashesIntoTheHill() {
+    Trim trim = Trim.level(300.0, 50.0, 0.0);
+    Terrain hill = (lon, lat) -> lat > 0.01 ? 320.0 : 0.0;
+    Cessna172 aircraft = Cessna172.inFlight(trim.start(0, 0, 0, 0), hill, Wind.calm());
+    aircraft.step(trim.controls(), 15.0);
+    assertThat(aircraft.state().crashed()).isFalse();
+    aircraft.step(trim.controls(), 15.0);
+    assertThat(aircraft.state().crashed()).isTrue();
+  }
+
+  @Test
+  void new_terrainWithoutElevation_isRefusedWithThePlace() {
+    assertThatIllegalStateException()
+        .isThrownBy(
+            () ->
+                Cessna172.onRunway(
+                    new RunwayStart(8.0, 50.0, 0.0, 0.0),
+                    (lon, lat) -> Double.NaN,
+                    Wind.calm(),
+                    true))
+        .withMessageContaining("NaN is not a number of metres");
+  }
+
+  /** The wheels this far above ground, flying north without climb. */
+  private static Cessna172 above(double heightM, double speedMps, double roll, double pitch) {
+    FlightStart start =
+        new FlightStart(
+            0.0,
+            0.0,
+            LandingGear.STANDING_M + heightM,
+            0.0,
+            0.0,
+            speedMps,
+            Math.cos(roll) * pitch,
+            0.0,
+            roll,
+            pitch,
+            PistonEngine.IDLE_RPM,
+            0.0);
+    return Cessna172.inFlight(start, Wind.calm());
+  }
+}
