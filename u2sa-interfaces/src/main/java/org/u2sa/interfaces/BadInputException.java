@@ -1,0 +1,24 @@
+package org.u2sa.interfaces;
+
+/**
+ * Input of a user that cannot be used: a file, an argument, a value. The message alone must do: it
+ * names the place, the value and what was expected, and the command line prints nothing else.
+ */
+public class BadInputException extends RuntimeException {
+  private static final long serialVersionUID = 1L;
+
+  /**
+   * @param message place, value and what was expected, in one sentence
+   */
+  public BadInputException(String message) {
+    super(message);
+  }
+
+  /**
+   * @param message place, value and what was expected, in one sentence
+   * @param cause what was caught
+   */
+  public BadInputException(String message, Throwable cause) {
+    super(message, cause);
+  }
+}

@@ -1,0 +1,86 @@
+package org.u2sa.interfaces;
+
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFileAttributeView;
+
+/**
+ * Replaces a file as a whole: after a power cut there is the old or the new one. Written beside it,
+ * synced, renamed over it.
+ */
+final class WholeFile {
+  /** Age at which a temporary file is a leftover of a power cut, not of another writer [ms]. */
+  private static final long LEFTOVER_MS = 60_000L;
+
+  private WholeFile() {}
+
+  /**
+   * Replaces the content of {@code file}, which exists; its permissions stay, a link to it stays
+   * one.
+   *
+   * @throws IOException if that failed: then the old content stands
+   */
+  static void replace(Path file, byte[] content) throws IOException {
+    Path target = file.toRealPath();
+    Path directory = target.getParent();
+    String prefix = "." + target.getFileName() + ".";
+    // An interrupt would close channels half-way; the service gets it back afterwards.
+    boolean interrupted = Thread.interrupted();
+    Path temporary = Files.createTempFile(directory, prefix, ".tmp");
+    try {
+      copyPermissions(target, temporary);
+      try (FileOutputStream out = new FileOutputStream(temporary.toFile())) {
+        out.write(content);
+        out.getFD().sync();
+      }
+      FileTime now = Files.getLastModifiedTime(temporary);
+      Files.move(
+          temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+      sync(directory);
+      deleteLeftovers(directory, prefix, now);
+    } finally {
+      Files.deleteIfExists(temporary);
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  private static void copyPermissions(Path from, Path to) throws IOException {
+    PosixFileAttributeView view = Files.getFileAttributeView(from, PosixFileAttributeView.class);
+    if (view != null) {
+      Files.setPosixFilePermissions(to, view.readAttributes().permissions());
+    }
+  }
+
+  // The rename itself must reach the disk. Not every system can open a directory (Windows cannot);
+  // there the file is whole all the same, only the newest change may be lost with the power.
+  private static void sync(Path directory) {
+    try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
+      channel.force(true);
+    } catch (IOException e) {
+      return;
+    }
+  }
+
+  private static void deleteLeftovers(Path directory, String prefix, FileTime now)
+      throws IOException {
+    try (DirectoryStream<Path> entries = Files.newDirectoryStream(directory)) {
+      for (Path entry : entries) {
+        String name = entry.getFileName().toString();
+        if (name.startsWith(prefix)
+            && name.endsWith(".tmp")
+            && now.toMillis() - Files.getLastModifiedTime(entry).toMillis() > LEFTOVER_MS) {
+          Files.deleteIfExists(entry);
+        }
+      }
+    }
+  }
+}

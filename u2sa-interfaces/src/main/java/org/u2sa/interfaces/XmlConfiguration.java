@@ -1,0 +1,191 @@
+package org.u2sa.interfaces;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.AbstractMap.SimpleImmutableEntry;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.interfaces.xml.NearestNames;
+
+/**
+ * The configuration of one service in its own XML file (thesis 3.2.1.1, 4.5.1.2, 4.5.3):
+ *
+ * <pre>{@code
+ * <configuration>
+ *   <variable name="COMMUNICATION MANAGER IP" type="string" value="localhost"/>
+ *   <variable name="BANK LIMIT" type="double" value="30" unit="deg" min="0" max="60"/>
+ * </configuration>
+ * }</pre>
+ *
+ * <p>The file is read once. A change rewrites the one value in the text that the file then has: its
+ * comments, its order and what others changed meanwhile stay. One process writes a file, any number
+ * of threads may call.
+ */
+public final class XmlConfiguration implements Configurator {
+  private final String origin;
+  private final Optional<Path> file;
+  private final Map<String, FileVariable> stated;
+  private final Map<String, Variable<?>> declared = new LinkedHashMap<>();
+  private final Map<String, Object> values = new LinkedHashMap<>();
+
+  private XmlConfiguration(String origin, Optional<Path> file, Map<String, FileVariable> stated) {
+    this.origin = origin;
+    this.file = file;
+    this.stated = new LinkedHashMap<>(stated);
+    stated.forEach((name, variable) -> values.put(name, variable.value()));
+  }
+
+  /**
+   * Reads a configuration file.
+   *
+   * @throws ConfigurationException if it is missing, unreadable or not such a file; names file,
+   *     line, variable, value and what was expected
+   */
+  public static XmlConfiguration load(Path file) {
+    return new XmlConfiguration(
+        file.toString(), Optional.of(file), ConfigurationFile.read(file).variables());
+  }
+
+  /**
+   * A configuration without a file: changes last as long as the object.
+   *
+   * @param name how messages name it
+   * @param values Integer, Double, Boolean or String by variable, in the declared units
+   * @throws IllegalArgumentException if a value is of another class
+   */
+  public static XmlConfiguration inMemory(String name, Map<String, ?> values) {
+    Map<String, FileVariable> stated = new LinkedHashMap<>();
+    values.forEach(
+        (variable, value) -> stated.put(variable, FileVariable.inMemory(name, variable, value)));
+    return new XmlConfiguration(name, Optional.empty(), stated);
+  }
+
+  /** The file, or the name of a configuration without one. */
+  public String origin() {
+    return origin;
+  }
+
+  @Override
+  public synchronized Object getVariable(String variableName) {
+    Object value = values.get(variableName);
+    if (value == null) {
+      throw new ConfigurationException(origin + ", " + unknown(variableName));
+    }
+    return value;
+  }
+
+  @Override
+  public synchronized <T> T getVariable(Variable<T> variable) {
+    String name = variable.name();
+    if (!variable.equals(declared.get(name))) {
+      FileVariable statement = stated.get(name);
+      if (statement != null && !file.isPresent()) {
+        statement = statement.withType(variable.type());
+      }
+      BoundVariable bound =
+          new BoundVariable(origin, name, Optional.of(variable), Optional.ofNullable(statement));
+      values.put(name, bound.value());
+      declared.put(name, variable);
+      if (statement != null) {
+        stated.put(name, statement);
+      }
+    }
+    return variable.cast(values.get(name));
+  }
+
+  /**
+   * Refuses variables of the file that no service declared: most are misspelt.
+   *
+   * @throws ConfigurationException naming the first of them and the nearest declared name
+   */
+  public synchronized void refuseUndeclared() {
+    for (FileVariable variable : stated.values()) {
+      if (!declared.containsKey(variable.name())) {
+        throw variable.error(
+            "no service declares it" + NearestNames.didYouMean(variable.name(), declared.keySet()));
+      }
+    }
+  }
+
+  @Override
+  public boolean setVariable(String variableName, Object value) {
+    return !change(variableName, value).isPresent();
+  }
+
+  /**
+   * {@link #setVariable} that says why not.
+   *
+   * @return empty if the variable has the new value, in memory and on file; otherwise the reason
+   *     for the log, and the old value stays
+   */
+  public synchronized Optional<String> change(String variableName, Object value) {
+    try {
+      if (!values.containsKey(variableName)) {
+        return Optional.of(origin + ", " + unknown(variableName));
+      }
+      Object checked;
+      FileVariable statement = stated.get(variableName);
+      if (file.isPresent()) {
+        ConfigurationFile now = ConfigurationFile.read(file.get());
+        BoundVariable bound = bound(variableName, now.variable(variableName));
+        checked = bound.checked(value);
+        now.write(bound, variableName, checked);
+      } else {
+        checked = bound(variableName, Optional.ofNullable(statement)).checked(value);
+      }
+      values.put(variableName, checked);
+      return Optional.empty();
+    } catch (ConfigurationException e) {
+      return Optional.of(e.getMessage());
+    } catch (IllegalArgumentException e) {
+      return Optional.of(origin + ", variable \"" + variableName + "\": " + e.getMessage());
+    } catch (IOException e) {
+      return Optional.of(
+          origin
+              + ", variable \""
+              + variableName
+              + "\": cannot be written, the old value stays: "
+              + e);
+    }
+  }
+
+  /**
+   * Why {@link #setVariable} would refuse this value or text; empty if it would try to write it.
+   */
+  public synchronized Optional<String> reasonOfRefusal(String variableName, Object valueOrText) {
+    if (!values.containsKey(variableName)) {
+      return Optional.of(origin + ", " + unknown(variableName));
+    }
+    try {
+      bound(variableName, Optional.ofNullable(stated.get(variableName))).checked(valueOrText);
+      return Optional.empty();
+    } catch (ConfigurationException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  @Override
+  public synchronized ArrayList<Map.Entry<String, Object>> enumerateFields() {
+    ArrayList<Map.Entry<String, Object>> fields = new ArrayList<>();
+    values.forEach((name, value) -> fields.add(new SimpleImmutableEntry<>(name, value)));
+    return fields;
+  }
+
+  private BoundVariable bound(String name, Optional<FileVariable> statement) {
+    Optional<Variable<?>> declaration = Optional.ofNullable(declared.get(name));
+    if (!declaration.isPresent() && !statement.isPresent()) {
+      throw new ConfigurationException(
+          origin + ", variable \"" + name + "\": no longer stands in the file");
+    }
+    return new BoundVariable(origin, name, declaration, statement);
+  }
+
+  private String unknown(String name) {
+    Set<String> known = new LinkedHashSet<>(values.keySet());
+    return "variable \"" + name + "\": there is none" + NearestNames.didYouMean(name, known);
+  }
+}

@@ -1,0 +1,181 @@
+package org.u2sa.interfaces.xml;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * An element of an XML file that knows where it stands, so that whoever refuses it can say where.
+ * Names keep their case; text and child elements do not mix. Immutable.
+ */
+public final class XmlElement {
+  private final String origin;
+  private final String name;
+  private final int line;
+  private final XmlSpan span;
+  private final Map<String, String> attributes;
+  private final List<XmlElement> children;
+  private final String text;
+
+  XmlElement(
+      String origin,
+      String name,
+      int line,
+      XmlSpan span,
+      Map<String, String> attributes,
+      List<XmlElement> children,
+      String text) {
+    this.origin = origin;
+    this.name = name;
+    this.line = line;
+    this.span = span;
+    this.attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
+    this.children = Collections.unmodifiableList(new ArrayList<>(children));
+    this.text = text;
+  }
+
+  /** The name of the tag. */
+  public String name() {
+    return name;
+  }
+
+  /** The line on which the tag begins, from 1. */
+  public int line() {
+    return line;
+  }
+
+  /** The file that it was read from, as the user named it. */
+  public String origin() {
+    return origin;
+  }
+
+  /** All attributes in the order of the file. */
+  public Map<String, String> attributes() {
+    return attributes;
+  }
+
+  /**
+   * An attribute that must be there.
+   *
+   * @throws BadInputException if it is not
+   */
+  public String attribute(String attributeName) {
+    return optionalAttribute(attributeName)
+        .orElseThrow(() -> error("attribute \"" + attributeName + "\" is missing"));
+  }
+
+  /** An attribute that may be there. */
+  public Optional<String> optionalAttribute(String attributeName) {
+    return Optional.ofNullable(attributes.get(attributeName));
+  }
+
+  /** All child elements in the order of the file. */
+  public List<XmlElement> children() {
+    return children;
+  }
+
+  /** The child elements of that name in the order of the file. */
+  public List<XmlElement> children(String childName) {
+    return children.stream()
+        .filter(child -> child.name.equals(childName))
+        .collect(Collectors.toList());
+  }
+
+  /**
+   * The child element of that name, of which there may be one.
+   *
+   * @throws BadInputException if there are more
+   */
+  public Optional<XmlElement> child(String childName) {
+    List<XmlElement> found = children(childName);
+    if (found.size() > 1) {
+      throw found
+          .get(1)
+          .error(
+              "stands twice in <"
+                  + name
+                  + ">; it stands in line "
+                  + found.get(0).line
+                  + " already");
+    }
+    return found.stream().findFirst();
+  }
+
+  /** The text between the tags without the spaces around it; empty if there are child elements. */
+  public String text() {
+    return text;
+  }
+
+  /** The exception to throw for this element: {@code <origin>, line N, <element>: what}. */
+  public BadInputException error(String what) {
+    return new BadInputException(origin + ", line " + line + ", <" + name + ">: " + what);
+  }
+
+  /** {@link #error(String)} with what was caught. */
+  public BadInputException error(String what, Throwable cause) {
+    return new BadInputException(origin + ", line " + line + ", <" + name + ">: " + what, cause);
+  }
+
+  /**
+   * Refuses attributes of other names than these.
+   *
+   * @throws BadInputException naming the first such attribute and the known ones
+   */
+  public void refuseUnknownAttributes(String... known) {
+    for (String attribute : attributes.keySet()) {
+      if (!Arrays.asList(known).contains(attribute)) {
+        throw error(
+            "unknown attribute \"" + attribute + "\"; " + expected("attribute", known, attribute));
+      }
+    }
+  }
+
+  /**
+   * Refuses child elements of other names than these.
+   *
+   * @throws BadInputException at the first such child, naming the known ones
+   */
+  public void refuseUnknownChildren(String... known) {
+    for (XmlElement child : children) {
+      if (!Arrays.asList(known).contains(child.name)) {
+        throw child.error(
+            "unknown element in <" + name + ">; " + expected("element", known, child.name));
+      }
+    }
+  }
+
+  /**
+   * Refuses text between the tags.
+   *
+   * @throws BadInputException showing the beginning of the text
+   */
+  public void refuseText() {
+    if (!text.isEmpty()) {
+      throw error("unexpected text \"" + XmlText.shortened(text) + "\"");
+    }
+  }
+
+  XmlSpan span() {
+    return span;
+  }
+
+  private static String expected(String kind, String[] known, String given) {
+    if (known.length == 0) {
+      return "no " + kind + " is expected here";
+    }
+    return "expected "
+        + String.join(", ", known)
+        + NearestNames.didYouMean(given, Arrays.asList(known));
+  }
+
+  @Override
+  public String toString() {
+    return origin + ", line " + line + ", <" + name + ">";
+  }
+}

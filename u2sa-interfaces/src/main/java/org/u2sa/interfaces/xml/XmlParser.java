@@ -1,0 +1,164 @@
+package org.u2sa.interfaces.xml;
+
+import com.ctc.wstx.stax.WstxInputFactory;
+import com.ctc.wstx.stax.WstxOutputFactory;
+import com.fasterxml.jackson.dataformat.xml.XmlFactory;
+import java.io.StringReader;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * Turns text into elements. The only class that knows Jackson, Woodstox and StAX; the factories are
+ * named, because Android has no look-up for them.
+ */
+final class XmlParser {
+  private static final int MAX_DEPTH = 100;
+  private static final char BYTE_ORDER_MARK = '\uFEFF';
+  // Jackson's factory switches DTDs and external entities off; never changed after construction.
+  private static final XMLInputFactory FACTORY =
+      XmlFactory.builder()
+          .xmlInputFactory(new WstxInputFactory())
+          .xmlOutputFactory(new WstxOutputFactory())
+          .build()
+          .getXMLInputFactory();
+
+  private final String origin;
+  private final XMLStreamReader reader;
+  private final int offset; // of the reader's first character in the file's text
+  private final Deque<Open> open = new ArrayDeque<>();
+
+  private XmlParser(String origin, XMLStreamReader reader, int offset) {
+    this.origin = origin;
+    this.reader = reader;
+    this.offset = offset;
+  }
+
+  /** An element whose end tag has not come yet. */
+  private static final class Open {
+    private final String name;
+    private final int line;
+    private final int start;
+    private final Map<String, String> attributes = new LinkedHashMap<>();
+    private final List<XmlElement> children = new ArrayList<>();
+    private final StringBuilder text = new StringBuilder();
+
+    Open(String name, int line, int start) {
+      this.name = name;
+      this.line = line;
+      this.start = start;
+    }
+  }
+
+  static XmlElement parse(String origin, String text) {
+    int offset = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK ? 1 : 0;
+    try {
+      XMLStreamReader reader =
+          FACTORY.createXMLStreamReader(new StringReader(text.substring(offset)));
+      try {
+        return new XmlParser(origin, reader, offset).root();
+      } finally {
+        reader.close();
+      }
+    } catch (XMLStreamException e) {
+      throw notWellFormed(origin, e);
+    }
+  }
+
+  private XmlElement root() throws XMLStreamException {
+    XmlElement last = null;
+    while (reader.hasNext()) {
+      switch (reader.next()) {
+        case XMLStreamConstants.START_ELEMENT:
+          start();
+          break;
+        case XMLStreamConstants.END_ELEMENT:
+          last = end();
+          break;
+        case XMLStreamConstants.CHARACTERS:
+        case XMLStreamConstants.CDATA:
+          text();
+          break;
+        case XMLStreamConstants.DTD:
+          throw new BadInputException(
+              origin + ", line " + line() + ": a DOCTYPE is not allowed here");
+        default: // comments, processing instructions and the space around the root say nothing
+      }
+    }
+    return last;
+  }
+
+  private void start() {
+    if (open.size() == MAX_DEPTH) {
+      throw new BadInputException(
+          origin + ", line " + line() + ": more than " + MAX_DEPTH + " elements within each other");
+    }
+    Open element = new Open(name(), line(), position());
+    for (int i = 0; i < reader.getAttributeCount(); i++) {
+      String prefix = reader.getAttributePrefix(i);
+      String local = reader.getAttributeLocalName(i);
+      element.attributes.put(
+          prefix == null || prefix.isEmpty() ? local : prefix + ":" + local,
+          reader.getAttributeValue(i));
+    }
+    open.push(element);
+  }
+
+  private XmlElement end() {
+    Open closed = open.pop();
+    String text = closed.text.toString().trim();
+    XmlElement element =
+        new XmlElement(
+            origin,
+            closed.name,
+            closed.line,
+            new XmlSpan(closed.start, position()),
+            closed.attributes,
+            closed.children,
+            text);
+    if (!closed.children.isEmpty() && !text.isEmpty()) {
+      throw element.error("text \"" + XmlText.shortened(text) + "\" stands between its elements");
+    }
+    if (!open.isEmpty()) {
+      open.peek().children.add(element);
+    }
+    return element;
+  }
+
+  private void text() {
+    if (!open.isEmpty()) {
+      open.peek().text.append(reader.getText());
+    }
+  }
+
+  private String name() {
+    String prefix = reader.getPrefix();
+    return prefix == null || prefix.isEmpty()
+        ? reader.getLocalName()
+        : prefix + ":" + reader.getLocalName();
+  }
+
+  private int line() {
+    return reader.getLocation().getLineNumber();
+  }
+
+  private int position() {
+    return reader.getLocation().getCharacterOffset() + offset;
+  }
+
+  private static BadInputException notWellFormed(String origin, XMLStreamException e) {
+    // Woodstox puts the place on a second line of its message, which stands in front already.
+    String what = e.getMessage().split("\\n\\s*at \\[row", 2)[0].trim();
+    String where =
+        e.getLocation() == null ? "" : ", line " + Math.max(1, e.getLocation().getLineNumber());
+    return new BadInputException(origin + where + ": not well-formed XML: " + what, e);
+  }
+}
