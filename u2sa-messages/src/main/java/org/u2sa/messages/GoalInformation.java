@@ -15,6 +15,7 @@ public abstract class GoalInformation extends U2SAData {
   private static final ValueField<GoalInformation, List<String>> NEXT = SCHEMA.texts("next");
   private static final ValueField<GoalInformation, String> DESCRIPTION =
       SCHEMA.optionalText("description");
+  private static final ValueField<GoalInformation, Boolean> ABANDONED = SCHEMA.flag("abandoned");
 
   static {
     SCHEMA.alias("name", UID); // the thesis's mission example, 3.2.3.2
@@ -64,6 +65,19 @@ public abstract class GoalInformation extends U2SAData {
   /** Sets {@link #description()}. */
   public GoalInformation description(String text) {
     put(DESCRIPTION, text);
+    return this;
+  }
+
+  /**
+   * True once the Path Planner gave the goal up after its attempts: never completed, left behind.
+   */
+  public boolean abandoned() {
+    return get(ABANDONED);
+  }
+
+  /** Sets {@link #abandoned()}. */
+  public GoalInformation abandoned(boolean abandoned) {
+    put(ABANDONED, abandoned);
     return this;
   }
 
