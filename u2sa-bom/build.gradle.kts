@@ -1,0 +1,36 @@
+plugins {
+    `java-platform`
+    `maven-publish`
+}
+
+description = "One version for all modules of U2SA."
+
+dependencies {
+    constraints {
+        api(project(":u2sa-messages"))
+        api(project(":u2sa-interfaces"))
+        api(project(":u2sa-abstract"))
+        api(project(":u2sa-core"))
+        api(project(":u2sa-sim"))
+        api(project(":u2sa-gcs"))
+        api(project(":u2sa-flightgear"))
+    }
+}
+
+publishing {
+    publications {
+        create<MavenPublication>("maven") {
+            from(components["javaPlatform"])
+            pom {
+                name.set(project.name)
+                description.set(project.description)
+                licenses {
+                    license {
+                        name.set("Apache-2.0")
+                        url.set("https://www.apache.org/licenses/LICENSE-2.0.txt")
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,10 @@
+plugins {
+    id("u2sa.java-conventions")
+}
+
+description = "Simulated vehicles, worlds and sensors."
+
+dependencies {
+    api(project(":u2sa-abstract"))
+    testImplementation(testFixtures(project(":u2sa-abstract")))
+}
