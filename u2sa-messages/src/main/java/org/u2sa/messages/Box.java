@@ -65,9 +65,15 @@ public class Box extends ShapeDescription {
   }
 
   @Override
-  double metricDistance(Metric metric, Point from) {
+  void move(PointConversion conversion) {
+    psi(conversion.heading(center(), psi()));
+    super.move(conversion);
+  }
+
+  @Override
+  public double distanceTo(Point from) {
     return Shapes.toBox(
-        referenceFrame(), metric.metres(from), psi(), Point.of(length(), width(), height()));
+        referenceFrame(), metres(from), psi(), Point.of(length(), width(), height()));
   }
 
   @Override

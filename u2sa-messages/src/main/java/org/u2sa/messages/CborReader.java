@@ -117,7 +117,7 @@ final class CborReader {
       if (field != null) {
         field.read(this, message);
       } else if (unknown != null && !name.equals(Schema.TYPE_KEY)) {
-        unknown.put(name, any());
+        unknown.put(name, AnyValue.read(this));
       } else {
         in.skipChildren();
       }
@@ -198,40 +198,21 @@ final class CborReader {
     return elements;
   }
 
-  private Object any() throws IOException, MalformedMessageException {
-    JsonToken token = in.currentToken();
-    if (token == null) {
-      throw unexpected("a value");
-    }
-    switch (token) {
-      case VALUE_NUMBER_FLOAT:
-        return number();
-      case VALUE_NUMBER_INT:
-        return count();
-      case VALUE_TRUE:
-      case VALUE_FALSE:
-        return flag();
-      case VALUE_STRING:
-        return text();
-      case START_ARRAY:
-        return Collections.unmodifiableList(list(this::any));
-      case START_OBJECT:
-        return anyMap();
-      default:
-        throw unexpected("a number, text, bool, array or map");
-    }
-  }
-
-  private Map<String, Object> anyMap() throws IOException, MalformedMessageException {
+  Map<String, Object> map() throws IOException, MalformedMessageException {
     Map<String, Object> map = new LinkedHashMap<>();
     for (String name = in.nextFieldName(); name != null; name = in.nextFieldName()) {
       in.nextToken();
-      if (map.put(name, any()) != null) {
+      if (map.put(name, AnyValue.read(this)) != null) {
         throw malformed("the key \"" + name + "\" comes twice");
       }
     }
     expect(JsonToken.END_OBJECT, "a text key or the end of the map");
     return Collections.unmodifiableMap(map);
+  }
+
+  /** What the parser stands on. */
+  JsonToken token() {
+    return in.currentToken();
   }
 
   private void expect(JsonToken token, String what) throws IOException, MalformedMessageException {
@@ -240,7 +221,7 @@ final class CborReader {
     }
   }
 
-  private MalformedMessageException unexpected(String what) {
+  MalformedMessageException unexpected(String what) {
     JsonToken token = in.currentToken();
     return malformed("expected " + what + ", not " + (token == null ? "the end" : token));
   }

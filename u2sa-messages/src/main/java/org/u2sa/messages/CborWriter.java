@@ -70,7 +70,7 @@ final class CborWriter {
     }
     for (Map.Entry<String, Object> entry : unknown.entrySet()) {
       out.writeFieldName(entry.getKey());
-      any(entry.getValue());
+      AnyValue.write(this, entry.getValue());
     }
     out.writeEndObject();
   }
@@ -111,28 +111,15 @@ final class CborWriter {
     out.writeEndArray();
   }
 
-  private void any(Object value) throws IOException {
-    if (value instanceof Double number) {
-      out.writeNumber(number);
-    } else if (value instanceof Long count) {
-      out.writeNumber(count);
-    } else if (value instanceof Boolean flag) {
-      out.writeBoolean(flag);
-    } else if (value instanceof List<?> list) {
-      beginList(list.size());
-      for (Object element : list) {
-        any(element);
-      }
-      endList();
-    } else if (value instanceof Map<?, ?> map) {
-      out.writeStartObject(value, map.size());
-      for (Map.Entry<?, ?> entry : map.entrySet()) {
-        out.writeFieldName((String) entry.getKey());
-        any(entry.getValue());
-      }
-      out.writeEndObject();
-    } else {
-      out.writeString((String) value);
-    }
+  void beginMap(int size) throws IOException {
+    out.writeStartObject(null, size);
+  }
+
+  void key(String name) throws IOException {
+    out.writeFieldName(name);
+  }
+
+  void endMap() throws IOException {
+    out.writeEndObject();
   }
 }

@@ -29,8 +29,8 @@ public class Circle extends ShapeDescription {
   }
 
   @Override
-  double metricDistance(Metric metric, Point from) {
-    return Shapes.toDisc(metric.metres(from), radius(), 0.0);
+  public double distanceTo(Point from) {
+    return Shapes.toDisc(metres(from), radius(), 0.0);
   }
 
   @Override

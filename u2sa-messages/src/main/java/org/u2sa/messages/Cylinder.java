@@ -41,8 +41,8 @@ public class Cylinder extends ShapeDescription {
   }
 
   @Override
-  double metricDistance(Metric metric, Point from) {
-    return Shapes.toDisc(metric.metres(from), radius(), height());
+  public double distanceTo(Point from) {
+    return Shapes.toDisc(metres(from), radius(), height());
   }
 
   @Override

@@ -21,9 +21,7 @@ public enum Kind {
   /** A list of points. CBOR array of arrays. */
   POINT_LIST("array of points"),
   /** A list of messages. CBOR array of maps, each opening with its "type" chain. */
-  MESSAGE_LIST("array of messages"),
-  /** A value of a type the reader never saw: number, text, bool, list or map. */
-  ANY("any");
+  MESSAGE_LIST("array of messages");
 
   private final String cborType;
 

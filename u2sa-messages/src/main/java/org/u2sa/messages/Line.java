@@ -30,8 +30,8 @@ public class Line extends ShapeDescription {
   }
 
   @Override
-  double metricDistance(Metric metric, Point from) {
-    return Shapes.toPolyline(metric, points(), from);
+  public double distanceTo(Point from) {
+    return Shapes.toPolyline(metric(), points(), from);
   }
 
   @Override

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
+import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * A message class's schema: its name, ancestry and fields. Immutable; one instance a class, {@code
@@ -30,6 +31,7 @@ public final class MessageType<T extends U2SAData> {
   private final List<MessageField<T>> fields;
   private final Map<String, MessageField<T>> byName = new HashMap<>();
   private final Map<String, String> aliases;
+  private final ValueField<?, ReferenceFrame> frameField; // null: none
   private final Sizes sizes;
   private final List<String> chain;
 
@@ -37,10 +39,12 @@ public final class MessageType<T extends U2SAData> {
       Identity<T> identity,
       List<MessageField<T>> fields,
       Map<String, String> aliases,
+      ValueField<?, ReferenceFrame> frameField,
       Sizes sizes) {
     this.identity = identity;
     this.fields = fields;
     this.aliases = aliases;
+    this.frameField = frameField;
     this.sizes = sizes;
     for (MessageField<T> field : fields) {
       byName.put(field.name(), field);
@@ -134,20 +138,17 @@ public final class MessageType<T extends U2SAData> {
     return byName.get(name);
   }
 
+  /** The field that names the frame of the coordinates; null if there is none. */
+  ValueField<?, ReferenceFrame> frameField() {
+    return frameField;
+  }
+
   Map<String, String> aliases() {
     return aliases;
   }
 
-  int numbers() {
-    return sizes.numbers();
-  }
-
-  int values() {
-    return sizes.values();
-  }
-
-  int bits() {
-    return sizes.bits();
+  Sizes sizes() {
+    return sizes;
   }
 
   /** "ActuatorCommand/PercentageCommand". */

@@ -77,9 +77,17 @@ public class NavigationPoint extends U2SAData {
     return new NavigationPoint().point(point);
   }
 
-  @Override
-  final ReferenceFrame frame() {
-    return referenceFrame();
+  /**
+   * The same point in another frame, as a new message.
+   *
+   * @param vehicle where the vehicle is and how it stands, in GLOBAL or UTM for a way between BODY
+   *     and the earth, in LOCAL_ENU or LOCAL_NED for one between BODY and local frames; absent roll
+   *     and pitch count as level, an absent altitude as 0
+   * @throws IllegalArgumentException naming both frames, if this cannot be done
+   */
+  public NavigationPoint in(ReferenceFrame frame, StateInformation vehicle) {
+    PointConversion conversion = PointConversion.of(type(), referenceFrame(), frame, vehicle);
+    return copy().referenceFrame(frame).point(conversion.convert(point()));
   }
 
   @Override

@@ -68,17 +68,17 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
 
   @Override
   public Optional<Object> get(T message) {
-    return isWritten(message) ? Optional.of(message.orDefault(this)) : Optional.empty();
+    return isWritten(message) ? Optional.of(message.storage().get(this)) : Optional.empty();
   }
 
   @Override
   public boolean isSet(T message) {
-    return message.isPresent(slot);
+    return message.storage().has(this);
   }
 
   @Override
   boolean isWritten(T message) {
-    return !Double.isNaN(ifUnset) || message.isPresent(slot);
+    return !Double.isNaN(ifUnset) || message.storage().has(this);
   }
 
   @Override
@@ -108,7 +108,7 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
 
   @Override
   void write(CborWriter out, T message) throws IOException {
-    out.number(message.orDefault(this));
+    out.number(message.storage().get(this));
   }
 
   @Override
@@ -119,7 +119,7 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   @Override
   void copy(T from, T to) {
     if (isSet(from)) {
-      to.put(this, from.orDefault(this));
+      to.storage().put(this, from.storage().get(this));
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.u2sa.messages;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -122,22 +124,55 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Distance from a point to the closest point of the object [m]; 0 inside.
+   * Distance from a point to the closest point of the object [m]; 0 inside. Every shape implements
+   * its own.
    *
    * @param from in the object's own frame; in GLOBAL longitude, latitude [deg] and altitude [m]
    */
-  public final double distanceTo(Point from) {
-    return metricDistance(Metric.of(referenceFrame(), center()), from);
+  public double distanceTo(Point from) {
+    return metres(from).distance();
   }
 
-  /** As {@link #distanceTo}; a subclass measures its own shape, in metres from the centre. */
-  double metricDistance(Metric metric, Point from) {
-    return metric.metres(from).distance();
+  /** A point of the object's frame as metres from the centre, in GLOBAL east, north and up. */
+  protected final Point metres(Point point) {
+    return metric().metres(point);
   }
 
-  @Override
-  final ReferenceFrame frame() {
-    return referenceFrame();
+  /** The same for many points. */
+  final Metric metric() {
+    return Metric.around(referenceFrame(), center());
+  }
+
+  /**
+   * The same object in another frame, as a new message.
+   *
+   * @param vehicle where the vehicle is and how it stands, in GLOBAL or UTM for a way between BODY
+   *     and the earth, in LOCAL_ENU or LOCAL_NED for one between BODY and local frames; absent roll
+   *     and pitch count as level, an absent altitude as 0
+   * @throws IllegalArgumentException naming both frames, if this cannot be done
+   */
+  public ObjectDescription in(ReferenceFrame frame, StateInformation vehicle) {
+    ObjectDescription moved = copy();
+    moved.move(PointConversion.of(type(), referenceFrame(), frame, vehicle));
+    return moved.referenceFrame(frame);
+  }
+
+  /**
+   * Moves the centre, and the points of every list of points; called while the frame is still the
+   * old one.
+   */
+  void move(PointConversion conversion) {
+    for (MessageField<U2SAData> field : fields()) {
+      if (field.kind() == Kind.POINT_LIST) {
+        List<Point> points = new ArrayList<>();
+        for (Object point : (List<?>) field.get(this).orElseThrow()) {
+          points.add(conversion.convert((Point) point));
+        }
+        field.set(this, points);
+      }
+    }
+    Point center = conversion.convert(center());
+    x(center.x()).y(center.y()).z(center.z());
   }
 
   @Override

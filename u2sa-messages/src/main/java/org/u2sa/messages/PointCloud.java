@@ -32,8 +32,8 @@ public class PointCloud extends ObjectDescription {
   }
 
   @Override
-  double metricDistance(Metric metric, Point from) {
-    return Shapes.toNearest(metric, points(), from);
+  public double distanceTo(Point from) {
+    return Shapes.toNearest(metric(), points(), from);
   }
 
   @Override

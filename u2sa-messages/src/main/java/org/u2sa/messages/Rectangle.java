@@ -53,9 +53,14 @@ public class Rectangle extends ShapeDescription {
   }
 
   @Override
-  double metricDistance(Metric metric, Point from) {
-    return Shapes.toBox(
-        referenceFrame(), metric.metres(from), psi(), Point.of(length(), width(), 0.0));
+  void move(PointConversion conversion) {
+    psi(conversion.heading(center(), psi()));
+    super.move(conversion);
+  }
+
+  @Override
+  public double distanceTo(Point from) {
+    return Shapes.toBox(referenceFrame(), metres(from), psi(), Point.of(length(), width(), 0.0));
   }
 
   @Override

@@ -18,47 +18,36 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * public static final MessageType<Beacon> TYPE = SCHEMA.build();
  * }</pre>
  *
- * <p>An optional number, point or enum gets the next bit of the presence vector. Optional texts
- * need none: they are absent or not.
+ * <p>An optional number, flag or enum gets the next bit of the presence vector. Optional texts need
+ * none: they are absent or not.
  *
  * @param <T> the message class
  */
 public final class Schema<T extends U2SAData> {
   static final String TYPE_KEY = "type";
-  private static final int MAX_NUMBERS = Long.SIZE;
+  private static final double ANY_LESS = Double.NEGATIVE_INFINITY;
+  private static final double ANY_MORE = Double.POSITIVE_INFINITY;
 
-  private final String name;
-  private final Class<T> messageClass;
-  private final Supplier<? extends T> empty;
-  private final boolean isAbstract;
-  private final MessageType<? super T> parent; // null for U2SAData alone
+  private final MessageType.Identity<T> identity;
   private final List<MessageField<T>> fields = new ArrayList<>();
   private final Map<String, String> aliases = new HashMap<>();
-  private int numbers;
-  private int values;
-  private int bits;
+  private final FieldSlots slots;
+  private ValueField<?, ReferenceFrame> frameField; // null: none
   private int since = 1;
 
-  private Schema(
-      String name,
-      Class<T> messageClass,
-      Supplier<? extends T> empty,
-      boolean isAbstract,
-      MessageType<? super T> parent) {
-    this.name = name;
-    this.messageClass = messageClass;
-    this.empty = empty;
-    this.isAbstract = isAbstract;
-    this.parent = parent;
-    if (parent != null) {
-      for (MessageField<? super T> field : parent.fields()) {
-        fields.add(MessageType.inherited(field));
-      }
-      aliases.putAll(parent.aliases());
-      numbers = parent.numbers();
-      values = parent.values();
-      bits = parent.bits();
+  private Schema(MessageType.Identity<T> identity) {
+    this.identity = identity;
+    MessageType<? super T> parent = identity.parent();
+    if (parent == null) {
+      slots = new FieldSlots();
+      return;
     }
+    slots = FieldSlots.after(parent.sizes());
+    for (MessageField<? super T> field : parent.fields()) {
+      fields.add(MessageType.inherited(field));
+    }
+    aliases.putAll(parent.aliases());
+    frameField = parent.frameField();
   }
 
   /**
@@ -69,7 +58,7 @@ public final class Schema<T extends U2SAData> {
    */
   public static <T extends U2SAData> Schema<T> of(
       String name, Class<T> messageClass, Supplier<T> empty, MessageType<? super T> parent) {
-    return new Schema<>(name, messageClass, empty, false, parent);
+    return new Schema<>(new MessageType.Identity<>(name, messageClass, empty, false, parent));
   }
 
   /**
@@ -83,11 +72,11 @@ public final class Schema<T extends U2SAData> {
       Class<T> messageClass,
       Supplier<? extends T> carrier,
       MessageType<? super T> parent) {
-    return new Schema<>(name, messageClass, carrier, true, parent);
+    return new Schema<>(new MessageType.Identity<>(name, messageClass, carrier, true, parent));
   }
 
   static Schema<U2SAData> root() {
-    return new Schema<>("U2SAData", U2SAData.class, null, true, null);
+    return new Schema<>(new MessageType.Identity<>("U2SAData", U2SAData.class, null, true, null));
   }
 
   /** Fields declared after this call joined the wire format in the given version. */
@@ -103,12 +92,12 @@ public final class Schema<T extends U2SAData> {
 
   /** A number that may be absent. */
   public NumberField<T> optionalNumber(String field, String unit) {
-    return optionalNumber(field, unit, unit, Double.NEGATIVE_INFINITY);
+    return optionalNumber(field, unit, ANY_LESS);
   }
 
   /** A number that may be absent and is never less than {@code min}. */
   public NumberField<T> optionalNumber(String field, String unit, double min) {
-    return optionalNumber(field, unit, unit, min);
+    return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, ANY_MORE);
   }
 
   /**
@@ -116,41 +105,38 @@ public final class Schema<T extends U2SAData> {
    * GLOBAL.
    */
   public NumberField<T> optionalCoordinate(String field) {
-    return optionalNumber(field, "m", "deg", Double.NEGATIVE_INFINITY);
-  }
-
-  private NumberField<T> optionalNumber(String field, String unit, String globalUnit, double min) {
-    FieldOutline outline = outline(field, unit, FieldPresence.OPTIONAL, numbers++, true);
-    return added(new NumberField<>(outline, globalUnit, Double.NaN, min, Double.POSITIVE_INFINITY));
+    FieldOutline outline = outline(field, "m", FieldPresence.OPTIONAL);
+    return number(outline, "deg", Double.NaN, ANY_LESS, ANY_MORE);
   }
 
   /** A coordinate without which no message is published: in metres, in GLOBAL in degrees. */
   public NumberField<T> requiredCoordinate(String field) {
-    FieldOutline outline = outline(field, "m", FieldPresence.REQUIRED, numbers++, false);
-    return added(unbounded(outline, "deg", Double.NaN));
+    FieldOutline outline = outline(field, "m", FieldPresence.REQUIRED);
+    return number(outline, "deg", Double.NaN, ANY_LESS, ANY_MORE);
   }
 
   /** A number without which no message is published, within bounds. */
   public NumberField<T> requiredNumber(String field, String unit, double min, double max) {
-    FieldOutline outline = outline(field, unit, FieldPresence.REQUIRED, numbers++, false);
-    return added(new NumberField<>(outline, unit, Double.NaN, min, max));
+    return number(outline(field, unit, FieldPresence.REQUIRED), unit, Double.NaN, min, max);
   }
 
   /** A number that has a value from the start. */
   public NumberField<T> number(String field, String unit, double ifUnset) {
-    return number(field, unit, ifUnset, Double.NEGATIVE_INFINITY);
+    return number(field, unit, ifUnset, ANY_LESS);
   }
 
   /** A number that has a value from the start and is never less than {@code min}. */
   public NumberField<T> number(String field, String unit, double ifUnset, double min) {
-    FieldOutline outline = outline(field, unit, FieldPresence.DEFAULTED, numbers++, false);
-    return added(new NumberField<>(outline, unit, ifUnset, min, Double.POSITIVE_INFINITY));
+    return number(outline(field, unit, FieldPresence.DEFAULTED), unit, ifUnset, min, ANY_MORE);
   }
 
-  private static <T extends U2SAData> NumberField<T> unbounded(
-      FieldOutline outline, String globalUnit, double ifUnset) {
-    return new NumberField<>(
-        outline, globalUnit, ifUnset, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+  private NumberField<T> number(
+      FieldOutline outline, String globalUnit, double ifUnset, double min, double max) {
+    FieldOutline placed = outline.at(slots.number());
+    if (outline.presence() == FieldPresence.OPTIONAL) {
+      placed = placed.withBit(slots.bit());
+    }
+    return added(new NumberField<>(placed, globalUnit, ifUnset, min, max));
   }
 
   /** A text without which no message is published. */
@@ -182,6 +168,11 @@ public final class Schema<T extends U2SAData> {
     return value(field, "", ScalarKinds.FLAG, FieldPresence.DEFAULTED, false, false);
   }
 
+  /** True, false or absent. */
+  public ValueField<T, Boolean> optionalFlag(String field) {
+    return value(field, "", ScalarKinds.FLAG, FieldPresence.OPTIONAL, null, true);
+  }
+
   /** One of an enum's constants; may be absent. */
   public <E extends Enum<E>> ValueField<T, E> optionalChoice(String field, Class<E> type) {
     return value(field, "", ScalarKinds.choice(type), FieldPresence.OPTIONAL, null, true);
@@ -194,7 +185,10 @@ public final class Schema<T extends U2SAData> {
 
   /** The frame that the message's coordinates are written in. */
   public ValueField<T, ReferenceFrame> frame(String field, ReferenceFrame ifUnset) {
-    return value(field, "", ScalarKinds.FRAME, FieldPresence.DEFAULTED, ifUnset, false);
+    ValueField<T, ReferenceFrame> frame =
+        value(field, "", ScalarKinds.FRAME, FieldPresence.DEFAULTED, ifUnset, false);
+    frameField = frame;
+    return frame;
   }
 
   /** A point without which no message is published. */
@@ -226,13 +220,13 @@ public final class Schema<T extends U2SAData> {
       FieldPresence presence,
       V ifUnset,
       boolean hasBit) {
-    return added(new ValueField<>(outline(field, unit, presence, values++, hasBit), kind, ifUnset));
+    FieldOutline outline = outline(field, unit, presence).at(slots.value());
+    FieldOutline placed = hasBit ? outline.withBit(slots.bit()) : outline;
+    return added(new ValueField<>(placed, kind, ifUnset));
   }
 
-  private FieldOutline outline(
-      String field, String unit, FieldPresence presence, int slot, boolean hasBit) {
-    int bit = hasBit ? bits++ : MessageField.NO_BIT;
-    return new FieldOutline(name, field, unit, presence, slot, bit, since);
+  private FieldOutline outline(String field, String unit, FieldPresence presence) {
+    return FieldOutline.of(identity.name(), field, unit, presence, since);
   }
 
   private <F extends MessageField<T>> F added(F field) {
@@ -242,10 +236,6 @@ public final class Schema<T extends U2SAData> {
     if (taken) {
       throw new IllegalArgumentException(field.path() + ": the name is taken");
     }
-    if (numbers > MAX_NUMBERS || bits > MAX_NUMBERS) {
-      throw new IllegalArgumentException(
-          field.path() + ": more than " + MAX_NUMBERS + " numbers or optional fields in a message");
-    }
     fields.add(field);
     return field;
   }
@@ -253,9 +243,6 @@ public final class Schema<T extends U2SAData> {
   /** The finished schema. */
   public MessageType<T> build() {
     return new MessageType<>(
-        new MessageType.Identity<>(name, messageClass, empty, isAbstract, parent),
-        List.copyOf(fields),
-        Map.copyOf(aliases),
-        new MessageType.Sizes(numbers, values, bits));
+        identity, List.copyOf(fields), Map.copyOf(aliases), frameField, slots.sizes());
   }
 }

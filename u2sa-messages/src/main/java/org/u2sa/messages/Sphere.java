@@ -29,8 +29,8 @@ public class Sphere extends ShapeDescription {
   }
 
   @Override
-  double metricDistance(Metric metric, Point from) {
-    return Math.max(0.0, metric.metres(from).distance() - radius());
+  public double distanceTo(Point from) {
+    return Math.max(0.0, metres(from).distance() - radius());
   }
 
   @Override

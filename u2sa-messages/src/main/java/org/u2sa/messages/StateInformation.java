@@ -3,6 +3,7 @@ package org.u2sa.messages;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
@@ -83,9 +84,29 @@ public class StateInformation extends FluidState<StateInformation> {
     return this;
   }
 
-  @Override
-  final ReferenceFrame frame() {
-    return referenceFrame();
+  /**
+   * The same state in another frame, as a new message. Among GLOBAL and UTM, between LOCAL_ENU and
+   * LOCAL_NED, among the BODY frames. Positions, velocities, accelerations and standard deviations
+   * are turned (correlations between the latter are not known and dropped), attitude takes the
+   * frame's senses of rotation, motion through the fluid stays along the vehicle's own axes.
+   *
+   * @throws IllegalArgumentException naming both frames, if this cannot be done without knowing
+   *     more
+   */
+  public StateInformation in(ReferenceFrame frame) {
+    return StateConversion.convert(this, frame, null);
+  }
+
+  /**
+   * As {@link #in(ReferenceFrame)}, and between the earth's frames and the local ones too. A state
+   * without position is taken to be at the origin, one without altitude at the origin's; angles
+   * that are absent count as 0 in turning the others.
+   *
+   * @param origin where the local frame's axes start and are level
+   * @throws IllegalArgumentException naming both frames, if this cannot be done
+   */
+  public StateInformation in(ReferenceFrame frame, Geodetic origin) {
+    return StateConversion.convert(this, frame, origin);
   }
 
   @Override

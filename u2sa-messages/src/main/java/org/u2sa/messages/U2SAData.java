@@ -26,10 +26,7 @@ public abstract class U2SAData {
   /** The root of all types: systemId and timestamp. */
   public static final MessageType<U2SAData> TYPE = SCHEMA.build();
 
-  private final double[] numbers;
-  private final Object[] values;
-  private long present; // bit n: numbers[n] is set
-  private boolean frozen;
+  private final FieldStorage storage;
   private UnknownPart
       unknown; // what a subclass unknown here had, for messages that stand for one; else null
 
@@ -41,9 +38,7 @@ public abstract class U2SAData {
 
   /** An empty message of the type that {@link #type()} names. */
   protected U2SAData() {
-    MessageType<?> type = type();
-    numbers = new double[type.numbers()];
-    values = new Object[type.values()];
+    storage = new FieldStorage(type().sizes());
   }
 
   /** The class's schema: its constant TYPE. Called while the message is constructed. */
@@ -119,25 +114,15 @@ public abstract class U2SAData {
    * @throws IllegalStateException naming the required field that is missing
    */
   public final void freeze() {
-    if (frozen) {
-      return;
+    if (!storage.isFrozen()) {
+      requireComplete();
+      storage.freeze();
     }
-    requireComplete();
-    for (Object value : values) {
-      if (value instanceof List<?> list) {
-        for (Object element : list) {
-          if (element instanceof U2SAData nested) {
-            nested.freeze();
-          }
-        }
-      }
-    }
-    frozen = true;
   }
 
   /** True once frozen: setters throw. */
   public final boolean isFrozen() {
-    return frozen;
+    return storage.isFrozen();
   }
 
   /** A message with the same values that is not frozen. */
@@ -158,16 +143,15 @@ public abstract class U2SAData {
   private void requireComplete() {
     for (MessageField<U2SAData> field : fields()) {
       if (field.isRequired() && !field.isSet(this)) {
-        throw new IllegalStateException(field.path() + " is required and was never set");
+        throw missing(field);
       }
     }
   }
 
   /** The value of a number; empty if it is absent and has no default. */
   protected final OptionalDouble get(NumberField<?> field) {
-    return isPresent(field.slot) || !Double.isNaN(field.ifUnset)
-        ? OptionalDouble.of(orDefault(field))
-        : OptionalDouble.empty();
+    double value = storage.get(field);
+    return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
   }
 
   /**
@@ -176,16 +160,16 @@ public abstract class U2SAData {
    * @throws IllegalStateException if it was never set
    */
   protected final double require(NumberField<?> field) {
-    double value = orDefault(field);
+    double value = storage.get(field);
     if (Double.isNaN(value)) {
-      throw new IllegalStateException(field.path() + " is required and was never set");
+      throw missing(field);
     }
     return value;
   }
 
   /** The value, or its default; null if it has neither. */
   protected final <V> V get(ValueField<?, V> field) {
-    return orDefault(field);
+    return storage.get(field);
   }
 
   /**
@@ -194,9 +178,9 @@ public abstract class U2SAData {
    * @throws IllegalStateException if it was never set
    */
   protected final <V> V require(ValueField<?, V> field) {
-    V value = orDefault(field);
+    V value = storage.get(field);
     if (value == null) {
-      throw new IllegalStateException(field.path() + " is required and was never set");
+      throw missing(field);
     }
     return value;
   }
@@ -208,10 +192,7 @@ public abstract class U2SAData {
    * @throws IllegalStateException if frozen
    */
   protected final void put(NumberField<?> field, double value) {
-    double checked = field.checked(value);
-    requireThawed(field);
-    numbers[field.slot] = checked;
-    present |= 1L << field.slot;
+    storage.put(field, field.checked(value));
   }
 
   /**
@@ -221,43 +202,24 @@ public abstract class U2SAData {
    * @throws IllegalStateException if frozen
    */
   protected final <V> void put(ValueField<?, V> field, V value) {
-    putChecked(field, field.checked(value));
+    storage.put(field, field.checked(value));
   }
 
-  final <V> void putChecked(ValueField<?, V> field, V value) {
-    requireThawed(field);
-    values[field.slot] = value;
+  private static IllegalStateException missing(MessageField<?> field) {
+    return new IllegalStateException(field.path() + " is required and was never set");
   }
 
-  private void requireThawed(MessageField<?> field) {
-    if (frozen) {
-      throw new IllegalStateException(
-          field.path() + " cannot be set: the message is frozen since it was published; copy() it");
-    }
+  final FieldStorage storage() {
+    return storage;
   }
 
-  final boolean isPresent(int slot) {
-    return (present >>> slot & 1L) != 0L;
-  }
-
-  final double orDefault(NumberField<?> field) {
-    return isPresent(field.slot) ? numbers[field.slot] : field.ifUnset;
-  }
-
-  final Object valueAt(int slot) {
-    return values[slot];
-  }
-
-  @SuppressWarnings(
-      "unchecked") // slot and class of value belong to the same field: only put fills it
-  final <V> V orDefault(ValueField<?, V> field) {
-    Object value = values[field.slot];
-    return value == null ? field.ifUnset : (V) value;
-  }
-
-  /** The frame that coordinates are written in; BODY for messages that have none. */
-  ReferenceFrame frame() {
-    return ReferenceFrame.BODY;
+  /**
+   * The frame that the message's coordinates are written in: its field of that kind; BODY for
+   * messages that have none.
+   */
+  final ReferenceFrame frame() {
+    ValueField<?, ReferenceFrame> field = type().frameField();
+    return field == null ? ReferenceFrame.BODY : storage.get(field);
   }
 
   final void keepUnknown(UnknownPart part) {

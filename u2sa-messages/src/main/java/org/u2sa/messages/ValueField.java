@@ -30,12 +30,12 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
 
   @Override
   public Optional<Object> get(T message) {
-    return Optional.ofNullable(message.orDefault(this));
+    return Optional.ofNullable(message.storage().get(this));
   }
 
   @Override
   public boolean isSet(T message) {
-    return message.valueAt(slot) != null;
+    return message.storage().has(this);
   }
 
   @Override
@@ -45,7 +45,7 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
 
   @Override
   public void set(T message, Object value) {
-    message.putChecked(this, checked(value));
+    message.storage().put(this, checked(value));
   }
 
   @Override
@@ -66,18 +66,18 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
 
   @Override
   void write(CborWriter out, T message) throws IOException {
-    values.write(out, message.orDefault(this));
+    values.write(out, message.storage().get(this));
   }
 
   @Override
   void read(CborReader in, T message) throws IOException, MalformedMessageException {
-    message.putChecked(this, checked(values.read(in)));
+    message.storage().put(this, checked(values.read(in)));
   }
 
   @Override
   void copy(T from, T to) {
     if (isSet(from)) {
-      to.putChecked(this, values.copied(from.orDefault(this)));
+      to.storage().put(this, values.copied(from.storage().get(this)));
     }
   }
 }

@@ -184,11 +184,6 @@ public class Waypoint extends GoalInformation {
   }
 
   @Override
-  final ReferenceFrame frame() {
-    return referenceFrame();
-  }
-
-  @Override
   public Waypoint copy() {
     return (Waypoint) super.copy();
   }

@@ -5,6 +5,9 @@ package org.u2sa.messages.frame;
  * into another. Immutable.
  */
 public final class Rotation {
+  /** Exchanges east-north-up and north-east-down, either way: it is its own inverse. */
+  public static final Rotation NED_FROM_ENU = rows(0, 1, 0, 1, 0, 0, 0, 0, -1);
+
   private final double[] m; // row by row
 
   private Rotation(double[] m) {
@@ -16,8 +19,8 @@ public final class Rotation {
   }
 
   /**
-   * Turns FRD vehicle axes into NED ones: yaw, then pitch, then roll (Stevens & Lewis, 2nd ed., eq.
-   * 1.4-6, transposed).
+   * Turns FRD vehicle axes into NED ones: yaw, then pitch, then roll (Stevens and Lewis, 2nd ed.,
+   * section 1.3).
    *
    * @param phi right wing down [rad]
    * @param theta nose up [rad]
@@ -40,6 +43,16 @@ public final class Rotation {
         -sinTheta,
         sinPhi * cosTheta,
         cosPhi * cosTheta);
+  }
+
+  /**
+   * Turns east-north-up vectors into those of axes whose y axis points {@code angle} clockwise from
+   * north [rad].
+   */
+  public static Rotation aboutUp(double angle) {
+    double sin = Math.sin(angle);
+    double cos = Math.cos(angle);
+    return rows(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
   }
 
   /** The same vector in the other axes. */

@@ -1,0 +1,105 @@
+package org.u2sa.messages;
+
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Conversions that only exchange axes and turn signs round: LOCAL_ENU ↔ LOCAL_NED, and among the
+ * BODY frames.
+ */
+final class AxisExchange {
+  private static final double QUARTER = Math.PI / 2.0;
+
+  private AxisExchange() {}
+
+  /**
+   * The position between LOCAL_ENU and LOCAL_NED, either way: x and y change places, z turns round.
+   */
+  static void swapPosition(StateInformation from, StateInformation to) {
+    swap(StateTriple.POSITION, from, to, -1.0);
+  }
+
+  /**
+   * Velocities, accelerations and all standard deviations between east-north-up and
+   * north-east-down, either way.
+   */
+  static void swapVectors(StateInformation from, StateInformation to) {
+    swap(StateTriple.VELOCITY, from, to, -1.0);
+    swap(StateTriple.ACCELERATION, from, to, -1.0);
+    swap(StateTriple.POSITION_SIGMA, from, to, 1.0);
+    swap(StateTriple.VELOCITY_SIGMA, from, to, 1.0);
+    swap(StateTriple.ACCELERATION_SIGMA, from, to, 1.0);
+  }
+
+  /**
+   * FRD axes against NED become FLU axes against ENU, either way: the same roll, the pitch turned
+   * round, and a heading of π/2 - ψ. Their derivatives follow, their standard deviations stay.
+   */
+  static void swapAttitude(StateInformation from, StateInformation to) {
+    from.theta().ifPresent(theta -> to.theta(-theta));
+    from.psi().ifPresent(psi -> to.psi(StateConversion.fullTurn(QUARTER - psi)));
+    flip(StateTriple.RATES, from, to, 1.0, -1.0, -1.0);
+    flip(StateTriple.ANGULAR_ACCELERATIONS, from, to, 1.0, -1.0, -1.0);
+  }
+
+  private static void swap(
+      StateTriple triple, StateInformation from, StateInformation to, double zSign) {
+    triple.requirePair(from, StateConversion.between(from.referenceFrame(), to.referenceFrame()));
+    Point v = triple.values(from);
+    triple.put(to, from, Point.of(v.y(), v.x(), zSign * v.z()));
+  }
+
+  /** Between two BODY frames: y or z or both turn round, and with them the senses of rotation. */
+  static void flipBody(StateInformation from, StateInformation to) {
+    BodyAxes source = BodyAxes.of(from.referenceFrame());
+    BodyAxes target = BodyAxes.of(to.referenceFrame());
+    double y = source.y() * target.y();
+    double z = source.z() * target.z();
+    for (StateTriple triple :
+        new StateTriple[] {
+          StateTriple.POSITION,
+          StateTriple.VELOCITY,
+          StateTriple.ACCELERATION,
+          StateTriple.FLUID_VELOCITY,
+          StateTriple.FLUID_ACCELERATION
+        }) {
+      flip(triple, from, to, 1.0, y, z);
+    }
+    double phi = source.phi() * target.phi();
+    double theta = source.theta() * target.theta();
+    double psi = source.psi() * target.psi();
+    for (StateTriple triple :
+        new StateTriple[] {
+          StateTriple.ANGLES, StateTriple.RATES, StateTriple.ANGULAR_ACCELERATIONS
+        }) {
+      flip(triple, from, to, phi, theta, psi);
+    }
+  }
+
+  private static void flip(
+      StateTriple triple,
+      StateInformation from,
+      StateInformation to,
+      double first,
+      double second,
+      double third) {
+    Point v = triple.values(from);
+    triple.put(to, from, Point.of(first * v.x(), second * v.y(), third * v.z()));
+  }
+
+  /** Signs of a BODY frame's axes and rotations against BODY_FRD. */
+  record BodyAxes(double y, double z, double phi, double theta, double psi) {
+    private static final BodyAxes FRD = new BodyAxes(1.0, 1.0, 1.0, 1.0, 1.0);
+    // Thesis 3.2.3.2: phi from the left axis' view rolls towards +y (left), theta away from +z is
+    // nose up, psi from +x to +y.
+    private static final BodyAxes THESIS = new BodyAxes(-1.0, 1.0, -1.0, 1.0, -1.0);
+    private static final BodyAxes FLU = new BodyAxes(-1.0, -1.0, 1.0, -1.0, -1.0);
+
+    static BodyAxes of(ReferenceFrame frame) {
+      if (frame.equals(ReferenceFrame.BODY_FRD)) {
+        return FRD;
+      }
+      return frame.equals(ReferenceFrame.BODY) ? THESIS : FLU;
+    }
+  }
+}

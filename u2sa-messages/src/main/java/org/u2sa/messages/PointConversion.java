@@ -1,0 +1,141 @@
+package org.u2sa.messages;
+
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.messages.frame.UtmGrid;
+
+/**
+ * Takes points from one frame to another, given where the vehicle is and how it stands. Every point
+ * goes through the frame that the vehicle's state is written in, GLOBAL or LOCAL_NED, or through
+ * BODY_FRD if no place is needed.
+ */
+final class PointConversion {
+  private final ReferenceFrame source;
+  private final ReferenceFrame target;
+  private final StateInformation vehicle; // in GLOBAL or LOCAL_NED; null: none needed or none given
+
+  private PointConversion(ReferenceFrame source, ReferenceFrame target, StateInformation vehicle) {
+    this.source = source;
+    this.target = target;
+    this.vehicle = vehicle;
+  }
+
+  /**
+   * The conversion for a message.
+   *
+   * @param vehicle may be null if both frames are of the same family
+   * @throws IllegalArgumentException naming both frames, if it cannot be done
+   */
+  static PointConversion of(
+      MessageType<?> type, ReferenceFrame source, ReferenceFrame target, StateInformation vehicle) {
+    String what = type.name() + " cannot be converted from " + source + " to " + target;
+    boolean sameFamily =
+        source.isBody() && target.isBody()
+            || source.isLocal() && target.isLocal()
+            || source.isEarth() && target.isEarth();
+    if (sameFamily) {
+      return new PointConversion(source, target, null);
+    }
+    if (!source.isBody() && !target.isBody()) {
+      throw new IllegalArgumentException(what + ": a vehicle's state has no local origin");
+    }
+    ReferenceFrame fixed = source.isBody() ? target : source;
+    if (vehicle == null || vehicle.referenceFrame().isBody()) {
+      throw new IllegalArgumentException(what + ": the vehicle's place and heading are needed");
+    }
+    if (fixed.isEarth() != vehicle.referenceFrame().isEarth()) {
+      throw new IllegalArgumentException(
+          what + " by a vehicle's state in " + vehicle.referenceFrame());
+    }
+    StateInformation placed =
+        vehicle.in(fixed.isEarth() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_NED);
+    if (placed.x().isEmpty() || placed.y().isEmpty() || placed.psi().isEmpty()) {
+      throw new IllegalArgumentException(
+          what + ": the vehicle's state lacks x, y or psi: " + placed);
+    }
+    return new PointConversion(source, target, placed);
+  }
+
+  /** One point. */
+  Point convert(Point point) {
+    if (source.equals(target)) {
+      return point;
+    }
+    if (source.isBody()) {
+      Point frd = flipped(point, source);
+      return target.isBody() ? flipped(frd, target) : fromVehicle(frd);
+    }
+    if (target.isBody()) {
+      return flipped(toVehicle(point), target);
+    }
+    return source.isLocal() ? swapped(point) : toGrid(toPlace(point));
+  }
+
+  /**
+   * A horizontal direction, counted in the frames' senses of psi.
+   *
+   * @param at where it is, in the source frame
+   */
+  double heading(Point at, double psi) {
+    double along = source.isEarth() ? Math.PI / 2.0 - psi : psi;
+    Metric before = Metric.around(source, at);
+    Point end = before.point(Point.of(Math.cos(along), Math.sin(along), 0.0));
+    Point after = Metric.around(target, convert(at)).metres(convert(end));
+    return StateConversion.fullTurn(
+        target.isEarth() ? Math.atan2(after.x(), after.y()) : Math.atan2(after.y(), after.x()));
+  }
+
+  private Point fromVehicle(Point frd) {
+    Point ned = attitude().times(frd);
+    if (target.isEarth()) {
+      return toGrid(vehiclePlace().fromNed(ned));
+    }
+    Point local = ned.plus(vehiclePosition());
+    return target.equals(ReferenceFrame.LOCAL_NED) ? local : swapped(local);
+  }
+
+  private Point toVehicle(Point point) {
+    Point ned;
+    if (source.isEarth()) {
+      ned = vehiclePlace().nedOf(toPlace(point));
+    } else {
+      Point local = source.equals(ReferenceFrame.LOCAL_NED) ? point : swapped(point);
+      ned = local.minus(vehiclePosition());
+    }
+    return attitude().transposed().times(ned);
+  }
+
+  /** Absent roll and pitch are level. */
+  private Rotation attitude() {
+    return Rotation.nedFromFrd(
+        vehicle.phi().orElse(0.0), vehicle.theta().orElse(0.0), vehicle.psi().orElseThrow());
+  }
+
+  private Geodetic vehiclePlace() {
+    return Geodetic.of(vehiclePosition());
+  }
+
+  private Point vehiclePosition() {
+    return StateTriple.POSITION.values(vehicle);
+  }
+
+  private Geodetic toPlace(Point point) {
+    return source.isUtm() ? new UtmGrid(source).place(point) : Geodetic.of(point);
+  }
+
+  private Point toGrid(Geodetic place) {
+    return target.isUtm() ? new UtmGrid(target).grid(place) : place.point();
+  }
+
+  private static Point swapped(Point point) {
+    return Point.of(point.y(), point.x(), -point.z());
+  }
+
+  /** Between BODY_FRD and a BODY frame, either way. */
+  private static Point flipped(Point point, ReferenceFrame body) {
+    AxisExchange.BodyAxes axes = AxisExchange.BodyAxes.of(body);
+    return Point.of(point.x(), axes.y() * point.y(), axes.z() * point.z());
+  }
+}

@@ -1,0 +1,87 @@
+package org.u2sa.messages;
+
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Three fields of {@link StateInformation} that belong to the same axes or angles, for conversions.
+ */
+enum StateTriple {
+  POSITION(StateField.X),
+  VELOCITY(StateField.X_DOT),
+  ACCELERATION(StateField.X_DOUBLE_DOT),
+  POSITION_SIGMA(StateField.X_SIGMA),
+  VELOCITY_SIGMA(StateField.X_DOT_SIGMA),
+  ACCELERATION_SIGMA(StateField.X_DOUBLE_DOT_SIGMA),
+  ANGLES(StateField.PHI),
+  RATES(StateField.PHI_DOT),
+  ANGULAR_ACCELERATIONS(StateField.PHI_DOUBLE_DOT),
+  FLUID_VELOCITY(StateField.FLUID_X_DOT),
+  FLUID_ACCELERATION(StateField.FLUID_X_DOUBLE_DOT),
+  FLUID_VELOCITY_SIGMA(StateField.FLUID_X_DOT_SIGMA),
+  FLUID_ACCELERATION_SIGMA(StateField.FLUID_X_DOUBLE_DOT_SIGMA);
+
+  private final StateField[] fields = new StateField[3];
+
+  StateTriple(StateField first) {
+    for (int i = 0; i < fields.length; i++) {
+      fields[i] = StateField.values()[first.ordinal() + i];
+    }
+  }
+
+  /** Attitude and its derivatives as they are in {@code source}. */
+  static void copyAttitude(StateInformation source, StateInformation target) {
+    for (StateTriple triple : new StateTriple[] {ANGLES, RATES, ANGULAR_ACCELERATIONS}) {
+      triple.put(target, source, triple.values(source));
+    }
+  }
+
+  boolean isEmpty(StateInformation state) {
+    return state.number(fields[0]).isEmpty()
+        && state.number(fields[1]).isEmpty()
+        && state.number(fields[2]).isEmpty();
+  }
+
+  boolean isComplete(StateInformation state) {
+    return state.number(fields[0]).isPresent()
+        && state.number(fields[1]).isPresent()
+        && state.number(fields[2]).isPresent();
+  }
+
+  /** The three values, absent ones 0. */
+  Point values(StateInformation state) {
+    return Point.of(
+        state.number(fields[0]).orElse(0.0),
+        state.number(fields[1]).orElse(0.0),
+        state.number(fields[2]).orElse(0.0));
+  }
+
+  /** Puts the values of those fields that are present in {@code source}. */
+  void put(StateInformation state, StateInformation source, Point values) {
+    if (source.number(fields[0]).isPresent()) {
+      state.number(fields[0], values.x());
+    }
+    if (source.number(fields[1]).isPresent()) {
+      state.number(fields[1], values.y());
+    }
+    if (source.number(fields[2]).isPresent()) {
+      state.number(fields[2], values.z());
+    }
+  }
+
+  /**
+   * Refuses a first value without the second or the other way round, where axes mix.
+   *
+   * @param what names both frames
+   */
+  void requirePair(StateInformation state, String what) {
+    if (state.number(fields[0]).isPresent() != state.number(fields[1]).isPresent()) {
+      throw new IllegalArgumentException(
+          what
+              + ": "
+              + fields[0].fieldName()
+              + " and "
+              + fields[1].fieldName()
+              + " are needed both or neither");
+    }
+  }
+}

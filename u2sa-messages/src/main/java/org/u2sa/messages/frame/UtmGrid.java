@@ -1,0 +1,100 @@
+package org.u2sa.messages.frame;
+
+import org.locationtech.proj4j.ProjCoordinate;
+import org.locationtech.proj4j.datum.Ellipsoid;
+import org.locationtech.proj4j.proj.ExtendedTransverseMercatorProjection;
+
+/**
+ * The grid of one UTM zone on WGS-84, by proj4j's extended transverse Mercator: exact to
+ * micrometres far beyond the zone's edges.
+ */
+public final class UtmGrid {
+  private static final double STEP_DEG = 1e-4; // for derivatives: 11 m of meridian
+  private static final double FALSE_NORTHING_M = 10_000_000.0;
+  private static final int ZONE_DEG = 6;
+
+  private final ReferenceFrame frame;
+  private final ExtendedTransverseMercatorProjection projection =
+      new ExtendedTransverseMercatorProjection();
+
+  /**
+   * The grid of a UTM frame.
+   *
+   * @throws IllegalArgumentException if the frame is not UTM
+   */
+  public UtmGrid(ReferenceFrame frame) {
+    if (!frame.isUtm()) {
+      throw new IllegalArgumentException("expected a UTM frame, not " + frame);
+    }
+    this.frame = frame;
+    projection.setEllipsoid(Ellipsoid.WGS84);
+    projection.setUTMZone(frame.zone());
+    projection.setFalseNorthing(frame.isNorth() ? 0.0 : FALSE_NORTHING_M);
+    projection.initialize();
+  }
+
+  /** The UTM frame that a place lies in, with the wider zones of Norway and Svalbard. */
+  public static ReferenceFrame frameAt(Geodetic place) {
+    double longitude = place.longitudeDeg();
+    double latitude = place.latitudeDeg();
+    int zone = Math.min(60, (int) Math.floor((longitude + 180.0) / ZONE_DEG) + 1);
+    if (latitude >= 56.0 && latitude < 64.0 && longitude >= 3.0 && longitude < 12.0) {
+      zone = 32;
+    } else if (latitude >= 72.0 && latitude < 84.0 && longitude >= 0.0 && longitude < 42.0) {
+      zone = longitude < 9.0 ? 31 : longitude < 21.0 ? 33 : longitude < 33.0 ? 35 : 37;
+    }
+    return ReferenceFrame.utm(zone, latitude >= 0.0);
+  }
+
+  /** Easting, northing [m, false origins included] and altitude. */
+  public Point grid(Geodetic place) {
+    ProjCoordinate grid = projected(place.longitudeDeg(), place.latitudeDeg());
+    return Point.of(grid.x, grid.y, place.altitudeM());
+  }
+
+  /** The place at easting, northing and altitude. */
+  public Geodetic place(Point grid) {
+    ProjCoordinate geographic = new ProjCoordinate();
+    projection.inverseProject(new ProjCoordinate(grid.x(), grid.y()), geographic);
+    return new Geodetic(geographic.x, geographic.y, grid.z());
+  }
+
+  /**
+   * Direction of grid north at a place [rad, clockwise from true north]: east of the central
+   * meridian positive in the north.
+   */
+  public double convergenceRad(Geodetic place) {
+    ProjCoordinate north = northward(place);
+    return -Math.atan2(north.x, north.y);
+  }
+
+  /** Metres of grid for a metre on the ellipsoid at a place: 0.9996 on the central meridian. */
+  public double scale(Geodetic place) {
+    ProjCoordinate north = northward(place);
+    Geodetic below = new Geodetic(place.longitudeDeg(), place.latitudeDeg() - STEP_DEG, 0.0);
+    Geodetic above = new Geodetic(place.longitudeDeg(), place.latitudeDeg() + STEP_DEG, 0.0);
+    return Math.hypot(north.x, north.y) / below.distanceM(above);
+  }
+
+  /** The grid's step for a small step to true north: central difference. */
+  private ProjCoordinate northward(Geodetic place) {
+    ProjCoordinate above = projected(place.longitudeDeg(), place.latitudeDeg() + STEP_DEG);
+    ProjCoordinate below = projected(place.longitudeDeg(), place.latitudeDeg() - STEP_DEG);
+    return new ProjCoordinate(above.x - below.x, above.y - below.y);
+  }
+
+  private ProjCoordinate projected(double longitudeDeg, double latitudeDeg) {
+    ProjCoordinate grid = new ProjCoordinate();
+    projection.project(new ProjCoordinate(longitudeDeg, latitudeDeg), grid);
+    if (!Double.isFinite(grid.x) || !Double.isFinite(grid.y)) {
+      throw new IllegalArgumentException(
+          "longitude "
+              + longitudeDeg
+              + " deg, latitude "
+              + latitudeDeg
+              + " deg cannot be put on the grid of "
+              + frame);
+    }
+    return grid;
+  }
+}
