@@ -1,6 +1,7 @@
 package org.u2sa.interfaces;
 
 import java.util.Optional;
+import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
  * A variable as a service's declaration and the file's statement together make it; at least one of
@@ -36,22 +37,12 @@ final class BoundVariable {
   }
 
   /** The unit of values and limits; empty text if none. */
-  String unit() {
+  private String unit() {
     return declared.map(Variable::unit).orElseGet(this::fileUnit);
   }
 
-  /** The type of the value. */
-  VariableType type() {
-    return type;
-  }
-
-  /** The limits that declaration and file leave. */
-  Range limits() {
-    return limits;
-  }
-
   /** What the variable does: the declaration's word, else the file's. */
-  String description() {
+  private String description() {
     return declared
         .map(Variable::description)
         .filter(text -> !text.isEmpty())
@@ -101,15 +92,49 @@ final class BoundVariable {
     return typed;
   }
 
+  /** The same variable after the file's statement has become {@code value}, which is checked. */
+  FileVariable restated(Object value) {
+    FileVariable before =
+        stated.orElseGet(
+            () ->
+                new FileVariable(
+                    origin,
+                    name,
+                    type,
+                    "",
+                    value,
+                    unit().isEmpty() ? Optional.empty() : Optional.of(unit()),
+                    Range.any(),
+                    ""));
+    return before.withText(fileText(value));
+  }
+
+  /** What a configuration response tells of it. */
+  ConfigurationVariable described(Object value) {
+    ConfigurationVariable message =
+        new ConfigurationVariable()
+            .name(name)
+            .variableType(type.xmlName())
+            .value(String.valueOf(value))
+            .unit(unit())
+            .description(description());
+    if (limits.min() != Double.NEGATIVE_INFINITY) {
+      message.min(limits.min());
+    }
+    if (limits.max() != Double.POSITIVE_INFINITY) {
+      message.max(limits.max());
+    }
+    return message;
+  }
+
   /** {@code value}, which is checked, as it stands in the file: in the file's unit. */
-  String fileText(Object value) {
+  private String fileText(Object value) {
     return value instanceof Double number && converts()
         ? Double.toString(Units.convert(number, unit(), fileUnit()))
         : String.valueOf(value);
   }
 
-  /** The exception for this variable, with file and line as far as it has them. */
-  ConfigurationException error(String what) {
+  private ConfigurationException error(String what) {
     return new ConfigurationException(place() + what);
   }
 

@@ -61,31 +61,27 @@ final class ConfigurationFile {
   }
 
   /**
-   * Writes the file with another value of a variable, or with the variable added; nothing else
-   * changes.
+   * Writes the file with the value of {@code variable}, which is added if it is not there; nothing
+   * else changes.
    *
    * @throws IOException if it could not be written: then the old file stands
    * @throws IllegalArgumentException if XML cannot hold the value
    */
-  void write(BoundVariable variable, String name, Object value) throws IOException {
-    String valueText = variable.fileText(value);
-    XmlElement element = elements.get(name);
+  void write(FileVariable variable) throws IOException {
+    XmlElement element = elements.get(variable.name());
     XmlText changed =
         element != null
-            ? text.withAttribute(element, "value", valueText)
-            : text.withLastChild(root, FileVariable.ELEMENT, attributes(variable, name, valueText));
+            ? text.withAttribute(element, "value", variable.text())
+            : text.withLastChild(root, FileVariable.ELEMENT, attributes(variable));
     WholeFile.replace(path, changed.bytes());
   }
 
-  private static Map<String, String> attributes(
-      BoundVariable variable, String name, String valueText) {
+  private static Map<String, String> attributes(FileVariable variable) {
     Map<String, String> attributes = new LinkedHashMap<>();
-    attributes.put("name", name);
+    attributes.put("name", variable.name());
     attributes.put("type", variable.type().xmlName());
-    attributes.put("value", valueText);
-    if (!variable.unit().isEmpty()) {
-      attributes.put("unit", variable.unit());
-    }
+    attributes.put("value", variable.text());
+    variable.unit().ifPresent(unit -> attributes.put("unit", unit));
     return attributes;
   }
 }

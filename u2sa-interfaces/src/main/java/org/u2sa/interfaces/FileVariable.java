@@ -82,6 +82,12 @@ record FileVariable(
         origin, name, type, String.valueOf(value), value, Optional.empty(), Range.any(), "");
   }
 
+  /** This statement with another value, which its type can parse. */
+  FileVariable withText(String newText) {
+    return new FileVariable(
+        place, name, type, newText, type.parse(newText), unit, limits, description);
+  }
+
   /** This statement with a whole number read as a decimal one, where that is asked for. */
   FileVariable withType(VariableType wanted) {
     return wanted == VariableType.DOUBLE && value instanceof Integer whole

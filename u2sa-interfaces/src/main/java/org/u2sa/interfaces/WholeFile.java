@@ -1,14 +1,13 @@
 package org.u2sa.interfaces;
 
+import java.io.File;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFileAttributeView;
 
 /**
@@ -18,6 +17,8 @@ import java.nio.file.attribute.PosixFileAttributeView;
 final class WholeFile {
   /** Age at which a temporary file is a leftover of a power cut, not of another writer [ms]. */
   private static final long LEFTOVER_MS = 60_000L;
+
+  private static final String SUFFIX = ".tmp";
 
   private WholeFile() {}
 
@@ -33,18 +34,17 @@ final class WholeFile {
     String prefix = "." + target.getFileName() + ".";
     // An interrupt would close channels half-way; the service gets it back afterwards.
     boolean interrupted = Thread.interrupted();
-    Path temporary = Files.createTempFile(directory, prefix, ".tmp");
+    Path temporary = Files.createTempFile(directory, prefix, SUFFIX);
     try {
       copyPermissions(target, temporary);
       try (FileOutputStream out = new FileOutputStream(temporary.toFile())) {
         out.write(content);
         out.getFD().sync();
       }
-      FileTime now = Files.getLastModifiedTime(temporary);
+      deleteLeftovers(directory, prefix, temporary.toFile().lastModified());
       Files.move(
           temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
       sync(directory);
-      deleteLeftovers(directory, prefix, now);
     } finally {
       Files.deleteIfExists(temporary);
       if (interrupted) {
@@ -70,17 +70,18 @@ final class WholeFile {
     }
   }
 
-  private static void deleteLeftovers(Path directory, String prefix, FileTime now)
-      throws IOException {
-    try (DirectoryStream<Path> entries = Files.newDirectoryStream(directory)) {
-      for (Path entry : entries) {
-        String name = entry.getFileName().toString();
-        if (name.startsWith(prefix)
-            && name.endsWith(".tmp")
-            && now.toMillis() - Files.getLastModifiedTime(entry).toMillis() > LEFTOVER_MS) {
-          Files.deleteIfExists(entry);
-        }
-      }
+  // What cannot be listed or deleted stays: it is no reason to refuse the change.
+  private static void deleteLeftovers(Path directory, String prefix, long nowMs) {
+    File[] leftovers =
+        directory
+            .toFile()
+            .listFiles(
+                entry ->
+                    entry.getName().startsWith(prefix)
+                        && entry.getName().endsWith(SUFFIX)
+                        && nowMs - entry.lastModified() > LEFTOVER_MS);
+    for (File leftover : leftovers == null ? new File[0] : leftovers) {
+      leftover.delete();
     }
   }
 }

@@ -6,10 +6,12 @@ import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
  * The configuration of one service in its own XML file (thesis 3.2.1.1, 4.5.1.2, 4.5.3):
@@ -127,17 +129,19 @@ public final class XmlConfiguration implements Configurator {
       if (!values.containsKey(variableName)) {
         return Optional.of(origin + ", " + unknown(variableName));
       }
-      Object checked;
-      FileVariable statement = stated.get(variableName);
-      if (file.isPresent()) {
-        ConfigurationFile now = ConfigurationFile.read(file.get());
-        BoundVariable bound = bound(variableName, now.variable(variableName));
-        checked = bound.checked(value);
-        now.write(bound, variableName, checked);
-      } else {
-        checked = bound(variableName, Optional.ofNullable(statement)).checked(value);
+      Optional<ConfigurationFile> now = file.map(ConfigurationFile::read);
+      Optional<FileVariable> before =
+          now.isPresent()
+              ? now.get().variable(variableName)
+              : Optional.ofNullable(stated.get(variableName));
+      BoundVariable bound = bound(variableName, before);
+      FileVariable after = bound.restated(bound.checked(value));
+      Object newValue = bound(variableName, Optional.of(after)).value();
+      if (now.isPresent()) {
+        now.get().write(after);
       }
-      values.put(variableName, checked);
+      stated.put(variableName, after);
+      values.put(variableName, newValue);
       return Optional.empty();
     } catch (ConfigurationException e) {
       return Optional.of(e.getMessage());
@@ -173,6 +177,15 @@ public final class XmlConfiguration implements Configurator {
     ArrayList<Map.Entry<String, Object>> fields = new ArrayList<>();
     values.forEach((name, value) -> fields.add(new SimpleImmutableEntry<>(name, value)));
     return fields;
+  }
+
+  /** Every variable with type, value, unit, limits and meaning, for a configuration response. */
+  public synchronized List<ConfigurationVariable> describe() {
+    List<ConfigurationVariable> all = new ArrayList<>();
+    values.forEach(
+        (name, value) ->
+            all.add(bound(name, Optional.ofNullable(stated.get(name))).described(value)));
+    return all;
   }
 
   private BoundVariable bound(String name, Optional<FileVariable> statement) {
