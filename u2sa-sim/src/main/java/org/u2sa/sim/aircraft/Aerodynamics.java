@@ -8,16 +8,17 @@ import static org.u2sa.sim.aircraft.Airframe.WING_AREA_M2;
  * Forces and moments of the air on the Cessna 172, power aside.
  *
  * <p>Stability and control derivatives: Roskam, Airplane Flight Dynamics and Automatic Flight
- * Controls, part I, appendix B, airplane A (four-seat light aircraft: the Cessna 172), per radian,
+ * Controls, part I, appendix B, airplane A (four-seat light aircraft), in the form documented for
+ * the Cessna 172 by Peden (LaRCsim data of FlightGear 0.7, 1999): stability axes, per radian,
  * rudder sign turned so that positive yaws right. Drag: Loftin, Quest for Performance, NASA SP-468,
  * table of the Cessna Skyhawk: zero-lift drag 0.0319, best lift-to-drag ratio 11.6. Stall: sigmoid
- * blend into a flat plate, Beard and McLain, Small Unmanned Aircraft, eqs. 4.9 and 4.10, placed so
- * that the handbook's stall speeds come out (172P: 51 KCAS flaps up, 46 KCAS flaps 30°). Ground
- * effect: McCormick, Aerodynamics, Aeronautics, and Flight Mechanics, eq. 5.86.
+ * blend into a flat plate, Beard and McLain, Small Unmanned Aircraft, eq. 4.9, placed so that the
+ * handbook's stall speeds come out (172P: 51 KCAS flaps up, 46 KCAS flaps 30°); the plate's normal
+ * force goes with 2 sin α, as their eq. 4.10 (2 sin² α) takes more lift than such wings lose.
+ * Ground effect: McCormick, Aerodynamics, Aeronautics, and Flight Mechanics, eq. 5.86.
  */
 final class Aerodynamics {
-  private static final double CL_0 =
-      0.31; // wing incidence: at zero angle of attack of the fuselage
+  private static final double CL_0 = 0.31; // body axes lie along the flow in the book's cruise
   private static final double CL_ALPHA = 4.6;
   private static final double CL_Q = 3.9;
   private static final double CL_ELEVATOR = 0.43;
@@ -45,7 +46,7 @@ final class Aerodynamics {
 
   private static final double STALL_RAD = Math.toRadians(17.8); // middle of the break
   private static final double BREAK_SHARPNESS = 50.0; // Beard and McLain, table E.2
-  private static final double PLATE_DRAG = 1.8;
+  private static final double PLATE_NORMAL = 2.0; // normal force of the separated wing, per sine
   private static final double STALL_NOSE_DROP = -0.10; // the wing's centre of pressure moves aft
   private static final double AUTOROTATION = 0.10; // roll damping turns to this past the stall …
   private static final double ROLL_DAMPING_2 = -1.5; // … and is bounded by the rate's square
@@ -135,20 +136,25 @@ final class Aerodynamics {
     double qs = pressure * WING_AREA_M2;
     double rate = 0.25 * density * speed * WING_AREA_M2; // q S / (2 V)
 
+    double roll = p * cosAlpha + r * sinAlpha; // the book's axes: forward along the flow
+    double yaw = r * cosAlpha - p * sinAlpha;
+
     double stall = stallFraction(alpha);
     double attached = CL_0 + CL_ALPHA * alpha + flapLift;
-    double plate = 2.0 * Math.copySign(sinAlpha * sinAlpha, sinAlpha) * cosAlpha;
+    double plate = PLATE_NORMAL * sinAlpha * cosAlpha;
     double wingLift = (1.0 - stall) * attached + stall * plate;
     double ground = groundFactor(heightM);
     double attachedDrag = CD_0 + flapDrag + CD_INDUCED * ground * attached * attached;
-    double plateDrag = CD_0 + flapDrag + PLATE_DRAG * sinAlpha * sinAlpha;
+    double plateDrag = CD_0 + flapDrag + PLATE_NORMAL * sinAlpha * sinAlpha;
     double wingDrag =
         (1.0 - stall) * attachedDrag + stall * plateDrag + CD_SIDESLIP * sinBeta * sinBeta;
 
     double lift = qs * wingLift + tail * CL_ELEVATOR * elevator + rate * CHORD_M * CL_Q * q;
     double drag = qs * wingDrag;
     double side =
-        qs * CY_BETA * sinBeta + tail * CY_RUDDER * rudder + rate * SPAN_M * (CY_P * p + CY_R * r);
+        qs * CY_BETA * sinBeta
+            + tail * CY_RUDDER * rudder
+            + rate * SPAN_M * (CY_P * roll + CY_R * yaw);
     forceX = lift * sinAlpha - drag * u * perSpeed;
     forceY = side - drag * v * perSpeed;
     forceZ = -lift * cosAlpha - drag * w * perSpeed;
@@ -158,7 +164,7 @@ final class Aerodynamics {
     // 5.8), the fin's part stays.
     double rollOfYaw = CR_R * (0.75 + 0.25 * liftBounded / CL_0);
     double rollDamping = (1.0 - stall) * CR_P + stall * AUTOROTATION;
-    double helix = p * SPAN_M * 0.5 * perSpeed;
+    double helix = roll * SPAN_M * 0.5 * perSpeed;
     double rolling =
         qs
                 * (CR_RIGGING
@@ -166,7 +172,7 @@ final class Aerodynamics {
                     + CR_AILERON * aileron * (1.0 - 0.5 * stall)
                     + ROLL_DAMPING_2 * stall * helix * Math.abs(helix))
             + tail * CR_RUDDER * rudder
-            + rate * SPAN_M * (rollDamping * p + rollOfYaw * r);
+            + rate * SPAN_M * (rollDamping * roll + rollOfYaw * yaw);
     double pitching =
         qs * (CM_ALPHA * sinAlpha + flapMoment + STALL_NOSE_DROP * stall * Math.signum(sinAlpha))
             + tail * CM_ELEVATOR * elevator
@@ -174,10 +180,10 @@ final class Aerodynamics {
     double yawing =
         qs * (CN_RIGGING + CN_BETA * sinBeta + CN_AILERON * aileron)
             + tail * CN_RUDDER * rudder
-            + rate * SPAN_M * (CN_P * p + CN_R * r);
-    momentX = rolling * SPAN_M;
+            + rate * SPAN_M * (CN_P * roll + CN_R * yaw);
+    momentX = (rolling * cosAlpha - yawing * sinAlpha) * SPAN_M;
     momentY = pitching * CHORD_M;
-    momentZ = yawing * SPAN_M;
+    momentZ = (rolling * sinAlpha + yawing * cosAlpha) * SPAN_M;
     alphaRateMoment = rate * CHORD_M * CHORD_M * CM_ALPHA_RATE;
   }
 

@@ -16,6 +16,7 @@ public final class PerformanceTable {
   private static final double TEST_ALTITUDE_M = 1_000.0 * FOOT;
   private static final double CRUISE_ALTITUDE_M = 8_000.0 * FOOT;
   private static final double STALL_ALTITUDE_M = 4_000.0 * FOOT;
+  private static final double TICK_S = 1.0 / Cessna172.TICKS_PER_SECOND;
   private static final double STICK_PER_S = 0.02;
   private static final double NOSE_DROPS_RAD_PER_S = -0.05;
 
@@ -49,7 +50,7 @@ public final class PerformanceTable {
     Trim glide = Trim.atThrottle(TEST_ALTITUDE_M, trueSpeed(TEST_ALTITUDE_M, 65.0), 0.0, 0.0);
     row("glide", "65 KCAS idle", "ft/min", glide.climbMps() / FOOT * 60.0);
     row("cruise", "8000 ft full throttle", "KTAS", fastest(CRUISE_ALTITUDE_M) / KNOT);
-    row("cruise", "1000 ft full throttle", "KTAS", fastest(TEST_ALTITUDE_M) / KNOT);
+    row("cruise", "sea level full throttle", "KTAS", fastest(0.0) / KNOT);
     row("stall", "idle flaps 0", "KCAS", stall(0.0));
     row("stall", "idle flaps 30", "KCAS", stall(1.0));
     for (double knots : new double[] {80.0, 100.0}) {
@@ -59,6 +60,36 @@ public final class PerformanceTable {
       row("turn", condition, "power hp", turn.shaftPowerW() / HORSEPOWER);
       row("turn", condition, "alpha deg", Math.toDegrees(turn.angleOfAttackRad()));
     }
+    modes();
+  }
+
+  /** Pulses from trim at 100 KCAS; the wings are held level while the phugoid swings. */
+  private void modes() {
+    String condition = "100 KCAS 1000 ft";
+    Trim trim = Trim.level(TEST_ALTITUDE_M, trueSpeed(TEST_ALTITUDE_M, 100.0), 0.0);
+    ControlInputs held = trim.controls();
+    Cessna172 swinging = Cessna172.inFlight(trim.start(0.0, 0.0, 0.0, 0.0), Wind.calm());
+    swinging.step(held.withSurfaces(held.aileron(), held.elevator() - 0.06, held.rudder()), 2.0);
+    Oscillation phugoid = new Oscillation();
+    while (swinging.state().timeS() < 122.0) {
+      AircraftState state = swinging.state();
+      if (state.timeS() > 7.0) {
+        phugoid.add(state.timeS(), state.trueAirspeedMps());
+      }
+      double aileron = held.aileron() - 3.0 * state.rollRad() - 0.5 * state.rollRateRadPerS();
+      swinging.step(held.withSurfaces(aileron, held.elevator(), held.rudder()), TICK_S);
+    }
+    row("modes", condition, "phugoid period s", phugoid.periodS());
+    row("modes", condition, "phugoid damping ratio", phugoid.dampingRatio());
+    Cessna172 rolling = Cessna172.inFlight(trim.start(0.0, 0.0, 0.0, 0.0), Wind.calm());
+    rolling.step(held.withSurfaces(held.aileron(), held.elevator(), held.rudder() + 0.3), 1.0);
+    Oscillation dutchRoll = new Oscillation();
+    while (rolling.state().timeS() < 11.0) {
+      rolling.step(held, TICK_S);
+      dutchRoll.add(rolling.state().timeS(), rolling.state().yawRateRadPerS());
+    }
+    row("modes", condition, "Dutch roll period s", dutchRoll.periodS());
+    row("modes", condition, "Dutch roll damping ratio", dutchRoll.dampingRatio());
   }
 
   private void row(String kind, String condition, String quantity, double value) {
@@ -110,8 +141,7 @@ public final class PerformanceTable {
       double aileron = -2.0 * state.rollRad() - 0.5 * state.rollRateRadPerS();
       double rudder = -state.yawRateRadPerS();
       aircraft.step(
-          ControlInputs.limited(aileron, stick, rudder, 0.0, 1.0, flaps, 0.0, 0.0),
-          1.0 / Cessna172.TICKS_PER_SECOND);
+          ControlInputs.limited(aileron, stick, rudder, 0.0, 1.0, flaps, 0.0, 0.0), TICK_S);
     }
     return lowest / KNOT;
   }
@@ -135,7 +165,7 @@ public final class PerformanceTable {
       aircraft.step(
           ControlInputs.limited(
               aileron, elevator, rudder, trim.controls().throttle(), 1.0, 0.0, 0.0, 0.0),
-          1.0 / Cessna172.TICKS_PER_SECOND);
+          TICK_S);
       AircraftState after = aircraft.state();
       if (before.timeS() >= 20.0) {
         turned += StrictMath.IEEEremainder(after.headingRad() - before.headingRad(), 2.0 * Math.PI);

@@ -48,8 +48,9 @@ class StallTest {
 
   @Test
   void compute_pastTheStall_rollIsNoLongerDamped() {
-    assertThat(rollMoment(5.0, 0.3)).isNegative();
-    assertThat(rollMoment(20.0, 0.02) - rollMoment(20.0, 0.0)).isPositive();
+    assertThat(rollMoment(5.0, 0.02) - rollMoment(5.0, 0.0)).isNegative();
+    assertThat(rollMoment(22.0, 0.02) - rollMoment(22.0, 0.0)).isPositive();
+    assertThat(rollMoment(22.0, 2.0) - rollMoment(22.0, 0.0)).isNegative(); // so it cannot wind up
   }
 
   @Test
@@ -81,12 +82,20 @@ class StallTest {
         0.05);
   }
 
-  private static Aerodynamics at(double alphaDeg, double p) {
+  private static Aerodynamics at(double alphaDeg, double rollAlongFlow) {
     Aerodynamics aero = new Aerodynamics();
     aero.set(ControlInputs.neutral(), 0.0);
     double alpha = Math.toRadians(alphaDeg);
     aero.compute(
-        30.0 * Math.cos(alpha), 0.0, 30.0 * Math.sin(alpha), p, 0.0, 0.0, 1.225, 0.0, 1_000.0);
+        30.0 * Math.cos(alpha),
+        0.0,
+        30.0 * Math.sin(alpha),
+        rollAlongFlow * Math.cos(alpha),
+        0.0,
+        rollAlongFlow * Math.sin(alpha),
+        1.225,
+        0.0,
+        1_000.0);
     return aero;
   }
 
@@ -102,7 +111,10 @@ class StallTest {
     return -aero.forceX * Math.cos(alpha) - aero.forceZ * Math.sin(alpha);
   }
 
-  private static double rollMoment(double alphaDeg, double p) {
-    return at(alphaDeg, p).momentX;
+  /** Moment about the direction of flight. */
+  private static double rollMoment(double alphaDeg, double rollAlongFlow) {
+    Aerodynamics aero = at(alphaDeg, rollAlongFlow);
+    double alpha = Math.toRadians(alphaDeg);
+    return aero.momentX * Math.cos(alpha) + aero.momentZ * Math.sin(alpha);
   }
 }
