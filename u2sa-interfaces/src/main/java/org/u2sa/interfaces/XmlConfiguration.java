@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -31,6 +32,7 @@ public final class XmlConfiguration implements Configurator {
   private final String origin;
   private final Optional<Path> file;
   private final Map<String, FileVariable> stated;
+  private final Set<String> overridden = new HashSet<>();
   private final Map<String, Variable<?>> declared = new LinkedHashMap<>();
   private final Map<String, Object> values = new LinkedHashMap<>();
 
@@ -66,6 +68,20 @@ public final class XmlConfiguration implements Configurator {
     return new XmlConfiguration(name, Optional.empty(), stated);
   }
 
+  /**
+   * Sets a variable for as long as this object lives, whatever the file says, and leaves the file
+   * alone. To be called before the variable is declared.
+   *
+   * @param value Integer, Double, Boolean or String, in the declared unit
+   * @throws IllegalArgumentException if the value is of another class
+   */
+  public synchronized void override(String variableName, Object value) {
+    FileVariable statement = FileVariable.inMemory(origin, variableName, value);
+    overridden.add(variableName);
+    stated.put(variableName, statement);
+    values.put(variableName, statement.value());
+  }
+
   /** The file, or the name of a configuration without one. */
   public String origin() {
     return origin;
@@ -85,7 +101,7 @@ public final class XmlConfiguration implements Configurator {
     String name = variable.name();
     if (!variable.equals(declared.get(name))) {
       FileVariable statement = stated.get(name);
-      if (statement != null && !file.isPresent()) {
+      if (statement != null && (!file.isPresent() || overridden.contains(name))) {
         statement = statement.withType(variable.type());
       }
       BoundVariable bound =

@@ -1,0 +1,124 @@
+package org.u2sa.service;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Communicator;
+import org.u2sa.interfaces.communication.Publisher;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Subscriber;
+import org.u2sa.messages.U2SAData;
+
+/** The part of a service that registers, publishes and subscribes (thesis 3.2.1.2–3.2.1.4). */
+abstract class CommunicatingService extends ConfiguredService
+    implements Communicator, Publisher, Subscriber {
+  private final ServiceWiring wiring;
+
+  CommunicatingService(ServiceContext context, ServiceRole role, String serviceName) {
+    super(context, serviceName);
+    wiring = new ServiceWiring(context, role, getServiceName(), receiver());
+  }
+
+  /** What the transport calls with messages; asked for once, while this is being constructed. */
+  abstract Receiver receiver();
+
+  final ServiceWiring wiring() {
+    return wiring;
+  }
+
+  @Override
+  public final boolean beginCommunication() {
+    return attempt("connecting", () -> wiring.connection() != null);
+  }
+
+  @Override
+  public final boolean registerPublisher(Class<? extends U2SAData> dataType) {
+    return registerPublisher(wiring.channelToPublish(dataType));
+  }
+
+  /** {@link #registerPublisher(Class)} on the channel of that name (thesis 8.2.3.1). */
+  public final boolean registerPublisher(String channelName) {
+    return registerPublisher(Channels.namedOrNew(channelName));
+  }
+
+  /** {@link #registerPublisher(Class)} on a channel. */
+  public final boolean registerPublisher(Channel<?> channel) {
+    return attempt(
+        "registering as publisher of " + channel, () -> wiring.registerPublisher(channel));
+  }
+
+  @Override
+  public final boolean unregisterPublisher(Class<? extends U2SAData> dataType) {
+    return wiring.unregisterPublisher(wiring.channelToPublish(dataType));
+  }
+
+  @Override
+  public final boolean registerSubscriber(Class<? extends U2SAData> dataType) {
+    return registerSubscriber(wiring.channelToSubscribe(dataType));
+  }
+
+  /** {@link #registerSubscriber(Class)} on the channel of that name (thesis 8.2.3.1). */
+  public final boolean registerSubscriber(String channelName) {
+    return registerSubscriber(Channels.namedOrNew(channelName));
+  }
+
+  /** {@link #registerSubscriber(Class)} on a channel. */
+  public final boolean registerSubscriber(Channel<?> channel) {
+    return attempt(
+        "registering as subscriber of " + channel, () -> wiring.registerSubscriber(channel));
+  }
+
+  @Override
+  public final boolean unregisterSubscriber(Class<? extends U2SAData> dataType) {
+    Channel<?> channel = wiring.channelToSubscribe(dataType);
+    return attempt("unregistering from " + channel, () -> wiring.unregisterSubscriber(channel));
+  }
+
+  @Override
+  public final boolean publish(U2SAData data) {
+    Optional<Channel<?>> channel = wiring.channelFor(data);
+    if (channel.isEmpty()) {
+      log(
+          LogLevelEnum.ERROR,
+          "not registered as a publisher of " + data.type().name() + ": not published");
+      return false;
+    }
+    return publish(channel.get(), data);
+  }
+
+  /** Publishes on the channel of that name (thesis 8.2.3.1). */
+  public final boolean publish(String channelName, U2SAData data) {
+    return publish(Channels.namedOrNew(channelName), data);
+  }
+
+  /**
+   * Publishes on a channel. Missing system ID and timestamp are filled in; the message is frozen.
+   */
+  public final boolean publish(Channel<?> channel, U2SAData data) {
+    if (!data.isFrozen()) {
+      if (data.systemId().isEmpty()) {
+        data.systemId(context().systemId());
+      }
+      if (data.timestamp().isEmpty()) {
+        data.timestamp(clock().micros());
+      }
+      data.freeze();
+    }
+    return attempt("publishing on " + channel, () -> wiring.publish(channel, data));
+  }
+
+  private boolean attempt(String what, BooleanSupplier action) {
+    try {
+      if (action.getAsBoolean()) {
+        return true;
+      }
+      log(LogLevelEnum.ERROR, what + " was refused");
+    } catch (CommunicationException e) {
+      log(LogLevelEnum.ERROR, what + " failed: " + e.getMessage());
+    }
+    return false;
+  }
+}

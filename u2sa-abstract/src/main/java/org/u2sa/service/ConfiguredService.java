@@ -1,0 +1,99 @@
+package org.u2sa.service;
+
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.LogFile;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.Logger;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.XmlConfiguration;
+
+/**
+ * The part of a service that has a name, a configuration file and a log file (thesis 3.2.1.1,
+ * 3.2.1.5).
+ */
+abstract class ConfiguredService extends Thread implements Logger {
+  private final ServiceContext context;
+  private final XmlConfiguration configuration;
+  private final LogFile logFile;
+
+  ConfiguredService(ServiceContext context, String serviceName) {
+    this.context = context;
+    configuration = context.configuration();
+    String configuredName = configuration.getVariable(ServiceVariables.SERVICE_NAME);
+    setName(configuredName.isEmpty() ? serviceName : configuredName);
+    String configuredPath = configuration.getVariable(ServiceVariables.LOG_PATH);
+    Path directory = configuredPath.isEmpty() ? context.logDirectory() : Paths.get(configuredPath);
+    LogLevelEnum lowest =
+        LogLevelEnum.valueOf(configuration.getVariable(ServiceVariables.LOG_LEVEL));
+    logFile =
+        new LogFile(directory.resolve(getName() + ".log"), getName(), lowest, context.clock());
+  }
+
+  @Override
+  public final Object getVariable(String variableName) {
+    return configuration.getVariable(variableName);
+  }
+
+  @Override
+  public final <T> T getVariable(Variable<T> variable) {
+    return configuration.getVariable(variable);
+  }
+
+  @Override
+  public final boolean setVariable(String variableName, Object value) {
+    return changeVariable(variableName, value).isEmpty();
+  }
+
+  /** {@link #setVariable}, with the reason if the variable was not set. */
+  final Optional<String> changeVariable(String variableName, Object value) {
+    Optional<String> refusal = configuration.change(variableName, value);
+    refusal.ifPresent(
+        reason ->
+            log(LogLevelEnum.ERROR, "variable \"" + variableName + "\" was not set: " + reason));
+    return refusal;
+  }
+
+  @Override
+  public final ArrayList<Map.Entry<String, Object>> enumerateFields() {
+    return configuration.enumerateFields();
+  }
+
+  /** Writes a line of level INFO to the service's log file (thesis 8.2.3.1). */
+  public final void log(String message) {
+    log(LogLevelEnum.INFO, message);
+  }
+
+  @Override
+  public final void log(LogLevelEnum level, String logMessage) {
+    logFile.log(level, logMessage);
+  }
+
+  final LogFile logFile() {
+    return logFile;
+  }
+
+  /** The name under which others find this service. */
+  public final String getServiceName() {
+    return getName();
+  }
+
+  /** What the service was given at its construction. */
+  protected final ServiceContext context() {
+    return context;
+  }
+
+  /** The time of the run. */
+  protected final Clock clock() {
+    return context.clock();
+  }
+
+  /** The time now [s] of the run's clock. */
+  protected final double nowS() {
+    return Clock.seconds(context.clock().micros());
+  }
+}

@@ -1,0 +1,138 @@
+package org.u2sa.service;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.ConfigurationChangeResult;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationVariable;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.FunctionalityRequest;
+import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.contract.StopCommand;
+
+/**
+ * Answers what the service contract says every service answers (thesis 3.2.2.1): discovery,
+ * functionality discovery and configuration. Runs on the service's thread; the stop command is
+ * judged here but obeyed by the service.
+ */
+final class ContractResponder {
+  /** Where requests to every service come in. */
+  static final List<Channel<?>> CHANNELS =
+      List.of(Channels.DISCOVERY, Channels.FUNCTIONALITY, Channels.STOP, Channels.CONFIGURATION);
+
+  private final U2SAService service;
+  private final XmlConfiguration configuration;
+  private final ServiceWiring wiring;
+
+  ContractResponder(U2SAService service, XmlConfiguration configuration, ServiceWiring wiring) {
+    this.service = service;
+    this.configuration = configuration;
+    this.wiring = wiring;
+  }
+
+  /** Whether the message is an order to this service to stop. */
+  boolean isOrderToStop(U2SAData message) {
+    return message instanceof StopCommand stop
+        && (stop.stopAll() || stop.serviceName().equals(Optional.of(service.getServiceName())));
+  }
+
+  /** Whether the message is a request that {@link #answer} would answer. */
+  boolean concerns(U2SAData message) {
+    if (message instanceof FunctionalityRequest request) {
+      return isForThis(request.serviceName());
+    }
+    if (message instanceof ConfigurationRequest request) {
+      return isForThis(request.serviceName());
+    }
+    if (message instanceof ConfigurationChange change) {
+      return change.serviceName().equals(service.getServiceName());
+    }
+    return message instanceof DiscoveryRequest;
+  }
+
+  private boolean isForThis(String serviceName) {
+    return serviceName.isEmpty() || serviceName.equals(service.getServiceName());
+  }
+
+  /**
+   * Answers a request that concerns this service. Returns the name of the variable that it changed,
+   * if it did.
+   */
+  Optional<String> answer(U2SAData request) {
+    if (request instanceof DiscoveryRequest) {
+      service.publish(Channels.DISCOVERY, discovery());
+    } else if (request instanceof FunctionalityRequest) {
+      service.publish(Channels.FUNCTIONALITY, functionality());
+    } else if (request instanceof ConfigurationRequest) {
+      service.publish(Channels.CONFIGURATION, configuration());
+    } else if (request instanceof ConfigurationChange change) {
+      return change(change);
+    }
+    return Optional.empty();
+  }
+
+  private DiscoveryResponse discovery() {
+    return new DiscoveryResponse()
+        .serviceName(service.getServiceName())
+        .serviceType(service.role().name())
+        .status(service.status())
+        .host(HostName.get())
+        .uptime(service.uptimeS())
+        .version(version());
+  }
+
+  private String version() {
+    String version = service.getClass().getPackage().getImplementationVersion();
+    return version == null ? "unversioned" : version;
+  }
+
+  private FunctionalityResponse functionality() {
+    return new FunctionalityResponse()
+        .serviceName(service.getServiceName())
+        .publishes(described(wiring.published()))
+        .subscribes(described(wiring.subscribed()));
+  }
+
+  private static List<String> described(List<Channel<?>> channels) {
+    List<String> lines = new ArrayList<>();
+    for (Channel<?> channel : channels) {
+      lines.add(channel.name() + "/" + String.join("/", channel.type().chain()));
+    }
+    return lines;
+  }
+
+  private ConfigurationResponse configuration() {
+    List<ConfigurationVariable> variables = new ArrayList<>();
+    for (Map.Entry<String, Object> field : configuration.enumerateFields()) {
+      variables.add(
+          new ConfigurationVariable().name(field.getKey()).value(String.valueOf(field.getValue())));
+    }
+    return new ConfigurationResponse().serviceName(service.getServiceName()).variables(variables);
+  }
+
+  private Optional<String> change(ConfigurationChange change) {
+    String name = change.variableName();
+    Optional<String> refusal = service.changeVariable(name, change.value());
+    ConfigurationChangeResult result =
+        new ConfigurationChangeResult()
+            .serviceName(service.getServiceName())
+            .variableName(name)
+            .accepted(refusal.isEmpty())
+            .value(
+                refusal.isEmpty()
+                    ? String.valueOf(configuration.getVariable(name))
+                    : change.value());
+    refusal.ifPresent(result::reason);
+    service.publish(Channels.CONFIGURATION, result);
+    return refusal.isEmpty() ? Optional.of(name) : Optional.empty();
+  }
+}

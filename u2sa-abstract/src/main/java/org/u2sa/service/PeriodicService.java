@@ -1,0 +1,75 @@
+package org.u2sa.service;
+
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * A service that acts at a fixed rate: its author writes {@link #step}, and {@link #callback} if it
+ * subscribes to anything.
+ *
+ * <p>Steps are due on a fixed grid of time. Between them messages are handed to {@link #callback}.
+ * A step that comes more than a period late is counted as an overrun in the health report, and what
+ * was missed is not made up for.
+ */
+public abstract class PeriodicService extends LoopingService {
+  private static final double FASTEST_HZ = 10_000.0;
+  private static final double SLOWEST_HZ = 0.001;
+
+  private final long periodMicros;
+
+  /**
+   * See {@link U2SAService#U2SAService}.
+   *
+   * @param defaultRateHz steps a second, unless the variable RATE says another
+   */
+  protected PeriodicService(
+      ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
+    super(context, role, serviceName);
+    periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz))));
+  }
+
+  private static Variable<Double> rate(double defaultRateHz) {
+    return Variable.number("RATE", "Hz")
+        .range(Range.of(SLOWEST_HZ, FASTEST_HZ))
+        .ifAbsent(defaultRateHz)
+        .describedAs("Steps a second.");
+  }
+
+  /**
+   * Acts once, on the service's thread.
+   *
+   * @param nowS the time now [s] of the run's clock
+   */
+  protected abstract void step(double nowS);
+
+  @Override
+  public void callback(U2SAData data) {
+    unexpected(data);
+  }
+
+  /** Time between two steps [s]. */
+  protected final double periodS() {
+    return Clock.seconds(periodMicros);
+  }
+
+  @Override
+  final void loop() throws InterruptedException {
+    long dueMicros = clock().micros();
+    while (isRunning()) {
+      handleMessages(dueMicros);
+      if (!isRunning()) {
+        return;
+      }
+      guarded(() -> step(nowS()));
+      dueMicros += periodMicros;
+      long lateMicros = clock().micros() - dueMicros;
+      if (lateMicros > periodMicros) {
+        long missed = lateMicros / periodMicros;
+        health().overrun(missed);
+        dueMicros += missed * periodMicros;
+      }
+    }
+  }
+}

@@ -1,0 +1,130 @@
+package org.u2sa.service;
+
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Objects;
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.messages.MessageTypes;
+
+/**
+ * All that a service is given at its construction: whose it is, its configuration, its clock and
+ * its way to talk.
+ */
+public final class ServiceContext {
+  private final String systemId;
+  private final XmlConfiguration configuration;
+  private final Clock clock;
+  private final Transport transport;
+  private final Path logDirectory;
+  private final MessageTypes messageTypes;
+  private final long seed;
+
+  private ServiceContext(Builder builder) {
+    systemId = Topic.checkSystemId(builder.systemId);
+    configuration = builder.configuration;
+    clock = builder.clock;
+    transport = builder.transport;
+    logDirectory = builder.logDirectory;
+    messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
+    seed = builder.seed;
+  }
+
+  /** Begins a context for a service of the given system with the given configuration. */
+  public static Builder of(String systemId, XmlConfiguration configuration) {
+    return new Builder(systemId, configuration);
+  }
+
+  /** The vehicle that the service is part of. */
+  public String systemId() {
+    return systemId;
+  }
+
+  /** The service's own variables. */
+  public XmlConfiguration configuration() {
+    return configuration;
+  }
+
+  /** The time of the run. */
+  public Clock clock() {
+    return clock;
+  }
+
+  /** The way to the Communication Manager; if absent, the configuration's address is used. */
+  public Optional<Transport> transport() {
+    return Optional.ofNullable(transport);
+  }
+
+  /** Where the log file is written. */
+  public Path logDirectory() {
+    return logDirectory;
+  }
+
+  /** The message types that can be read. */
+  public MessageTypes messageTypes() {
+    return messageTypes;
+  }
+
+  /** The run's seed: whatever is random in a service derives from it. */
+  public long seed() {
+    return seed;
+  }
+
+  /**
+   * Collects what a context holds. Without further calls: real time, logs in {@code out/logs}, seed
+   * 1.
+   */
+  public static final class Builder {
+    private final String systemId;
+    private final XmlConfiguration configuration;
+    private Clock clock = new SystemClock();
+    private Transport transport;
+    private Path logDirectory = Paths.get("out", "logs");
+    private MessageTypes messageTypes;
+    private long seed = 1;
+
+    private Builder(String systemId, XmlConfiguration configuration) {
+      this.systemId = Objects.requireNonNull(systemId, "systemId");
+      this.configuration = Objects.requireNonNull(configuration, "configuration");
+    }
+
+    /** Sets the time of the run, which all services of a system share. */
+    public Builder clock(Clock value) {
+      clock = Objects.requireNonNull(value, "clock");
+      return this;
+    }
+
+    /** Sets the way to the Communication Manager. */
+    public Builder transport(Transport value) {
+      transport = Objects.requireNonNull(value, "transport");
+      return this;
+    }
+
+    /** Sets where the log file is written. */
+    public Builder logDirectory(Path value) {
+      logDirectory = Objects.requireNonNull(value, "logDirectory");
+      return this;
+    }
+
+    /** Sets the message types that can be read; without it, those found on the class path. */
+    public Builder messageTypes(MessageTypes value) {
+      messageTypes = Objects.requireNonNull(value, "messageTypes");
+      return this;
+    }
+
+    /** Sets the run's seed. */
+    public Builder seed(long value) {
+      seed = value;
+      return this;
+    }
+
+    /** The finished context. */
+    public ServiceContext build() {
+      return new ServiceContext(this);
+    }
+  }
+}

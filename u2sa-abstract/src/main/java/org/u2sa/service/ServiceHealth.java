@@ -1,0 +1,107 @@
+package org.u2sa.service;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.SystemClock;
+
+/**
+ * What a service knows of its own condition (thesis 3.5.3). Written by the service's thread, read
+ * by any.
+ */
+final class ServiceHealth {
+  private static final int REMEMBERED_CALLBACKS = 256;
+  private static final double MEDIAN = 0.50;
+  private static final double WORST_PERCENT = 0.99;
+
+  private final Clock stopwatch =
+      new SystemClock(); // how long code takes is real time in simulations too
+  private final long[] callbackMicros = new long[REMEMBERED_CALLBACKS];
+  private long callbacks;
+  private long exceptions;
+  private int exceptionsInRow;
+  private long overruns;
+  private String lastError;
+
+  /**
+   * Runs author's code, measures it, and lets no exception out. Returns whether it ended without
+   * one.
+   */
+  boolean run(CallbackCode code) throws InterruptedException {
+    long began = stopwatch.micros();
+    try {
+      code.run();
+      succeeded(stopwatch.micros() - began);
+      return true;
+    } catch (RuntimeException e) {
+      failed(e, stopwatch.micros() - began);
+      return false;
+    }
+  }
+
+  /** Code of a service's author. */
+  @FunctionalInterface
+  interface CallbackCode {
+    void run() throws InterruptedException;
+  }
+
+  private synchronized void succeeded(long micros) {
+    exceptionsInRow = 0;
+    took(micros);
+  }
+
+  private synchronized void failed(RuntimeException e, long micros) {
+    exceptions++;
+    exceptionsInRow++;
+    lastError = e.toString();
+    took(micros);
+  }
+
+  private void took(long micros) {
+    callbackMicros[(int) (callbacks++ % REMEMBERED_CALLBACKS)] = micros;
+  }
+
+  synchronized void overrun(long missedPeriods) {
+    overruns += missedPeriods;
+  }
+
+  synchronized void error(String what) {
+    lastError = what;
+  }
+
+  synchronized long exceptions() {
+    return exceptions;
+  }
+
+  synchronized int exceptionsInRow() {
+    return exceptionsInRow;
+  }
+
+  synchronized long overruns() {
+    return overruns;
+  }
+
+  synchronized Optional<String> lastError() {
+    return Optional.ofNullable(lastError);
+  }
+
+  /** Median time of the latest callbacks [s]; 0 before the first. */
+  double callbackP50() {
+    return percentile(MEDIAN);
+  }
+
+  /** Time that 99 of 100 of the latest callbacks did not exceed [s]; 0 before the first. */
+  double callbackP99() {
+    return percentile(WORST_PERCENT);
+  }
+
+  private synchronized double percentile(double fraction) {
+    int known = (int) Math.min(callbacks, REMEMBERED_CALLBACKS);
+    if (known == 0) {
+      return 0.0;
+    }
+    long[] sorted = Arrays.copyOf(callbackMicros, known);
+    Arrays.sort(sorted);
+    return Clock.seconds(sorted[(int) Math.min(known - 1L, (long) (fraction * known))]);
+  }
+}

@@ -1,0 +1,93 @@
+package org.u2sa.service;
+
+import java.util.ArrayDeque;
+import java.util.HashMap;
+import java.util.Map;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * A service's bounded queue of messages. Any thread puts, the service's thread takes.
+ *
+ * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
+ * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
+ * full queue refuses the newest. Both are counted.
+ */
+final class ServiceInbox {
+  /** One message and the channel that it came on. */
+  static final class Delivery {
+    private final Channel<?> channel;
+    private U2SAData message; // replaced while queued, under the inbox's lock
+
+    Delivery(Channel<?> channel, U2SAData message) {
+      this.channel = channel;
+      this.message = message;
+    }
+
+    Channel<?> channel() {
+      return channel;
+    }
+
+    U2SAData message() {
+      return message;
+    }
+  }
+
+  private final int capacity;
+  private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
+  private final Map<Channel<?>, Map<String, Delivery>> newest =
+      new HashMap<>(); // deliveries still queued
+  private long dropped;
+
+  ServiceInbox(int capacity) {
+    this.capacity = capacity;
+  }
+
+  /** Queues a message. Returns whether it is kept; otherwise the queue is full. */
+  synchronized boolean put(Channel<?> channel, U2SAData message) {
+    if (channel.deliversEvery()) {
+      return enqueue(new Delivery(channel, message));
+    }
+    Map<String, Delivery> ofChannel = newest.computeIfAbsent(channel, key -> new HashMap<>());
+    String source = channel.sourceOf(message);
+    Delivery waiting = ofChannel.get(source);
+    if (waiting != null) {
+      waiting.message = message;
+      dropped++;
+      return true;
+    }
+    Delivery delivery = new Delivery(channel, message);
+    boolean kept = enqueue(delivery);
+    if (kept) {
+      ofChannel.put(source, delivery);
+    }
+    return kept;
+  }
+
+  private boolean enqueue(Delivery delivery) {
+    if (queue.size() >= capacity) {
+      dropped++;
+      return false;
+    }
+    queue.add(delivery);
+    return true;
+  }
+
+  /** The oldest delivery, or null if there is none. */
+  synchronized Delivery poll() {
+    Delivery delivery = queue.poll();
+    if (delivery != null && !delivery.channel.deliversEvery()) {
+      newest.get(delivery.channel).remove(delivery.channel.sourceOf(delivery.message));
+    }
+    return delivery;
+  }
+
+  synchronized int depth() {
+    return queue.size();
+  }
+
+  /** Messages that were replaced by newer ones or refused because the queue was full, so far. */
+  synchronized long dropped() {
+    return dropped;
+  }
+}

@@ -1,0 +1,88 @@
+package org.u2sa.service;
+
+import static org.u2sa.interfaces.communication.Channels.ACTUATION;
+import static org.u2sa.interfaces.communication.Channels.ACTUATORS;
+import static org.u2sa.interfaces.communication.Channels.CONFIGURATION;
+import static org.u2sa.interfaces.communication.Channels.DISCOVERY;
+import static org.u2sa.interfaces.communication.Channels.FUNCTIONALITY;
+import static org.u2sa.interfaces.communication.Channels.GOALS;
+import static org.u2sa.interfaces.communication.Channels.GOAL_COMMANDS;
+import static org.u2sa.interfaces.communication.Channels.GOAL_REPORTS;
+import static org.u2sa.interfaces.communication.Channels.GOAL_UPDATES;
+import static org.u2sa.interfaces.communication.Channels.HEALTH;
+import static org.u2sa.interfaces.communication.Channels.NAVIGATION;
+import static org.u2sa.interfaces.communication.Channels.OBJECTS;
+import static org.u2sa.interfaces.communication.Channels.SENSED_OBJECTS;
+import static org.u2sa.interfaces.communication.Channels.SENSED_STATE;
+import static org.u2sa.interfaces.communication.Channels.STATE;
+import static org.u2sa.interfaces.communication.Channels.STOP;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * What a service is for (thesis figure 3). The role decides the standard channel when a service
+ * registers by class alone (thesis 3.2.1.3), and is the service type that discovery reports.
+ */
+public enum ServiceRole {
+  /** Measures the vehicle itself (3.2.2.4). */
+  PROPRIOCEPTIVE_SENSOR(List.of(SENSED_STATE), List.of()),
+  /** Measures the environment (3.2.2.3). */
+  EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS), List.of(STATE)),
+  /** Fuses measurements into the best estimate (3.2.3.1). */
+  STATE_ESTIMATOR(List.of(STATE), List.of(SENSED_STATE)),
+  /** Keeps the goals (3.2.3.2). */
+  MISSION_MANAGER(List.of(GOALS), List.of(GOAL_REPORTS, GOAL_COMMANDS, STATE)),
+  /** Keeps the map of objects (3.2.3.3). */
+  WORLD_MODELER(List.of(OBJECTS), List.of(SENSED_OBJECTS, STATE, GOALS)),
+  /** Decides where to go next (3.2.3.4). */
+  PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS), List.of(STATE, OBJECTS, GOALS)),
+  /** Turns navigation points into commands (3.2.3.5). */
+  CONTROL_SYSTEM(List.of(ACTUATION), List.of(NAVIGATION, STATE, ACTUATORS, GOALS)),
+  /** Moves something (3.2.2.5). */
+  ACTUATOR(List.of(ACTUATORS, SENSED_STATE), List.of(ACTUATION)),
+  /** Watches, records, or gives orders: screens, ground stations, monitors. */
+  OBSERVER(
+      List.of(GOAL_COMMANDS, GOAL_UPDATES, STOP, CONFIGURATION, DISCOVERY, FUNCTIONALITY),
+      List.of(
+          STATE,
+          OBJECTS,
+          GOALS,
+          NAVIGATION,
+          ACTUATION,
+          ACTUATORS,
+          HEALTH,
+          GOAL_REPORTS,
+          SENSED_STATE,
+          SENSED_OBJECTS,
+          DISCOVERY,
+          FUNCTIONALITY,
+          CONFIGURATION));
+
+  private final List<Channel<?>> published;
+  private final List<Channel<?>> subscribed;
+
+  ServiceRole(List<Channel<?>> published, List<Channel<?>> subscribed) {
+    this.published = published;
+    this.subscribed = subscribed;
+  }
+
+  /** The channel on which a service of this role publishes messages of the class. */
+  Optional<Channel<?>> channelToPublish(Class<? extends U2SAData> dataType) {
+    return first(published, dataType);
+  }
+
+  /** The channel on which a service of this role receives messages of the class. */
+  Optional<Channel<?>> channelToSubscribe(Class<? extends U2SAData> dataType) {
+    return first(subscribed, dataType);
+  }
+
+  private static Optional<Channel<?>> first(
+      List<Channel<?>> channels, Class<? extends U2SAData> dataType) {
+    return channels.stream()
+        .filter(channel -> channel.type().messageClass().isAssignableFrom(dataType))
+        .findFirst();
+  }
+}

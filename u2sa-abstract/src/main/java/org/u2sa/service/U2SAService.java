@@ -1,0 +1,314 @@
+package org.u2sa.service;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+
+/**
+ * A service: one thread that knows no other service and talks in messages (thesis 3.2.2.1, 4.6.1,
+ * 8.2.3.1).
+ *
+ * <p>Most authors extend {@link EventDrivenService} or {@link PeriodicService} and write no loop. A
+ * direct subclass writes {@link #run} as thesis 8.2.4 says: a loop while {@link #isRunning}, which
+ * calls {@link #handleMessages} to be handed its messages, and a {@link #kill} that calls {@link
+ * #end}.
+ *
+ * <pre>
+ *   CREATED ──start()──▶ RUNNING ──kill(), stop command──▶ STOPPING ──▶ STOPPED
+ *                           └──── too many errors in a row ───────────▶ FAILED
+ * </pre>
+ *
+ * <p>Registering, reading variables and logging work from the constructor on. Discovery, stop,
+ * configuration and health are answered for every service here.
+ */
+public abstract class U2SAService extends CommunicatingService {
+  /** Identifies the service's thread in the log (thesis 8.2.3.1). */
+  protected final int threadID;
+
+  /**
+   * Whether the service's loop should go on (thesis 8.2.3.1). Cleared by {@link #kill} and the stop
+   * command.
+   */
+  protected volatile boolean running;
+
+  private final ServiceRole role;
+  private final ServiceInbox inbox;
+  private final ContractResponder contract;
+  private final ServiceHealth health = new ServiceHealth();
+  private final int maxErrorsInARow;
+  private final long healthIntervalMicros;
+  private final long createdMicros;
+  private final AtomicBoolean ended = new AtomicBoolean();
+  private volatile ServiceStatus status = ServiceStatus.CREATED;
+  private volatile Clock.Waiter waiter; // null until started
+  private long healthDueMicros; // touched by the service's thread only
+
+  /**
+   * Reads the common variables, opens the log file and connects to the Communication Manager.
+   *
+   * @param serviceName the name, unless the variable SERVICE NAME says another
+   * @throws org.u2sa.interfaces.ConfigurationException if a variable is wrong
+   * @throws CommunicationException if the Communication Manager cannot be reached
+   */
+  protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
+    super(context, role, serviceName);
+    this.role = role;
+    threadID = (int) getId();
+    createdMicros = clock().micros();
+    maxErrorsInARow = getVariable(ServiceVariables.MAX_ERRORS_IN_A_ROW);
+    healthIntervalMicros = Clock.micros(getVariable(ServiceVariables.HEALTH_INTERVAL));
+    inbox = new ServiceInbox(getVariable(ServiceVariables.INBOX_CAPACITY));
+    contract = new ContractResponder(this, context.configuration(), wiring());
+    setUncaughtExceptionHandler((thread, error) -> endAfter(error));
+    if (!beginCommunication()) {
+      logFile().close();
+      throw new CommunicationException(
+          "service \"" + getServiceName() + "\" found no Communication Manager; see its log");
+    }
+  }
+
+  /**
+   * Handles one message, on the service's thread, one at a time. What is not expected goes to
+   * {@link #unexpected}.
+   */
+  public abstract void callback(U2SAData data);
+
+  /**
+   * Ends the service: its loop stops, its resources are closed, its actuators left neutral. Safe to
+   * call twice and from any thread; returns when the service has ended.
+   */
+  public abstract void kill();
+
+  /** Logs a message that the service has no use for (thesis 8.2.4). */
+  protected final void unexpected(U2SAData data) {
+    log(LogLevelEnum.DEBUG, "unexpected message: " + data);
+  }
+
+  /** The service's life; called by {@link #start} on the new thread. */
+  @Override
+  public abstract void run();
+
+  /**
+   * Closes what the subclass opened and leaves its actuators neutral. Called once when the service
+   * ends.
+   */
+  protected void release() {}
+
+  /**
+   * Takes note that a variable was changed by {@link #setVariable} from outside. Called on the
+   * service's thread.
+   */
+  protected void configurationChanged(String variableName) {}
+
+  /**
+   * Starts the thread.
+   *
+   * @throws org.u2sa.interfaces.ConfigurationException if the configuration holds a variable that
+   *     the service does not know
+   */
+  @Override
+  public synchronized void start() {
+    context().configuration().refuseUndeclared();
+    waiter = clock().newWaiter(getName());
+    healthDueMicros = clock().micros();
+    running = true;
+    status = ServiceStatus.RUNNING;
+    super.start();
+  }
+
+  /**
+   * Hands waiting messages to {@link #callback} and reports health, until the deadline or the end
+   * of the service. Messages that already wait are handled even if the deadline has passed.
+   *
+   * @param untilMicros time of the run's clock [µs], or {@link Clock#NEVER}
+   * @throws InterruptedException if the service's thread was interrupted
+   */
+  protected final void handleMessages(long untilMicros) throws InterruptedException {
+    int first = inbox.depth();
+    while (running) {
+      long now = clock().micros();
+      if (now >= healthDueMicros) {
+        reportHealth();
+        healthDueMicros = now + healthIntervalMicros;
+      }
+      boolean mayHandle = first-- > 0 || now < untilMicros;
+      ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
+      if (delivery != null) {
+        handle(delivery);
+      } else if (now >= untilMicros) {
+        return;
+      } else {
+        waiter.await(Math.min(untilMicros, healthDueMicros));
+      }
+    }
+  }
+
+  private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
+    U2SAData message = delivery.message();
+    guarded(
+        () -> {
+          if (contract.concerns(message)) {
+            contract.answer(message).ifPresent(this::configurationChanged);
+          }
+          if (wiring().isSubscribed(delivery.channel())) {
+            callback(message);
+          }
+        });
+  }
+
+  /**
+   * Runs author's code; an exception is logged, counted and survived, until there are too many in a
+   * row.
+   */
+  final void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
+    if (health.run(code)) {
+      return;
+    }
+    String what = health.lastError().orElse("");
+    log(LogLevelEnum.ERROR, what + " (exception " + health.exceptionsInRow() + " in a row)");
+    if (health.exceptionsInRow() >= maxErrorsInARow) {
+      log(LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
+      status = ServiceStatus.FAILED;
+      running = false;
+    }
+  }
+
+  /**
+   * Waits for this thread's first turn, so that services begin in the order in which they were
+   * started.
+   */
+  final void awaitTurn() throws InterruptedException {
+    waiter.await(clock().micros());
+  }
+
+  /** Asks the loop to stop, without waiting for it. */
+  final void askToStop() {
+    running = false;
+    Clock.Waiter waiting = waiter;
+    if (waiting != null) {
+      waiting.signal();
+    }
+  }
+
+  /** Ends the wait of the service's thread for good, wherever it waits. */
+  final void stopWaiting() {
+    running = false;
+    Clock.Waiter waiting = waiter;
+    if (waiting != null) {
+      waiting.close();
+    }
+  }
+
+  /**
+   * Releases everything, once: the last act of {@link #run} and of a direct subclass's {@link
+   * #kill}.
+   */
+  protected final void end() {
+    if (!ended.compareAndSet(false, true)) {
+      return;
+    }
+    running = false;
+    boolean failed = status == ServiceStatus.FAILED;
+    status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPING;
+    try {
+      release();
+    } catch (RuntimeException e) {
+      health.error(e.toString());
+      logFile().log(LogLevelEnum.ERROR, "closing failed", e);
+    } finally {
+      status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPED;
+      reportHealth();
+      log(LogLevelEnum.INFO, "ended: " + status);
+      wiring().close();
+      stopWaiting();
+      logFile().close();
+    }
+  }
+
+  private void endAfter(Throwable error) {
+    health.error(error.toString());
+    logFile().log(LogLevelEnum.ERROR, "the thread died", error);
+    status = ServiceStatus.FAILED;
+    end();
+  }
+
+  private void reportHealth() {
+    HealthReport report =
+        new HealthReport()
+            .serviceName(getName())
+            .status(status)
+            .inboxDepth(inbox.depth())
+            .dropped(inbox.dropped())
+            .refused(wiring().refused())
+            .overruns(health.overruns())
+            .exceptions(health.exceptions())
+            .callbackP50(health.callbackP50())
+            .callbackP99(health.callbackP99());
+    health.lastError().ifPresent(report::lastError);
+    publish(Channels.HEALTH, report);
+  }
+
+  @Override
+  final Receiver receiver() {
+    return new Incoming();
+  }
+
+  /** Called by the transport, on its own or another service's thread. */
+  private final class Incoming implements Receiver {
+    @Override
+    public void receive(Channel<?> channel, U2SAData message) {
+      if (contract.isOrderToStop(message)) {
+        askToStop();
+      } else if (wiring().isSubscribed(channel) || contract.concerns(message)) {
+        if (!inbox.put(channel, message) && Long.bitCount(inbox.dropped()) == 1) {
+          log(LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
+        }
+        Clock.Waiter waiting = waiter;
+        if (waiting != null) {
+          waiting.signal();
+        }
+      }
+    }
+
+    @Override
+    public void trouble(String what) {
+      log(LogLevelEnum.WARN, what);
+    }
+  }
+
+  /** Whether the service's loop goes on. */
+  public final boolean isRunning() {
+    return running;
+  }
+
+  /** {@link #threadID}. */
+  public final int getThreadID() {
+    return threadID;
+  }
+
+  /** What the service is for. */
+  public final ServiceRole role() {
+    return role;
+  }
+
+  /** Where the service is in its life. */
+  public final ServiceStatus status() {
+    return status;
+  }
+
+  /** Time since the service was made [s]. */
+  final double uptimeS() {
+    return Clock.seconds(clock().micros() - createdMicros);
+  }
+
+  final ServiceHealth health() {
+    return health;
+  }
+}

@@ -1,0 +1,116 @@
+package org.u2sa.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.testkit.ServiceKit;
+
+@Timeout(30)
+class ActuatorTest {
+  private final ServiceKit kit = new ServiceKit();
+  private Wheel wheel;
+
+  private static final class Wheel extends Actuator {
+    private final List<String> moves = new ArrayList<>();
+
+    Wheel(ServiceContext context) {
+      super(context, "LEFT WHEEL");
+    }
+
+    @Override
+    protected void actuate(double percentage) {
+      moves.add(String.valueOf(percentage));
+    }
+
+    @Override
+    protected void neutral() {
+      moves.add("neutral");
+    }
+
+    @Override
+    protected void close() {
+      moves.add("closed");
+    }
+  }
+
+  @BeforeEach
+  void start() {
+    wheel = kit.start(Wheel::new);
+    wheel.moves.clear();
+  }
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  @Test
+  void callback_commandToItsName_isCarriedOut() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+
+    assertThat(wheel.moves).containsExactly("40.0");
+  }
+
+  @Test
+  void callback_commandToAnother_isIgnored() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("RIGHT WHEEL", 40.0));
+
+    assertThat(wheel.moves).isEmpty();
+  }
+
+  @Test
+  void callback_commandThatExpiredOnItsWay_isRefusedAndLogged() {
+    kit.advance(2.0);
+    PercentageCommand old = PercentageCommand.of("LEFT WHEEL", 40.0);
+    old.timestamp(1_000_000L);
+
+    kit.publish(Channels.ACTUATION, old);
+
+    assertThat(wheel.moves).isEmpty();
+    assertThat(kit.log("LEFT WHEEL")).anyMatch(line -> line.contains("refused"));
+  }
+
+  @Test
+  void step_noCommandForTheExpiryTime_goesNeutralOnce() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+    kit.advance(0.45);
+    assertThat(wheel.moves).containsExactly("40.0");
+
+    kit.advance(1.0);
+
+    assertThat(wheel.moves).containsExactly("40.0", "neutral");
+  }
+
+  @Test
+  void step_commandWithItsOwnExpiry_holdsThatLong() {
+    PercentageCommand command = PercentageCommand.of("LEFT WHEEL", 40.0);
+    command.expiry(2.0);
+    kit.publish(Channels.ACTUATION, command);
+
+    kit.advance(1.9);
+    assertThat(wheel.moves).containsExactly("40.0");
+    kit.advance(0.2);
+    assertThat(wheel.moves).containsExactly("40.0", "neutral");
+  }
+
+  @Test
+  void kill_leavesNeutralBeforeClosing() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+
+    wheel.kill();
+
+    assertThat(wheel.moves).containsExactly("40.0", "neutral", "closed");
+  }
+
+  @Test
+  void start_announcesItself() {
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().actuatorName()).isEqualTo("LEFT WHEEL");
+  }
+}

@@ -1,0 +1,231 @@
+package org.u2sa.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.ConfigurationException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.testkit.ServiceKit;
+
+@Timeout(30)
+class ServiceLifeTest {
+  private final ServiceKit kit = new ServiceKit();
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  /** Notes what it is handed, and fails when it is told to. */
+  private static final class Listener extends EventDrivenService {
+    private final List<U2SAData> received = new ArrayList<>();
+    private final List<String> threads = new ArrayList<>();
+    private int released;
+    private boolean failing;
+
+    Listener(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Listener");
+      registerSubscriber(StateInformation.class);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      received.add(data);
+      threads.add(Thread.currentThread().getName());
+      if (failing) {
+        throw new IllegalStateException("told to fail");
+      }
+    }
+
+    @Override
+    protected void release() {
+      released++;
+    }
+  }
+
+  /** Counts its steps. */
+  private static final class Stepper extends PeriodicService {
+    private final List<Double> steps = new ArrayList<>();
+
+    Stepper(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Stepper", 10.0);
+    }
+
+    @Override
+    protected void step(double nowS) {
+      steps.add(nowS);
+    }
+  }
+
+  private static StateInformation state(String sensor) {
+    return new StateInformation().sensorName(sensor).x(1.0);
+  }
+
+  @Test
+  void callback_message_isHandedOverOnTheServicesThread() {
+    Listener listener = kit.start(Listener::new);
+
+    kit.publish(Channels.STATE, state("a"));
+
+    assertThat(listener.received).hasSize(1);
+    assertThat(listener.threads).containsExactly("Listener");
+  }
+
+  @Test
+  void callback_severalStatesOfOneSourceWaiting_onlyTheNewestComesAndTheRestIsCounted() {
+    Listener listener = kit.start(Listener::new);
+    StateInformation newest = state("a");
+
+    kit.send(Channels.STATE, state("a"));
+    kit.send(Channels.STATE, state("b"));
+    kit.send(Channels.STATE, newest);
+    kit.advance(1.0);
+
+    assertThat(listener.received).hasSize(2).first().isSameAs(newest);
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().dropped()).isEqualTo(1);
+  }
+
+  @Test
+  void callback_throws_serviceSurvivesLogsAndReportsIt() {
+    Listener listener = kit.start(Listener::new);
+    listener.failing = true;
+    kit.publish(Channels.STATE, state("a"));
+    listener.failing = false;
+    kit.publish(Channels.STATE, state("a"));
+    kit.advance(1.0);
+
+    assertThat(listener.received).hasSize(2);
+    assertThat(listener.isRunning()).isTrue();
+    HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
+    assertThat(health.exceptions()).isEqualTo(1);
+    assertThat(health.lastError())
+        .hasValueSatisfying(error -> assertThat(error).contains("told to fail"));
+    assertThat(kit.log("Listener"))
+        .anyMatch(line -> line.contains("ERROR") && line.contains("told to fail"));
+  }
+
+  @Test
+  void callback_throwsTooOftenInARow_serviceKillsItselfAndSaysSo() {
+    kit.with("MAX ERRORS IN A ROW", 3);
+    Listener listener = kit.start(Listener::new);
+    listener.failing = true;
+
+    for (int i = 0; i < 5; i++) {
+      kit.publish(Channels.STATE, state("a"));
+    }
+
+    assertThat(listener.received).hasSize(3);
+    assertThat(listener.status()).isEqualTo(ServiceStatus.FAILED);
+    assertThat(listener.released).isEqualTo(1);
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().status()).isEqualTo(ServiceStatus.FAILED);
+    assertThat(kit.log("Listener"))
+        .anyMatch(line -> line.contains("kills itself after 3 exceptions in a row"));
+  }
+
+  @Test
+  void step_atItsRate_isCalledOnAFixedGrid() {
+    Stepper stepper = kit.start(Stepper::new);
+
+    kit.advance(0.35);
+
+    assertThat(stepper.steps).containsExactly(0.0, 0.1, 0.2, 0.3);
+  }
+
+  @Test
+  void rate_fromConfiguration_isObeyed() {
+    Stepper stepper = kit.with("RATE", 50.0).start(Stepper::new);
+
+    kit.advance(0.05);
+
+    assertThat(stepper.steps).containsExactly(0.0, 0.02, 0.04);
+  }
+
+  @Test
+  void stopCommand_byName_endsThatServiceOnly() throws InterruptedException {
+    Listener listener = kit.start(Listener::new);
+    Stepper stepper = kit.start(Stepper::new);
+
+    kit.publish(Channels.STOP, new StopCommand().serviceName("Listener"));
+    listener.join();
+
+    assertThat(listener.status()).isEqualTo(ServiceStatus.STOPPED);
+    assertThat(listener.released).isEqualTo(1);
+    assertThat(stepper.isRunning()).isTrue();
+  }
+
+  @Test
+  void stopCommand_all_endsEveryService() throws InterruptedException {
+    Listener listener = kit.start(Listener::new);
+    Stepper stepper = kit.start(Stepper::new);
+
+    kit.publish(Channels.STOP, new StopCommand().stopAll(true));
+    listener.join();
+    stepper.join();
+
+    assertThat(listener.isRunning()).isFalse();
+    assertThat(stepper.isRunning()).isFalse();
+  }
+
+  @Test
+  void kill_twiceAndFromAnotherThread_releasesOnce() {
+    Listener listener = kit.start(Listener::new);
+
+    listener.kill();
+    listener.kill();
+
+    assertThat(listener.released).isEqualTo(1);
+    assertThat(listener.isAlive()).isFalse();
+    assertThat(listener.status()).isEqualTo(ServiceStatus.STOPPED);
+  }
+
+  @Test
+  void kill_neverStarted_releases() {
+    Listener listener = new Listener(kit.context());
+
+    listener.kill();
+
+    assertThat(listener.released).isEqualTo(1);
+  }
+
+  @Test
+  void start_unknownVariable_isRefusedBeforeTheThreadRuns() {
+    Listener listener = new Listener(kit.with("INBOX CAPACTIY", 5).context());
+
+    assertThatThrownBy(listener::start)
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContaining("INBOX CAPACTIY")
+        .hasMessageContaining("INBOX CAPACITY");
+    assertThat(listener.isRunning()).isFalse();
+    listener.kill();
+  }
+
+  @Test
+  void construction_variableOutOfRange_isRefusedByName() {
+    kit.with("MAX ERRORS IN A ROW", 0);
+
+    assertThatThrownBy(() -> new Listener(kit.context()))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContaining("MAX ERRORS IN A ROW");
+  }
+
+  @Test
+  void health_isReportedAtTheIntervalWithoutALineInTheSubclass() {
+    kit.with("HEALTH INTERVAL", 0.5).start(Listener::new);
+
+    kit.advance(1.2);
+
+    assertThat(kit.published(Channels.HEALTH))
+        .hasSize(3)
+        .allMatch(report -> report.status() == ServiceStatus.RUNNING);
+  }
+}

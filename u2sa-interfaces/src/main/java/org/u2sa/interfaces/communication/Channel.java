@@ -1,0 +1,127 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.Objects;
+import java.util.function.Function;
+import java.util.regex.Pattern;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * A named stream of one type of message (thesis 8.2.3.1) and how it is delivered.
+ *
+ * <p>Subclasses of the type travel on the channel too and are received as what they are, or as
+ * their nearest known ancestor (thesis 8.2.5). Two channels are equal if their names are.
+ *
+ * @param <T> what the channel carries
+ */
+public final class Channel<T extends U2SAData> {
+  private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9]*(-[a-z0-9]+)*");
+
+  private final String name;
+  private final MessageType<T> type;
+  private final boolean every;
+  private final boolean retained;
+  private final Function<? super T, String> source;
+
+  private Channel(
+      String name,
+      MessageType<T> type,
+      boolean every,
+      boolean retained,
+      Function<? super T, String> source) {
+    this.name = name;
+    this.type = type;
+    this.every = every;
+    this.retained = retained;
+    this.source = source;
+  }
+
+  /**
+   * A channel on which each message matters, such as commands and reports: a subscriber gets all of
+   * them, in order, as far as its inbox holds.
+   *
+   * @param name lower-case words joined by hyphens, for example {@code goal-reports}
+   * @throws IllegalArgumentException if the name is not of that form
+   */
+  public static <T extends U2SAData> Channel<T> every(String name, MessageType<T> type) {
+    return new Channel<>(
+        checked(name), Objects.requireNonNull(type, "type"), true, false, message -> "");
+  }
+
+  /**
+   * A channel on which a newer message replaces an older one of the same source, such as states and
+   * commands to hold: a subscriber that is late gets the newest only.
+   *
+   * @param name lower-case words joined by hyphens, for example {@code sensed-state}
+   * @param source what tells the sources on the channel apart, for example the sensor's name
+   * @throws IllegalArgumentException if the name is not of that form
+   */
+  public static <T extends U2SAData> Channel<T> latest(
+      String name, MessageType<T> type, Function<? super T, String> source) {
+    return new Channel<>(checked(name), Objects.requireNonNull(type, "type"), false, false, source);
+  }
+
+  /**
+   * This channel, but a subscriber that comes late is handed the last message of each source at
+   * once.
+   */
+  public Channel<T> retained() {
+    return new Channel<>(name, type, every, true, source);
+  }
+
+  /** The name that stands in the topic. */
+  public String name() {
+    return name;
+  }
+
+  /** The base type of what the channel carries. */
+  public MessageType<T> type() {
+    return type;
+  }
+
+  /** Whether each message matters; otherwise the newest of each source does. */
+  public boolean deliversEvery() {
+    return every;
+  }
+
+  /** Whether a late subscriber is handed the last message of each source. */
+  public boolean isRetained() {
+    return retained;
+  }
+
+  /** Which source the message is of; newer messages of one source replace older ones. */
+  public String sourceOf(U2SAData message) {
+    Class<T> carried = type.messageClass();
+    return carried.isInstance(message) ? source.apply(carried.cast(message)) : "";
+  }
+
+  /** Whether the message may travel on this channel: it is of the channel's type or a subclass. */
+  public boolean carries(U2SAData message) {
+    return type.messageClass().isInstance(message);
+  }
+
+  private static String checked(String name) {
+    if (!NAME.matcher(name).matches()) {
+      throw new IllegalArgumentException(
+          "channel \""
+              + name
+              + "\": expected lower-case words joined by hyphens, such as \"goal-reports\"");
+    }
+    return name;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Channel<?> channel && channel.name.equals(name);
+  }
+
+  @Override
+  public int hashCode() {
+    return name.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+}

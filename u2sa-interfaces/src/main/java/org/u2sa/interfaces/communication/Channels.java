@@ -1,0 +1,124 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.StopCommand;
+
+/**
+ * The standard channels: all that flows between the services of a vehicle (thesis figures 4 and
+ * 16).
+ */
+public final class Channels {
+  /** What proprioceptive sensors measured; to the State Estimator. */
+  public static final Channel<StateInformation> SENSED_STATE =
+      Channel.latest("sensed-state", StateInformation.TYPE, StateInformation::sensorName);
+
+  /** The State Estimator's best estimate; to planner, world modeler, control and screens. */
+  public static final Channel<StateInformation> STATE =
+      Channel.latest("state", StateInformation.TYPE, StateInformation::sensorName);
+
+  /** What exteroceptive sensors saw; to the World Modeler. */
+  public static final Channel<ObjectDescription> SENSED_OBJECTS =
+      Channel.every("sensed-objects", ObjectDescription.TYPE);
+
+  /** The World Modeler's objects; to the planner. */
+  public static final Channel<ObjectList> OBJECTS =
+      Channel.latest("objects", ObjectList.TYPE, list -> "").retained();
+
+  /** The Mission Manager's current goals; to the planner and whoever changes behaviour by task. */
+  public static final Channel<GoalList> GOALS =
+      Channel.latest("goals", GoalList.TYPE, list -> "").retained();
+
+  /** Goals as the planner completed them; to the Mission Manager. */
+  public static final Channel<GoalInformation> GOAL_REPORTS =
+      Channel.every("goal-reports", GoalInformation.TYPE);
+
+  /** New or changed goals; to the Mission Manager. */
+  public static final Channel<GoalInformation> GOAL_UPDATES =
+      Channel.every("goal-updates", GoalInformation.TYPE);
+
+  /** Orders to turn to another goal; to the Mission Manager. */
+  public static final Channel<GoalCommand> GOAL_COMMANDS =
+      Channel.every("goal-commands", GoalCommand.TYPE);
+
+  /** Where the planner wants each subsystem to be next; to control. */
+  public static final Channel<NavigationPoint> NAVIGATION =
+      Channel.latest("navigation", NavigationPoint.TYPE, NavigationPoint::subsystem);
+
+  /** Commands to actuators, each addressed by name. */
+  public static final Channel<ActuatorCommand> ACTUATION =
+      Channel.latest("actuation", ActuatorCommand.TYPE, ActuatorCommand::actuatorName);
+
+  /** What actuators say of themselves (thesis 5.1); to control. */
+  public static final Channel<ActuatorAnnouncement> ACTUATORS =
+      Channel.latest("actuators", ActuatorAnnouncement.TYPE, ActuatorAnnouncement::actuatorName)
+          .retained();
+
+  /** Who is there: requests and responses (thesis 3.2.2.1). */
+  public static final Channel<U2SAData> DISCOVERY = Channel.every("discovery", U2SAData.TYPE);
+
+  /**
+   * Which channels a service publishes and subscribes to: requests and responses (thesis 3.2.2.1).
+   */
+  public static final Channel<U2SAData> FUNCTIONALITY =
+      Channel.every("functionality", U2SAData.TYPE);
+
+  /** Orders to stop one service or all (thesis 3.2.2.1). */
+  public static final Channel<StopCommand> STOP = Channel.every("stop", StopCommand.TYPE);
+
+  /** Configuration variables: requests, changes, and what comes of them (thesis 3.2.2.1). */
+  public static final Channel<U2SAData> CONFIGURATION =
+      Channel.every("configuration", U2SAData.TYPE);
+
+  /** How each service is (thesis 3.5.3). */
+  public static final Channel<HealthReport> HEALTH =
+      Channel.latest("health", HealthReport.TYPE, HealthReport::serviceName);
+
+  private static final List<Channel<?>> ALL =
+      List.of(
+          SENSED_STATE,
+          STATE,
+          SENSED_OBJECTS,
+          OBJECTS,
+          GOALS,
+          GOAL_REPORTS,
+          GOAL_UPDATES,
+          GOAL_COMMANDS,
+          NAVIGATION,
+          ACTUATION,
+          ACTUATORS,
+          DISCOVERY,
+          FUNCTIONALITY,
+          STOP,
+          CONFIGURATION,
+          HEALTH);
+
+  private Channels() {}
+
+  /** All standard channels. */
+  public static List<Channel<?>> all() {
+    return ALL;
+  }
+
+  /** The standard channel of that name. */
+  public static Optional<Channel<?>> named(String name) {
+    return ALL.stream().filter(channel -> channel.name().equals(name)).findFirst();
+  }
+
+  /** The standard channel of that name, or one on which each message matters. */
+  public static Channel<? extends U2SAData> namedOrNew(String name) {
+    Optional<Channel<?>> standard = named(name);
+    return standard.isPresent() ? standard.get() : Channel.every(name, U2SAData.TYPE);
+  }
+}

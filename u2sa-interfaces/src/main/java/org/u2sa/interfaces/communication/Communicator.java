@@ -1,0 +1,14 @@
+package org.u2sa.interfaces.communication;
+
+import org.u2sa.interfaces.Configurator;
+
+/** What opens a service's communication (thesis 3.2.1.2). */
+public interface Communicator extends Configurator {
+  /**
+   * Connects to the Communication Manager. Registering or publishing does it by itself if it was
+   * not done before.
+   *
+   * @return whether the Communication Manager was reached; if not, the reason is in the log
+   */
+  boolean beginCommunication();
+}

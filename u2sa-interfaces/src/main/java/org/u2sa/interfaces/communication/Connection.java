@@ -1,0 +1,34 @@
+package org.u2sa.interfaces.communication;
+
+import org.u2sa.messages.U2SAData;
+
+/** One service's connection to the Communication Manager. All calls are safe from any thread. */
+public interface Connection extends AutoCloseable {
+  /**
+   * Hands one frozen message over for delivery. Never waits for a subscriber.
+   *
+   * @return whether it was taken; a message that was not taken is counted in {@link #refused()}
+   */
+  boolean publish(Channel<?> channel, U2SAData message);
+
+  /**
+   * Begins to receive what is published on the channel by the services of the same system.
+   *
+   * @return whether the Communication Manager took the subscription (one that comes back after an
+   *     interruption counts)
+   */
+  boolean subscribe(Channel<?> channel);
+
+  /** Ends {@link #subscribe}. */
+  boolean unsubscribe(Channel<?> channel);
+
+  /**
+   * Messages that could not be handed over, or that came in and could not be read, since the
+   * connection was made.
+   */
+  long refused();
+
+  /** Ends all subscriptions and the connection. Safe to call twice. */
+  @Override
+  void close();
+}

@@ -1,0 +1,167 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * The direct path of the Communication Manager: services of its own process are handed messages
+ * object to object, on the publisher's thread, without socket or encoding.
+ *
+ * <p>A {@link Bridge} may be attached to give remote subscribers their copies.
+ */
+public final class LocalBus implements Transport {
+  private final String systemId;
+  private final Map<String, Route> routes = new ConcurrentHashMap<>();
+  private final Set<String> names = ConcurrentHashMap.newKeySet();
+  private volatile Bridge bridge = (channel, message) -> {};
+
+  /** A bus for the services of one system. */
+  public LocalBus(String systemId) {
+    this.systemId = Topic.checkSystemId(systemId);
+  }
+
+  /** What carries copies of local messages to other processes. Must not block. */
+  @FunctionalInterface
+  public interface Bridge {
+    /** Takes one frozen message that a local service published. */
+    void forward(Channel<?> channel, U2SAData message);
+  }
+
+  /** Attaches the bridge to other processes, in place of the one before. */
+  public void attach(Bridge newBridge) {
+    bridge = newBridge;
+  }
+
+  /** Delivers a frozen message that came from another process to the local subscribers. */
+  public void deliver(Channel<?> channel, U2SAData message) {
+    route(channel).deliver(channel, message);
+  }
+
+  @Override
+  public Connection connect(String serviceName, Receiver receiver) {
+    if (!names.add(serviceName)) {
+      throw new CommunicationException(
+          "service name \""
+              + serviceName
+              + "\" is taken in system \""
+              + systemId
+              + "\": names must differ");
+    }
+    return new LocalConnection(serviceName, receiver);
+  }
+
+  @Override
+  public String systemId() {
+    return systemId;
+  }
+
+  private Route route(Channel<?> channel) {
+    Route route =
+        routes.get(channel.name()); // computeIfAbsent takes a lock even if the key is there
+    return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
+  }
+
+  private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {}
+
+  /** The subscribers of one channel, and what is retained on it. */
+  private static final class Route {
+    private volatile Subscription[] subscriptions = {};
+    private final Map<String, U2SAData> retained = new LinkedHashMap<>();
+
+    void deliver(Channel<?> channel, U2SAData message) {
+      if (channel.isRetained()) {
+        synchronized (this) { // so that a new subscriber sees a retained message once
+          retained.put(channel.sourceOf(message), message);
+          hand(message);
+        }
+      } else {
+        hand(message);
+      }
+    }
+
+    private void hand(U2SAData message) {
+      for (Subscription subscription : subscriptions) {
+        if (subscription.channel.carries(message)) {
+          subscription.receiver.receive(subscription.channel, message);
+        }
+      }
+    }
+
+    synchronized void add(Subscription added) {
+      remove(added.owner);
+      Subscription[] longer = new Subscription[subscriptions.length + 1];
+      System.arraycopy(subscriptions, 0, longer, 0, subscriptions.length);
+      longer[subscriptions.length] = added;
+      subscriptions = longer;
+      for (U2SAData message : retained.values()) {
+        if (added.channel.carries(message)) {
+          added.receiver.receive(added.channel, message);
+        }
+      }
+    }
+
+    synchronized void remove(LocalConnection owner) {
+      subscriptions =
+          Arrays.stream(subscriptions)
+              .filter(subscription -> subscription.owner != owner)
+              .toArray(Subscription[]::new);
+    }
+  }
+
+  private final class LocalConnection implements Connection {
+    private final String serviceName;
+    private final Receiver receiver;
+    private final AtomicLong refused = new AtomicLong();
+    private volatile boolean closed;
+
+    LocalConnection(String serviceName, Receiver receiver) {
+      this.serviceName = serviceName;
+      this.receiver = receiver;
+    }
+
+    @Override
+    public boolean publish(Channel<?> channel, U2SAData message) {
+      if (closed || !channel.carries(message)) {
+        refused.incrementAndGet();
+        return false;
+      }
+      deliver(channel, message);
+      bridge.forward(channel, message);
+      return true;
+    }
+
+    @Override
+    public boolean subscribe(Channel<?> channel) {
+      if (closed) {
+        return false;
+      }
+      route(channel).add(new Subscription(this, channel, receiver));
+      return true;
+    }
+
+    @Override
+    public boolean unsubscribe(Channel<?> channel) {
+      route(channel).remove(this);
+      return !closed;
+    }
+
+    @Override
+    public long refused() {
+      return refused.get();
+    }
+
+    @Override
+    public void close() {
+      if (!closed) {
+        closed = true;
+        routes.values().forEach(route -> route.remove(this));
+        names.remove(serviceName);
+      }
+    }
+  }
+}

@@ -1,0 +1,46 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.Objects;
+import org.u2sa.messages.MessageCodec;
+
+/**
+ * The way to a Communication Manager in another process, or to any other MQTT broker, with Eclipse
+ * Paho.
+ */
+public final class MqttTransport implements Transport {
+  private final String host;
+  private final int port;
+  private final String systemId;
+  private final MessageCodec codec;
+
+  /**
+   * A transport that connects each service with a client of its own.
+   *
+   * @param host the broker's name or address
+   * @param port the broker's TCP port, 1…65535
+   * @param systemId the system whose messages are exchanged
+   * @param codec what reads incoming messages
+   */
+  public MqttTransport(String host, int port, String systemId, MessageCodec codec) {
+    if (port < 1 || port > 65_535) {
+      throw new IllegalArgumentException("port: " + port + " is outside 1…65535");
+    }
+    this.host = Objects.requireNonNull(host, "host");
+    this.port = port;
+    this.systemId = Topic.checkSystemId(systemId);
+    this.codec = Objects.requireNonNull(codec, "codec");
+  }
+
+  @Override
+  public Connection connect(String serviceName, Receiver receiver) {
+    MqttConnection connection =
+        new MqttConnection("tcp://" + host + ":" + port, systemId, serviceName, codec, receiver);
+    connection.open();
+    return connection;
+  }
+
+  @Override
+  public String systemId() {
+    return systemId;
+  }
+}

@@ -1,0 +1,27 @@
+package org.u2sa.interfaces.communication;
+
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.U2SAData;
+
+/** What broadcasts messages to whoever listens for them (thesis 3.2.1.3). */
+public interface Publisher extends Configurator {
+  /**
+   * Announces that messages of this class will be published on the standard channel of the
+   * service's role. Called in the constructor.
+   *
+   * @return whether the Communication Manager took the registration
+   */
+  boolean registerPublisher(Class<? extends U2SAData> dataType);
+
+  /** Takes {@link #registerPublisher} back. */
+  boolean unregisterPublisher(Class<? extends U2SAData> dataType);
+
+  /**
+   * Publishes on the channel that was registered for the message's class or its nearest ancestor.
+   * The message is frozen.
+   *
+   * @return whether the message was handed to the Communication Manager; if not, the reason is in
+   *     the log
+   */
+  boolean publish(U2SAData data);
+}

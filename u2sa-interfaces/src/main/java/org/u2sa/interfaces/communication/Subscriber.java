@@ -1,0 +1,18 @@
+package org.u2sa.interfaces.communication;
+
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.U2SAData;
+
+/** What receives messages that others broadcast (thesis 3.2.1.4). */
+public interface Subscriber extends Configurator {
+  /**
+   * Asks for messages of this class and its subclasses on the standard channel of the service's
+   * role. Called in the constructor.
+   *
+   * @return whether the Communication Manager took the registration
+   */
+  boolean registerSubscriber(Class<? extends U2SAData> dataType);
+
+  /** Takes {@link #registerSubscriber} back. */
+  boolean unregisterSubscriber(Class<? extends U2SAData> dataType);
+}

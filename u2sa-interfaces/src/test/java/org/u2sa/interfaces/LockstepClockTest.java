@@ -1,0 +1,154 @@
+package org.u2sa.interfaces;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class LockstepClockTest {
+  private final LockstepClock clock = new LockstepClock();
+  private final List<String> events = Collections.synchronizedList(new ArrayList<>());
+
+  /** A thread that notes its name and the time whenever it has its turn. */
+  private Clock.Waiter periodic(String name, long periodMicros) {
+    Clock.Waiter waiter = clock.newWaiter(name);
+    Thread thread =
+        new Thread(
+            () -> {
+              try {
+                waiter.await(0);
+                for (long due = 0; ; due += periodMicros) {
+                  waiter.await(due);
+                  events.add(name + "@" + clock.micros());
+                }
+              } catch (InterruptedException e) {
+                events.add(name + " interrupted");
+              }
+            });
+    thread.setDaemon(true);
+    thread.start();
+    return waiter;
+  }
+
+  @Test
+  void advance_twoPeriods_wakesInOrderOfTimeAndThenOfCreation() throws InterruptedException {
+    periodic("a", 20);
+    periodic("b", 30);
+
+    clock.advance(60);
+
+    assertThat(events).containsExactly("a@0", "b@0", "a@20", "b@30", "a@40", "a@60", "b@60");
+    assertThat(clock.micros()).isEqualTo(60);
+  }
+
+  @Test
+  void signal_fromTheThreadThatRuns_wakesBeforeTimeMoves() throws InterruptedException {
+    Clock.Waiter follower = clock.newWaiter("follower");
+    Thread following =
+        new Thread(
+            () -> {
+              try {
+                while (true) {
+                  follower.await(Clock.NEVER);
+                  events.add("follower@" + clock.micros());
+                }
+              } catch (InterruptedException e) {
+                events.add("interrupted");
+              }
+            });
+    following.setDaemon(true);
+    following.start();
+    Clock.Waiter leader = clock.newWaiter("leader");
+    Thread leading =
+        new Thread(
+            () -> {
+              try {
+                for (long due = 10; ; due += 10) {
+                  leader.await(due);
+                  events.add("leader@" + clock.micros());
+                  follower.signal();
+                }
+              } catch (InterruptedException e) {
+                events.add("interrupted");
+              }
+            });
+    leading.setDaemon(true);
+    leading.start();
+
+    clock.advance(20);
+
+    assertThat(events).containsExactly("leader@10", "follower@10", "leader@20", "follower@20");
+  }
+
+  @Test
+  void runUntil_conditionHolds_stopsBeforeTimeMovesOn() throws InterruptedException {
+    periodic("a", 10);
+
+    boolean held = clock.runUntil(() -> events.size() >= 3, 1_000);
+
+    assertThat(held).isTrue();
+    assertThat(clock.micros()).isEqualTo(20);
+  }
+
+  @Test
+  void runUntil_limitReached_saysSo() throws InterruptedException {
+    periodic("a", 10);
+
+    assertThat(clock.runUntil(() -> false, 35)).isFalse();
+    assertThat(clock.micros()).isEqualTo(35);
+  }
+
+  @Test
+  void close_ofOneWaiter_othersGoOn() throws InterruptedException {
+    Clock.Waiter ending = periodic("ending", 10);
+    periodic("a", 10);
+    clock.advance(10);
+    events.clear();
+
+    ending.close();
+    clock.advance(10);
+
+    assertThat(events).contains("a@20");
+  }
+
+  @Test
+  void advance_manyThreads_oneRunsAtATime() throws InterruptedException {
+    AtomicInteger running = new AtomicInteger();
+    AtomicInteger mostAtOnce = new AtomicInteger();
+    for (int i = 0; i < 8; i++) {
+      Clock.Waiter waiter = clock.newWaiter("w" + i);
+      Thread thread =
+          new Thread(
+              () -> {
+                try {
+                  for (long due = 0; ; due++) {
+                    waiter.await(due);
+                    mostAtOnce.accumulateAndGet(running.incrementAndGet(), Math::max);
+                    running.decrementAndGet();
+                  }
+                } catch (InterruptedException e) {
+                  mostAtOnce.set(Integer.MAX_VALUE);
+                }
+              });
+      thread.setDaemon(true);
+      thread.start();
+    }
+
+    clock.advance(500);
+
+    assertThat(mostAtOnce).hasValue(1);
+  }
+
+  @Test
+  void advance_negative_isRefused() {
+    assertThatThrownBy(() -> clock.advance(-1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("-1");
+  }
+}

@@ -1,0 +1,60 @@
+package org.u2sa.interfaces;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(10)
+class SystemClockTest {
+  private final SystemClock clock = new SystemClock();
+  private final Clock.Waiter waiter = clock.newWaiter("test");
+
+  @Test
+  void await_deadline_returnsNotBeforeIt() throws InterruptedException {
+    long deadline = clock.micros() + 5_000;
+
+    waiter.await(deadline);
+
+    assertThat(clock.micros()).isGreaterThanOrEqualTo(deadline);
+  }
+
+  @Test
+  void await_signalledBefore_returnsAtOnceAndWaitsTheNextTime() throws InterruptedException {
+    waiter.signal();
+    waiter.signal();
+
+    waiter.await(Clock.NEVER);
+    long deadline = clock.micros() + 2_000;
+    waiter.await(deadline);
+
+    assertThat(clock.micros()).isGreaterThanOrEqualTo(deadline);
+  }
+
+  @Test
+  void signal_fromAnotherThread_endsTheWait() throws InterruptedException {
+    Thread other = new Thread(waiter::signal);
+    other.start();
+
+    waiter.await(Clock.NEVER);
+
+    other.join();
+  }
+
+  @Test
+  void close_endsThisAndLaterWaits() throws InterruptedException {
+    Thread other = new Thread(waiter::close);
+    other.start();
+
+    waiter.await(Clock.NEVER);
+    waiter.await(Clock.NEVER);
+
+    other.join();
+  }
+
+  @Test
+  void micros_isTimeOfDay() {
+    assertThat(clock.micros() / 1_000).isCloseTo(System.currentTimeMillis(), within(2_000L));
+  }
+}

@@ -1,0 +1,129 @@
+package org.u2sa.interfaces.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+
+class LocalBusTest {
+  private final LocalBus bus = new LocalBus("cessna");
+  private final Inbox inbox = new Inbox();
+
+  private static final class Inbox implements Receiver {
+    private final List<U2SAData> messages = new ArrayList<>();
+
+    @Override
+    public void receive(Channel<?> channel, U2SAData message) {
+      messages.add(message);
+    }
+
+    @Override
+    public void trouble(String what) {
+      throw new AssertionError(what);
+    }
+  }
+
+  private static <T extends U2SAData> T frozen(T message) {
+    message.freeze();
+    return message;
+  }
+
+  @Test
+  void publish_subclass_reachesSubscribersOfTheChannelAsTheSameObject() {
+    bus.connect("a", inbox).subscribe(Channels.ACTUATION);
+    PercentageCommand command = frozen(PercentageCommand.of("RUDDER", 5.0));
+
+    boolean taken = bus.connect("b", new Inbox()).publish(Channels.ACTUATION, command);
+
+    assertThat(taken).isTrue();
+    assertThat(inbox.messages).singleElement().isSameAs(command);
+  }
+
+  @Test
+  void publish_otherType_isRefusedAndCounted() {
+    Connection connection = bus.connect("a", inbox);
+    connection.subscribe(Channels.STATE);
+
+    assertThat(connection.publish(Channels.STATE, frozen(PercentageCommand.of("RUDDER", 5.0))))
+        .isFalse();
+    assertThat(connection.refused()).isEqualTo(1);
+    assertThat(inbox.messages).isEmpty();
+  }
+
+  @Test
+  void subscribe_late_getsRetainedMessageOnlyOnRetainedChannels() {
+    Connection publisher = bus.connect("a", new Inbox());
+    GoalList goals = frozen(new GoalList());
+    publisher.publish(Channels.GOALS, goals);
+    publisher.publish(Channels.STATE, frozen(new StateInformation()));
+
+    Connection late = bus.connect("b", inbox);
+    late.subscribe(Channels.GOALS);
+    late.subscribe(Channels.STATE);
+
+    assertThat(inbox.messages).singleElement().isSameAs(goals);
+  }
+
+  @Test
+  void unsubscribe_thenPublish_nothingArrives() {
+    Connection connection = bus.connect("a", inbox);
+    connection.subscribe(Channels.STATE);
+    connection.unsubscribe(Channels.STATE);
+
+    connection.publish(Channels.STATE, frozen(new StateInformation()));
+
+    assertThat(inbox.messages).isEmpty();
+  }
+
+  @Test
+  void subscribe_twice_messagesArriveOnce() {
+    Connection connection = bus.connect("a", inbox);
+    connection.subscribe(Channels.STATE);
+    connection.subscribe(Channels.STATE);
+
+    connection.publish(Channels.STATE, frozen(new StateInformation()));
+
+    assertThat(inbox.messages).hasSize(1);
+  }
+
+  @Test
+  void connect_takenName_isRefusedUntilItsOwnerCloses() {
+    Connection first = bus.connect("a", inbox);
+
+    assertThatThrownBy(() -> bus.connect("a", inbox))
+        .isInstanceOf(CommunicationException.class)
+        .hasMessageContaining("\"a\"")
+        .hasMessageContaining("cessna");
+    first.close();
+    assertThat(bus.connect("a", inbox)).isNotNull();
+  }
+
+  @Test
+  void close_endsSubscriptionsAndPublishing() {
+    Connection connection = bus.connect("a", inbox);
+    connection.subscribe(Channels.STATE);
+    connection.close();
+
+    assertThat(connection.publish(Channels.STATE, frozen(new StateInformation()))).isFalse();
+    bus.deliver(Channels.STATE, frozen(new StateInformation()));
+    assertThat(inbox.messages).isEmpty();
+  }
+
+  @Test
+  void attach_bridge_seesLocalMessagesButNotDeliveredOnes() {
+    List<U2SAData> bridged = new ArrayList<>();
+    bus.attach((channel, message) -> bridged.add(message));
+    StateInformation local = frozen(new StateInformation());
+
+    bus.connect("a", inbox).publish(Channels.STATE, local);
+    bus.deliver(Channels.STATE, frozen(new StateInformation()));
+
+    assertThat(bridged).singleElement().isSameAs(local);
+  }
+}

@@ -1,0 +1,51 @@
+package org.u2sa.interfaces.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.PercentageCommand;
+
+class TopicTest {
+  @Test
+  void of_subclass_namesTheWholeChain() {
+    assertThat(Topic.of("cessna", Channels.ACTUATION, PercentageCommand.TYPE))
+        .hasToString("u2sa/cessna/actuation/ActuatorCommand/PercentageCommand");
+  }
+
+  @Test
+  void filter_typedChannel_matchesSubclasses() {
+    assertThat(Topic.filter("cessna", Channels.ACTUATION))
+        .isEqualTo("u2sa/cessna/actuation/ActuatorCommand/#");
+  }
+
+  @Test
+  void filter_channelOfAnyMessage_endsAfterTheChannel() {
+    assertThat(Topic.filter("cessna", Channels.DISCOVERY)).isEqualTo("u2sa/cessna/discovery/#");
+  }
+
+  @Test
+  void parse_ofToString_givesTheSame() {
+    Topic topic = new Topic("cessna", "state", List.of("StateInformation", "AircraftState"));
+
+    assertThat(Topic.parse(topic.toString())).isEqualTo(topic);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        "u2sa",
+        "u2sa/a/state",
+        "other/a/state/T",
+        "u2sa//state/T",
+        "u2sa/a/state/T/",
+        "u2sa/a b/state/T"
+      })
+  void parse_otherForm_isRefused(String topic) {
+    assertThatThrownBy(() -> Topic.parse(topic)).isInstanceOf(IllegalArgumentException.class);
+  }
+}
