@@ -1,0 +1,128 @@
+package org.u2sa.core.communication;
+
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * The thesis's Communication Manager: what all services of a system talk through (4.5.1.1).
+ *
+ * <p>By default it is a broker in this process. Services of the process are handed messages
+ * directly, and the broker gives copies to subscribers elsewhere. With {@code BROKER} = {@code
+ * external} all services use another MQTT broker, and with {@code none} nothing leaves the process.
+ */
+public final class CommunicationManager implements AutoCloseable {
+  static final Variable<String> BROKER =
+      Variable.text("BROKER")
+          .oneOf("embedded", "external", "none")
+          .ifAbsent("embedded")
+          .describedAs(
+              "embedded: a broker in this process; external: another MQTT broker; none: this process only.");
+
+  static final Variable<String> BIND_ADDRESS =
+      Variable.text("BIND ADDRESS")
+          .ifAbsent("127.0.0.1")
+          .describedAs(
+              "Address on which the embedded broker listens; 0.0.0.0 opens it to the network.");
+
+  static final Variable<String> HOST =
+      Variable.text("COMMUNICATION MANAGER IP")
+          .ifAbsent("localhost")
+          .describedAs("Host of the external broker.");
+
+  static final Variable<Integer> PORT =
+      Variable.integer("COMMUNICATION MANAGER PORT")
+          .range(Range.of(1, 65_535))
+          .ifAbsent(1883)
+          .describedAs("TCP port of the broker, embedded or external.");
+
+  private final Transport transport;
+  private final EmbeddedBroker broker; // null unless embedded
+
+  private CommunicationManager(Transport transport, EmbeddedBroker broker) {
+    this.transport = transport;
+    this.broker = broker;
+  }
+
+  /**
+   * Starts the Communication Manager of a system.
+   *
+   * @param systemId the vehicle
+   * @param configuration its variables
+   * @param types the message types that can come in from elsewhere
+   * @param log takes what goes wrong later, a line each
+   * @throws CommunicationException if the port is taken or the external broker does not answer
+   * @throws org.u2sa.interfaces.ConfigurationException if a variable is wrong
+   */
+  public static CommunicationManager start(
+      String systemId, Configurator configuration, MessageTypes types, Consumer<String> log) {
+    String kind = configuration.getVariable(BROKER);
+    String bindAddress = configuration.getVariable(BIND_ADDRESS);
+    String host = configuration.getVariable(HOST);
+    int port = configuration.getVariable(PORT);
+    MessageCodec codec = new MessageCodec(types);
+    if (kind.equals("external")) {
+      MqttTransport transport = new MqttTransport(host, port, systemId, codec);
+      transport.connect("CommunicationManager", new Probe()).close();
+      return new CommunicationManager(transport, null);
+    }
+    LocalBus bus = new LocalBus(systemId);
+    EmbeddedBroker broker =
+        kind.equals("none") ? null : EmbeddedBroker.start(bus, codec, bindAddress, port, log);
+    return new CommunicationManager(bus, broker);
+  }
+
+  /** The way to it for the services of this process. */
+  public Transport transport() {
+    return transport;
+  }
+
+  /** Where the embedded broker listens. */
+  public Optional<InetSocketAddress> address() {
+    return Optional.ofNullable(broker).map(EmbeddedBroker::address);
+  }
+
+  /**
+   * Copies for subscribers elsewhere that were given up because they or the broker were too slow,
+   * so far.
+   */
+  public long dropped() {
+    return broker == null ? 0 : broker.dropped();
+  }
+
+  /**
+   * Stops the embedded broker after what waits to be sent was sent. Services should have ended
+   * before.
+   */
+  @Override
+  public void close() {
+    if (broker != null) {
+      broker.close();
+    }
+  }
+
+  /** Receives nothing: connects only to learn whether the broker is there. */
+  private static final class Probe implements Receiver {
+    @Override
+    public void receive(Channel<?> channel, U2SAData message) {
+      throw new IllegalStateException("subscribed to nothing, but received " + message);
+    }
+
+    @Override
+    public void trouble(String what) {
+      throw new CommunicationException(what);
+    }
+  }
+}

@@ -1,0 +1,171 @@
+package org.u2sa.core.communication;
+
+import io.moquette.broker.Server;
+import io.moquette.broker.config.IConfig;
+import io.moquette.broker.config.MemoryConfig;
+import io.moquette.interception.AbstractInterceptHandler;
+import io.moquette.interception.messages.InterceptConnectionLostMessage;
+import io.moquette.interception.messages.InterceptDisconnectMessage;
+import io.moquette.interception.messages.InterceptPublishMessage;
+import io.moquette.interception.messages.InterceptSubscribeMessage;
+import io.moquette.interception.messages.InterceptUnsubscribeMessage;
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.ByteBufUtil;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Properties;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.MalformedMessageException;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * Moquette in this process, joined to the direct path: what comes from elsewhere goes onto the bus,
+ * and copies go out.
+ */
+final class EmbeddedBroker implements AutoCloseable {
+  private static final int LARGEST_PACKET =
+      1 << 21; // the codec's limit of 1 MiB, with room for the topic
+
+  private final LocalBus bus;
+  private final MessageCodec codec;
+  private final Consumer<String> log;
+  private final InetSocketAddress address;
+  private final Server server = new Server();
+  private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
+  private final AtomicLong unreadable = new AtomicLong();
+  private final OutgoingCopies copies;
+
+  private EmbeddedBroker(
+      LocalBus bus, MessageCodec codec, InetSocketAddress address, Consumer<String> log) {
+    this.bus = bus;
+    this.codec = codec;
+    this.address = address;
+    this.log = log;
+    copies = new OutgoingCopies(server, bus.systemId(), subscriptions, log);
+  }
+
+  static EmbeddedBroker start(
+      LocalBus bus, MessageCodec codec, String host, int port, Consumer<String> log) {
+    EmbeddedBroker broker = new EmbeddedBroker(bus, codec, new InetSocketAddress(host, port), log);
+    Properties properties = new Properties();
+    properties.setProperty(IConfig.HOST_PROPERTY_NAME, host);
+    properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(port));
+    properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "true");
+    properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
+    properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
+    properties.setProperty(IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(LARGEST_PACKET));
+    properties.setProperty(
+        IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush at once: latency counts
+    try {
+      broker.server.startServer(new MemoryConfig(properties), List.of(broker.new Listener()));
+    } catch (IOException | RuntimeException e) {
+      throw new CommunicationException(
+          "the Communication Manager cannot listen on "
+              + host
+              + ":"
+              + port
+              + ": "
+              + e.getMessage()
+              + "; is the port taken by another one? COMMUNICATION MANAGER PORT sets another",
+          e);
+    }
+    broker.copies.start();
+    bus.attach(broker.copies);
+    return broker;
+  }
+
+  InetSocketAddress address() {
+    return address;
+  }
+
+  long dropped() {
+    return copies.dropped();
+  }
+
+  @Override
+  public void close() {
+    bus.attach((channel, message) -> {});
+    copies.close();
+    server.stopServer();
+  }
+
+  private void deliver(String topicName, byte[] payload) {
+    try {
+      Topic topic = Topic.parse(topicName);
+      if (!topic.systemId().equals(bus.systemId())) {
+        return; // another vehicle on the same broker
+      }
+      Channel<? extends U2SAData> channel = Channels.namedOrNew(topic.channel());
+      U2SAData message = codec.decode(topic.typeChain(), payload);
+      message.freeze();
+      if (!channel.carries(message)) {
+        throw new IllegalArgumentException(
+            "it is not of the channel's type " + channel.type().name());
+      }
+      bus.deliver(channel, message);
+    } catch (MalformedMessageException | IllegalArgumentException e) {
+      long count = unreadable.incrementAndGet();
+      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+        log.accept(
+            "a message on "
+                + topicName
+                + " cannot be read: "
+                + e.getMessage()
+                + " ("
+                + count
+                + " so far)");
+      }
+    }
+  }
+
+  /** Called by Moquette on a thread of its own, one call after the other. */
+  private final class Listener extends AbstractInterceptHandler {
+    @Override
+    public String getID() {
+      return "CommunicationManager";
+    }
+
+    @Override
+    public void onSessionLoopError(Throwable error) {
+      log.accept("the broker failed: " + error);
+    }
+
+    @Override
+    public void onPublish(InterceptPublishMessage message) {
+      ByteBuf payload = message.getPayload();
+      try {
+        deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
+      } finally {
+        payload.release();
+      }
+    }
+
+    @Override
+    public void onSubscribe(InterceptSubscribeMessage message) {
+      subscriptions.add(message.getClientID(), message.getTopicFilter());
+    }
+
+    @Override
+    public void onUnsubscribe(InterceptUnsubscribeMessage message) {
+      subscriptions.remove(message.getClientID(), message.getTopicFilter());
+    }
+
+    @Override
+    public void onDisconnect(InterceptDisconnectMessage message) {
+      subscriptions.remove(message.getClientID());
+    }
+
+    @Override
+    public void onConnectionLost(InterceptConnectionLostMessage message) {
+      subscriptions.remove(message.getClientID());
+    }
+  }
+}

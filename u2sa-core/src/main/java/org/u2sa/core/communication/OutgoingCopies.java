@@ -1,0 +1,145 @@
+package org.u2sa.core.communication;
+
+import io.moquette.broker.RoutingResults;
+import io.moquette.broker.Server;
+import io.netty.buffer.Unpooled;
+import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttQoS;
+import java.util.Map;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * Copies of local messages on their way to subscribers elsewhere. Encoding and sending happen on a
+ * thread of its own, behind a bounded queue, so that no service ever waits for a network; what does
+ * not fit is counted.
+ */
+final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
+  private static final int WAITING_AT_MOST = 8_192;
+
+  /** Half of what Moquette queues for one session: beyond it, it drops without a word. */
+  private static final int ON_THE_WAY_AT_MOST = 512;
+
+  private static final String SENDER = "CommunicationManager";
+  private static final long LAST_WORDS_WITHIN_MS = 2_000;
+
+  private record Copy(Channel<?> channel, String topic, U2SAData message) {}
+
+  /** A topic and whether anybody wants it, as of a version of the subscriptions. */
+  private record Interest(String topic, boolean wanted, int version) {}
+
+  private final Server server;
+  private final String systemId;
+  private final RemoteSubscriptions subscriptions;
+  private final Consumer<String> log;
+  private final Map<String, Map<MessageType<?>, Interest>> interests = new ConcurrentHashMap<>();
+  private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
+  private final Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
+  private final AtomicLong dropped = new AtomicLong();
+  private final Thread sender = new Thread(this::send, "u2sa-outgoing-copies");
+  private volatile boolean closing;
+
+  OutgoingCopies(
+      Server server, String systemId, RemoteSubscriptions subscriptions, Consumer<String> log) {
+    this.server = server;
+    this.systemId = systemId;
+    this.subscriptions = subscriptions;
+    this.log = log;
+    sender.setDaemon(true);
+  }
+
+  void start() {
+    sender.start();
+  }
+
+  @Override
+  public void forward(Channel<?> channel, U2SAData message) {
+    Interest interest = interest(channel, message.type());
+    boolean wanted = interest.wanted || channel.isRetained();
+    if (wanted && !waiting.offer(new Copy(channel, interest.topic, message))) {
+      drop("the broker is too slow");
+    }
+  }
+
+  private Interest interest(Channel<?> channel, MessageType<?> type) {
+    Map<MessageType<?>, Interest> ofChannel =
+        interests.computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>());
+    Interest known = ofChannel.get(type);
+    int version = subscriptions.version();
+    if (known == null || known.version != version) {
+      String topic = known != null ? known.topic : Topic.of(systemId, channel, type).toString();
+      known = new Interest(topic, subscriptions.wants(topic), version);
+      ofChannel.put(type, known);
+    }
+    return known;
+  }
+
+  private void send() {
+    try {
+      while (true) {
+        send(waiting.take());
+      }
+    } catch (InterruptedException e) {
+      // Interrupted by close: what still waits is sent, as it may hold the actuators' neutral
+      // commands.
+      for (Copy copy = waiting.poll(); copy != null; copy = waiting.poll()) {
+        publish(copy);
+      }
+    }
+  }
+
+  private void send(Copy copy) throws InterruptedException {
+    onTheWay.acquire();
+    RoutingResults results = publish(copy);
+    if (!results.isAllSuccess()) {
+      drop("a subscriber's queue is full");
+    }
+    results.completableFuture().whenComplete((done, error) -> onTheWay.release());
+  }
+
+  private RoutingResults publish(Copy copy) {
+    boolean eachMatters = copy.channel.deliversEvery() || copy.channel.isRetained();
+    return server.internalPublish(
+        MqttMessageBuilders.publish()
+            .topicName(copy.topic)
+            .qos(eachMatters ? MqttQoS.AT_LEAST_ONCE : MqttQoS.AT_MOST_ONCE)
+            .retained(copy.channel.isRetained())
+            .payload(Unpooled.wrappedBuffer(copy.message.serialize()))
+            .build(),
+        SENDER);
+  }
+
+  private void drop(String why) {
+    long count = dropped.incrementAndGet();
+    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      log.accept("a copy for remote subscribers was dropped, " + why + " (" + count + " so far)");
+    }
+  }
+
+  long dropped() {
+    return dropped.get();
+  }
+
+  @Override
+  public void close() {
+    if (closing) {
+      return;
+    }
+    closing = true;
+    sender.interrupt();
+    try {
+      sender.join(LAST_WORDS_WITHIN_MS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,73 @@
+package org.u2sa.core.launch;
+
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.SystemClock;
+
+/** How a system is run: all that its files do not say. */
+public final class LaunchOptions {
+  private Clock clock = new SystemClock();
+  private Path logDirectory = Paths.get("out", "logs");
+  private long seed = 1;
+  private Consumer<String> console = line -> {};
+  private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
+
+  /** Sets the time of the run; without it, real time. */
+  public LaunchOptions clock(Clock value) {
+    clock = Objects.requireNonNull(value, "clock");
+    return this;
+  }
+
+  /** Sets where each service's log file is written; without it, {@code out/logs}. */
+  public LaunchOptions logDirectory(Path value) {
+    logDirectory = Objects.requireNonNull(value, "logDirectory");
+    return this;
+  }
+
+  /** Sets the seed from which whatever is random derives; without it, 1. */
+  public LaunchOptions seed(long value) {
+    seed = value;
+    return this;
+  }
+
+  /** Sets what takes the launcher's and the Communication Manager's own words, a line each. */
+  public LaunchOptions console(Consumer<String> value) {
+    console = Objects.requireNonNull(value, "console");
+    return this;
+  }
+
+  /**
+   * Sets a variable for this run, whatever the file says, without writing it there.
+   *
+   * @param service the simple name of the service's class, or {@code CommunicationManager}
+   */
+  public LaunchOptions override(String service, String variable, Object value) {
+    overrides.computeIfAbsent(service, name -> new LinkedHashMap<>()).put(variable, value);
+    return this;
+  }
+
+  Clock clock() {
+    return clock;
+  }
+
+  Path logDirectory() {
+    return logDirectory;
+  }
+
+  long seed() {
+    return seed;
+  }
+
+  Consumer<String> console() {
+    return console;
+  }
+
+  Map<String, Object> overridesOf(String service) {
+    return overrides.getOrDefault(service, Map.of());
+  }
+}
