@@ -6,5 +6,13 @@ description = "Core services (thesis 3.2.3), Communication Manager and launcher.
 
 dependencies {
     api(project(":u2sa-abstract"))
+    implementation(libs.moquette) {
+        exclude(group = "com.librato.metrics")
+        exclude(group = "com.bugsnag")
+        exclude(group = "com.zaxxer")
+        exclude(group = "io.dropwizard.metrics")
+        exclude(group = "org.slf4j", module = "slf4j-reload4j")
+        exclude(group = "io.netty", module = "netty-transport-native-epoll")
+    }
     testImplementation(testFixtures(project(":u2sa-abstract")))
 }

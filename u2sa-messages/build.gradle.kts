@@ -10,4 +10,5 @@ dependencies {
         exclude(group = "com.fasterxml.jackson.core", module = "jackson-databind")
     }
     implementation(libs.geographiclib)
+    implementation(libs.proj4j)
 }
