@@ -1,0 +1,165 @@
+package org.u2sa.core.control;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Turns navigation points into actuator commands (thesis 3.2.3.5). In: navigation, state. Out:
+ * actuation.
+ *
+ * <p>{@link #control} is called once for each new state, on the service's thread. A navigation
+ * point that is older than STALE AFTER counts as absent. When states stop coming nothing is
+ * commanded, and what was commanded last expires after COMMAND EXPIRY; when the service ends,
+ * actuators are left {@linkplain #neutral() neutral}.
+ */
+public abstract class ControlSystem extends EventDrivenService {
+  /** The subsystem of navigation points for the vehicle as a whole. */
+  protected static final String VEHICLE = "VEHICLE";
+
+  static final Variable<Double> STALE_AFTER =
+      Variable.number("STALE AFTER", "s")
+          .range(Range.of(0.02, 60.0))
+          .ifAbsent(1.0)
+          .describedAs("Age at which a navigation point counts as absent.");
+
+  static final Variable<Double> COMMAND_EXPIRY =
+      Variable.number("COMMAND EXPIRY", "s")
+          .range(Range.of(0.02, 60.0))
+          .ifAbsent(0.5)
+          .describedAs("How long an actuator obeys a command that is not renewed.");
+
+  private final double commandExpiryS;
+  private final StateHistory states;
+  private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
+  private double stepS;
+
+  /**
+   * @param serviceName the name, unless the variable SERVICE NAME says another
+   */
+  protected ControlSystem(ServiceContext context, String serviceName) {
+    super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
+    commandExpiryS = getVariable(COMMAND_EXPIRY);
+    states = new StateHistory(Clock.micros(getVariable(STALE_AFTER)));
+    registerSubscriber(Channels.NAVIGATION);
+    registerSubscriber(Channels.STATE);
+    registerPublisher(Channels.ACTUATION);
+  }
+
+  /**
+   * Commands the actuators, by {@link #command}. Called for each state that is newer than the one
+   * before.
+   *
+   * @param state the newest estimate
+   * @param point where the vehicle is to go, in its own frame (BODY) at its timestamp; empty if
+   *     there is none or it is stale
+   */
+  protected abstract void control(StateInformation state, Optional<NavigationPoint> point);
+
+  /**
+   * The percentages at which the actuators of this control system do no harm, by actuator name [%,
+   * −100…100].
+   */
+  protected abstract Map<String, Double> neutral();
+
+  /**
+   * A message that is neither state nor navigation point, for subclasses that register for more.
+   */
+  protected void received(U2SAData data) {
+    unexpected(data);
+  }
+
+  @Override
+  public final void callback(U2SAData data) {
+    if (data instanceof StateInformation state) {
+      stateReceived(state);
+    } else if (data instanceof NavigationPoint point) {
+      points.put(point.subsystem(), point);
+    } else {
+      received(data);
+    }
+  }
+
+  private void stateReceived(StateInformation state) {
+    if (state.timestamp().isEmpty()) {
+      log(LogLevelEnum.WARN, "state without a timestamp left out: " + state);
+      return;
+    }
+    if (!states.add(state)) {
+      log(LogLevelEnum.DEBUG, "state is not newer than the one before it: left out: " + state);
+      return;
+    }
+    stepS = Clock.seconds(states.lastStepMicros());
+    control(state, navigationPoint(VEHICLE));
+  }
+
+  /**
+   * Time from the state before to the present one [s], by their timestamps; 0 for the first one,
+   * and for one after a gap longer than STALE AFTER, so that integrators neither start nor resume
+   * with a jump.
+   */
+  protected final double stepS() {
+    return stepS;
+  }
+
+  /** The newest navigation point of a subsystem, unless it is stale by the newest state's time. */
+  protected final Optional<NavigationPoint> navigationPoint(String subsystem) {
+    return Optional.ofNullable(points.get(subsystem)).filter(states::isFresh);
+  }
+
+  /**
+   * The state from which a navigation point was computed: the one with the same timestamp, if it is
+   * remembered.
+   */
+  protected final Optional<StateInformation> stateOf(NavigationPoint point) {
+    return point.timestamp().isEmpty()
+        ? Optional.empty()
+        : states.at(point.timestamp().getAsLong());
+  }
+
+  /**
+   * Where a navigation point of BODY lies from the vehicle: north, east, down [m], turned by the
+   * attitude from which it was computed; empty if that state is no longer remembered.
+   */
+  protected final Optional<Point> nedOf(NavigationPoint point) {
+    return stateOf(point).map(state -> ned(point.point(), state));
+  }
+
+  private static Point ned(Point body, StateInformation state) {
+    Rotation attitude =
+        Rotation.nedFromFrd(
+            state.phi().orElse(0.0), state.theta().orElse(0.0), state.psi().orElse(0.0));
+    return attitude.times(Point.of(body.x(), -body.y(), body.z()));
+  }
+
+  /**
+   * Commands an actuator until the next command, or until COMMAND EXPIRY has passed.
+   *
+   * @param percentage bounded to −100…100 [%]
+   * @throws IllegalArgumentException if the percentage is not a number
+   */
+  protected final void command(String actuator, double percentage) {
+    double bounded = Math.max(-100.0, Math.min(100.0, percentage));
+    publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(commandExpiryS));
+  }
+
+  /** Leaves the actuators neutral; subclasses that override it call it too. */
+  @Override
+  protected void release() {
+    neutral().forEach(this::command);
+  }
+}

@@ -1,0 +1,61 @@
+package org.u2sa.core.control;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+
+/** The states of the last moments by their timestamps. */
+final class StateHistory {
+  private final long spanMicros;
+  private final TreeMap<Long, StateInformation> states = new TreeMap<>();
+  private long lastStepMicros;
+
+  /**
+   * @param spanMicros how long a state is remembered, and how old a message may be to be fresh [µs]
+   */
+  StateHistory(long spanMicros) {
+    this.spanMicros = spanMicros;
+  }
+
+  /**
+   * Takes a state that has a timestamp.
+   *
+   * @return false if it is not newer than the newest; but one that is older by more than the span
+   *     begins a new history, for then the clock was set back
+   */
+  boolean add(StateInformation state) {
+    long time = state.timestamp().orElseThrow();
+    long step = states.isEmpty() ? 0L : time - states.lastKey();
+    if (step <= 0 && !states.isEmpty() && step >= -spanMicros) {
+      return false;
+    }
+    if (Math.abs(step) > spanMicros) {
+      states.clear();
+      step = 0L;
+    }
+    lastStepMicros = step;
+    states.put(time, state);
+    states.headMap(time - spanMicros).clear();
+    return true;
+  }
+
+  /** Time between the two newest states [µs]; 0 if the newest begins a history. */
+  long lastStepMicros() {
+    return lastStepMicros;
+  }
+
+  /** The state of exactly that time. */
+  Optional<StateInformation> at(long micros) {
+    return Optional.ofNullable(states.get(micros));
+  }
+
+  /** Whether a message is no older than the span, seen from the newest state. */
+  boolean isFresh(U2SAData message) {
+    Map.Entry<Long, StateInformation> newest = states.lastEntry();
+    return newest != null
+        && message.timestamp().isPresent()
+        && Math.abs(newest.getKey() - message.timestamp().getAsLong()) <= spanMicros;
+  }
+}

@@ -1,0 +1,59 @@
+package org.u2sa.core.estimation;
+
+import java.util.Optional;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Makes the best estimate of the vehicle's state from what sensors measured (thesis 3.2.3.1). In:
+ * sensed-state. Out: state.
+ *
+ * <p>A subclass writes {@link #estimate}. The estimate's sensorName becomes this service's name, so
+ * that receivers tell estimates of two estimators apart; its timestamp is that of the measurement,
+ * unless the subclass sets another.
+ */
+public abstract class StateEstimator extends EventDrivenService {
+  /**
+   * @param serviceName the name, unless the variable SERVICE NAME says another
+   */
+  protected StateEstimator(ServiceContext context, String serviceName) {
+    super(context, ServiceRole.STATE_ESTIMATOR, serviceName);
+    registerSubscriber(Channels.SENSED_STATE);
+    registerPublisher(Channels.STATE);
+  }
+
+  /**
+   * The estimate after one more measurement; empty if it gives no reason to publish one. Called on
+   * the service's thread, in the order of arrival.
+   *
+   * @param sensed frozen; its presence vector says what the sensor measured
+   * @return a new message, not frozen
+   */
+  protected abstract Optional<StateInformation> estimate(StateInformation sensed);
+
+  @Override
+  public final void callback(U2SAData data) {
+    if (!(data instanceof StateInformation sensed)) {
+      unexpected(data);
+      return;
+    }
+    if (sensed.timestamp().isEmpty()) {
+      log(LogLevelEnum.WARN, "measurement without a timestamp left out: " + sensed);
+      return;
+    }
+    estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
+  }
+
+  private void publishEstimate(StateInformation estimate, StateInformation sensed) {
+    estimate.sensorName(getServiceName());
+    if (estimate.timestamp().isEmpty()) {
+      estimate.timestamp(sensed.timestamp().orElseThrow());
+    }
+    publish(Channels.STATE, estimate);
+  }
+}

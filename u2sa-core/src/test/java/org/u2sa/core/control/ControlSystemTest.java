@@ -1,0 +1,146 @@
+package org.u2sa.core.control;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.testkit.ServiceKit;
+
+class ControlSystemTest {
+  private final ServiceKit kit = new ServiceKit();
+  private final RecordingControl control = kit.start(RecordingControl::new);
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  @Test
+  void callback_state_controlsOnceWithTimeStep() {
+    kit.publish(Channels.STATE, state());
+    kit.advance(0.02);
+    kit.publish(Channels.STATE, state());
+
+    assertThat(control.steps).containsExactly(0.0, 0.02);
+  }
+
+  @Test
+  void callback_stateThatIsNotNewer_isLeftOut() {
+    kit.advance(1.0);
+    kit.publish(Channels.STATE, state());
+    StateInformation older = state();
+    older.timestamp(900_000L);
+    kit.publish(Channels.STATE, older);
+
+    assertThat(control.steps).hasSize(1);
+  }
+
+  @Test
+  void callback_stateAfterGap_stepIsZero() {
+    kit.publish(Channels.STATE, state());
+    kit.advance(5.0);
+    kit.publish(Channels.STATE, state());
+
+    assertThat(control.steps).containsExactly(0.0, 0.0);
+  }
+
+  @Test
+  void callback_freshNavigationPoint_isHandedOn() {
+    NavigationPoint point = NavigationPoint.at(Point.of(1.0, 2.0, 3.0));
+    kit.publish(Channels.NAVIGATION, point);
+    kit.advance(0.5);
+    kit.publish(Channels.STATE, state());
+
+    assertThat(control.points).containsExactly(Optional.of(point));
+  }
+
+  @Test
+  void callback_navigationPointOlderThanStaleAfter_countsAsAbsent() {
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(1.0, 2.0, 3.0)));
+    kit.advance(1.01);
+    kit.publish(Channels.STATE, state());
+
+    assertThat(control.points).containsExactly(Optional.empty());
+  }
+
+  @Test
+  void callback_navigationPointOfOtherSubsystem_isNotTheVehicles() {
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(1.0, 2.0, 3.0)).subsystem("ARM"));
+    kit.publish(Channels.STATE, state());
+
+    assertThat(control.points).containsExactly(Optional.empty());
+  }
+
+  @Test
+  void nedOf_pointOfEarlierState_isTurnedByThatStatesAttitude() {
+    kit.publish(Channels.STATE, state().psi(Math.PI / 2.0));
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(10.0, 2.0, 3.0)));
+    kit.advance(0.02);
+    kit.publish(Channels.STATE, state().psi(0.0));
+
+    Point ned = control.ned.orElseThrow();
+    assertThat(ned.x()).isCloseTo(2.0, within(1.0e-9)); // heading east, so left is north
+    assertThat(ned.y()).isCloseTo(10.0, within(1.0e-9));
+    assertThat(ned.z()).isCloseTo(3.0, within(1.0e-9));
+  }
+
+  @Test
+  void command_outsideRange_isBoundedAndExpires() {
+    control.percentage = 250.0;
+    kit.publish(Channels.STATE, state());
+
+    PercentageCommand command = (PercentageCommand) kit.latest(Channels.ACTUATION).orElseThrow();
+    assertThat(command.actuatorName()).isEqualTo("THROTTLE");
+    assertThat(command.percentage()).isEqualTo(100.0);
+    assertThat(command.expiry()).hasValue(0.5);
+  }
+
+  @Test
+  void kill_actuatorsAreLeftNeutral() {
+    control.percentage = 80.0;
+    kit.publish(Channels.STATE, state());
+    control.kill();
+
+    assertThat(kit.percent("THROTTLE")).isEqualTo(-5.0);
+  }
+
+  private static StateInformation state() {
+    return new StateInformation().x(8.0).y(50.0).z(100.0).phi(0.0).theta(0.0).psi(0.0);
+  }
+
+  /** Remembers what it is asked. */
+  private static final class RecordingControl extends ControlSystem {
+    private final List<Double> steps = new ArrayList<>();
+    private final List<Optional<NavigationPoint>> points = new ArrayList<>();
+    private Optional<Point> ned = Optional.empty();
+    private double percentage;
+
+    RecordingControl(ServiceContext context) {
+      super(context, "RecordingControl");
+    }
+
+    @Override
+    protected void control(StateInformation state, Optional<NavigationPoint> point) {
+      steps.add(stepS());
+      points.add(point);
+      ned = point.flatMap(this::nedOf);
+      command("THROTTLE", percentage);
+    }
+
+    @Override
+    protected Map<String, Double> neutral() {
+      return Map.of("THROTTLE", -5.0);
+    }
+  }
+}
