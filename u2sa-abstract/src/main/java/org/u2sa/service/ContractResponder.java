@@ -2,7 +2,6 @@ package org.u2sa.service;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
@@ -12,7 +11,6 @@ import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationChangeResult;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
-import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
@@ -111,12 +109,9 @@ final class ContractResponder {
   }
 
   private ConfigurationResponse configuration() {
-    List<ConfigurationVariable> variables = new ArrayList<>();
-    for (Map.Entry<String, Object> field : configuration.enumerateFields()) {
-      variables.add(
-          new ConfigurationVariable().name(field.getKey()).value(String.valueOf(field.getValue())));
-    }
-    return new ConfigurationResponse().serviceName(service.getServiceName()).variables(variables);
+    return new ConfigurationResponse()
+        .serviceName(service.getServiceName())
+        .variables(configuration.describe());
   }
 
   private Optional<String> change(ConfigurationChange change) {

@@ -67,10 +67,12 @@ public abstract class U2SAService extends CommunicatingService {
     inbox = new ServiceInbox(getVariable(ServiceVariables.INBOX_CAPACITY));
     contract = new ContractResponder(this, context.configuration(), wiring());
     setUncaughtExceptionHandler((thread, error) -> endAfter(error));
-    if (!beginCommunication()) {
+    try {
+      wiring().connection();
+    } catch (CommunicationException e) {
+      log(LogLevelEnum.ERROR, e.getMessage());
       logFile().close();
-      throw new CommunicationException(
-          "service \"" + getServiceName() + "\" found no Communication Manager; see its log");
+      throw e;
     }
   }
 

@@ -35,9 +35,10 @@ public record SystemFile(
    * @param element where the file says so, for error messages
    */
   public record Entry(String className, Optional<Path> configuration, XmlElement element) {
-    /** The class's name without its package. */
+    /** The class's name without its package or enclosing class. */
     public String simpleName() {
-      return className.substring(className.lastIndexOf('.') + 1);
+      return className.substring(
+          Math.max(className.lastIndexOf('.'), className.lastIndexOf('$')) + 1);
     }
   }
 
