@@ -9,4 +9,5 @@ dependencies {
     api(project(":u2sa-sim"))
     api(project(":u2sa-gcs"))
     testImplementation(testFixtures(project(":u2sa-abstract")))
+    testImplementation(libs.archunit)
 }

@@ -6,8 +6,8 @@ description = "Service contract (thesis 3.2.1) and its default implementations."
 
 dependencies {
     api(project(":u2sa-messages"))
-    implementation(libs.jackson.xml)
-    implementation(libs.slf4j)
-    implementation(libs.logback)
-    implementation(libs.paho)
+    api(libs.jackson.xml)
+    api(libs.slf4j)
+    api(libs.logback)
+    api(libs.paho)
 }
