@@ -125,7 +125,11 @@ class RunningSystemTest {
   void start_secondServicesConfigurationWrong_startsNothingAndNamesFileLineVariable()
       throws IOException {
     file("Quiet.xml", configuration());
-    file("Also.xml", configuration("<variable name=\"GAIN\" type=\"double\" value=\"7\"/>"));
+    file(
+        "Also.xml",
+        configuration(
+            "<variable name=\"GAIN\" type=\"double\" value=\"7\"/>",
+            "<variable name=\"SERVICE NAME\" type=\"string\" value=\"Also\"/>"));
     SystemFile file =
         system(service(Quiet.class, "Quiet.xml"), service(AlsoQuiet.class, "Also.xml"));
     List<String> before = threads();
