@@ -1,0 +1,35 @@
+package org.u2sa.gcs.report;
+
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * The extremes of the part of a flight that was in the air: from screen height on, while no wheel
+ * carries weight.
+ */
+record Airborne(boolean tookOff, OptionalDouble maxBankRad, OptionalDouble minAirspeedMps) {
+
+  static Airborne of(FlightPlan plan, List<FlightSample> track) {
+    if (track.isEmpty()) {
+      return new Airborne(false, OptionalDouble.empty(), OptionalDouble.empty());
+    }
+    double ground = plan.home().map(Home::altitudeM).orElse(track.get(0).altitudeM());
+    boolean tookOff = false;
+    double bank = 0.0;
+    double airspeed = Double.POSITIVE_INFINITY;
+    for (FlightSample sample : track) {
+      if (sample.onGround()) {
+        continue;
+      }
+      tookOff |= sample.altitudeM() - ground >= FlightScorer.SCREEN_HEIGHT_M;
+      if (tookOff) {
+        bank = Math.max(bank, Math.abs(sample.rollRad()));
+        airspeed = Math.min(airspeed, sample.calibratedAirspeedMps());
+      }
+    }
+    return new Airborne(
+        tookOff,
+        tookOff ? OptionalDouble.of(bank) : OptionalDouble.empty(),
+        tookOff ? OptionalDouble.of(airspeed) : OptionalDouble.empty());
+  }
+}

@@ -1,0 +1,66 @@
+package org.u2sa.gcs.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.u2sa.gcs.draw.Canvas;
+import org.u2sa.gcs.draw.Canvas.Pixel;
+import org.u2sa.gcs.draw.ColourScale;
+import org.u2sa.gcs.draw.Stroke;
+
+/**
+ * The flown track as a line on a panel, coloured by altitude, with only as many points as the eye
+ * can tell apart.
+ */
+final class FlownLine {
+
+  private static final double POINT_SPACING = 1.0; // least distance of neighbouring points [px]
+
+  private record Point(Pixel pixel, double altitudeM) {}
+
+  private final List<Point> points = new ArrayList<>();
+
+  /**
+   * @param position where on the panel a sample stands
+   */
+  FlownLine(List<FlightSample> track, Function<FlightSample, Pixel> position) {
+    for (int i = 0; i < track.size(); i++) {
+      Pixel pixel = position.apply(track.get(i));
+      if (points.isEmpty()
+          || i == track.size() - 1
+          || distance(points.get(points.size() - 1).pixel(), pixel) >= POINT_SPACING) {
+        points.add(new Point(pixel, track.get(i).altitudeM()));
+      }
+    }
+  }
+
+  List<Pixel> pixels() {
+    return points.stream().map(Point::pixel).toList();
+  }
+
+  /** Draws the line; altitudes from {@code lowM} to {@code highM} span the colours. */
+  void draw(Canvas canvas, double lowM, double highM, double width) {
+    List<Pixel> run = new ArrayList<>();
+    int step = -1;
+    for (Point point : points) {
+      int here = ColourScale.step(point.altitudeM(), lowM, highM);
+      run.add(point.pixel());
+      if (here != step) {
+        flush(canvas, run, step, width);
+        run = new ArrayList<>(List.of(point.pixel())); // the next colour starts where this one ends
+        step = here;
+      }
+    }
+    flush(canvas, run, step, width);
+  }
+
+  private static void flush(Canvas canvas, List<Pixel> run, int step, double width) {
+    if (step >= 0) {
+      canvas.polyline(run, Stroke.solid(ColourScale.colour(step), width));
+    }
+  }
+
+  private static double distance(Pixel a, Pixel b) {
+    return Math.hypot(a.x() - b.x(), a.y() - b.y());
+  }
+}

@@ -1,0 +1,191 @@
+package org.u2sa.gcs.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.gcs.draw.Box;
+import org.u2sa.gcs.draw.Canvas;
+import org.u2sa.gcs.draw.Canvas.Pixel;
+import org.u2sa.gcs.draw.LabelPlacer;
+import org.u2sa.gcs.draw.Stroke;
+import org.u2sa.gcs.draw.TextStyle.Anchor;
+import org.u2sa.gcs.draw.Ticks;
+
+/**
+ * Draws the map: grid, runway, planned line, flown track, waypoints with their capture circles and
+ * names.
+ */
+final class MapPanel {
+
+  private static final double M_PER_KM = 1000.0;
+  private static final double MARK_RADIUS = 5.0; // px
+  private static final double LEAST_RUNWAY_WIDTH = 11.0; // px
+  private static final double LINE_WIDTH = 3.4;
+  private static final double LEADER_FROM =
+      14.0; // a label farther from its waypoint gets a leader line [px]
+  private static final double NAME_HEIGHT = 18.0;
+  private static final int MOST_NAMES = 30; // with more waypoints, numbers alone
+
+  private final Canvas canvas;
+  private final FlightPlan plan;
+  private final List<WaypointResult> results;
+  private final MapView view;
+  private final FlownLine flown;
+  private final AltitudeRange altitudes;
+
+  MapPanel(
+      Canvas canvas,
+      Box frame,
+      FlightPlan plan,
+      List<FlightSample> track,
+      FlightScore score,
+      AltitudeRange altitudes) {
+    this.canvas = canvas;
+    this.plan = plan;
+    results = score.waypoints();
+    view = MapView.of(plan, track, frame);
+    flown = new FlownLine(track, sample -> view.pixel(view.plane().place(sample)));
+    this.altitudes = altitudes;
+  }
+
+  void draw() {
+    canvas.rectangle(view.frame(), Ink.PANEL, null);
+    grid();
+    canvas.clipped(
+        view.frame(),
+        () -> {
+          captureCircles();
+          canvas.polyline(planned(), Stroke.dashed(Ink.PLANNED, 2.0, 7.0));
+          plan.home().ifPresent(this::runway);
+          flown.draw(canvas, altitudes.lowM(), altitudes.highM(), LINE_WIDTH);
+          results.forEach(this::mark);
+        });
+    canvas.rectangle(view.frame(), null, Ink.FRAME);
+    MapFurniture furniture = new MapFurniture(canvas, view);
+    LabelPlacer placer = new LabelPlacer(view.frame());
+    furniture.boxes().forEach(placer::avoid);
+    names(placer);
+    furniture.draw(altitudes);
+  }
+
+  private void grid() {
+    Box frame = view.frame();
+    Ticks ticks = Ticks.between(0.0, Math.max(view.widthM(), view.heightM()) / M_PER_KM, 12);
+    for (double km :
+        Ticks.every(
+                ticks.step(), view.westM() / M_PER_KM, (view.westM() + view.widthM()) / M_PER_KM)
+            .values()) {
+      double x = view.x(km * M_PER_KM);
+      canvas.line(x, frame.y(), x, frame.bottom(), Ink.GRID);
+      canvas.text(x, frame.bottom() + 19.0, ticks.label(km), Ink.TICK.anchored(Anchor.MIDDLE));
+    }
+    for (double km :
+        Ticks.every(
+                ticks.step(), view.southM() / M_PER_KM, (view.southM() + view.heightM()) / M_PER_KM)
+            .values()) {
+      double y = view.y(km * M_PER_KM);
+      canvas.line(frame.x(), y, frame.right(), y, Ink.GRID);
+      canvas.text(frame.x() - 8.0, y + 5.0, ticks.label(km), Ink.TICK.anchored(Anchor.END));
+    }
+    String origin = plan.home().isPresent() ? "home" : "the first waypoint";
+    canvas.text(
+        frame.right(),
+        frame.bottom() + 40.0,
+        "km east and north of " + origin,
+        Ink.TICK.anchored(Anchor.END));
+  }
+
+  private List<Pixel> planned() {
+    List<Pixel> line = new ArrayList<>();
+    plan.home()
+        .ifPresent(
+            home ->
+                line.add(view.pixel(view.plane().place(home.longitudeDeg(), home.latitudeDeg()))));
+    plan.waypoints().forEach(waypoint -> line.add(view.pixel(waypoint)));
+    return line;
+  }
+
+  private void runway(Home home) {
+    LocalPlane.Place start = view.plane().place(home.longitudeDeg(), home.latitudeDeg());
+    Pixel from = view.pixel(start);
+    if (home.runwayLengthM().isPresent()) {
+      double length = home.runwayLengthM().getAsDouble();
+      Pixel to =
+          view.pixel(
+              new LocalPlane.Place(
+                  start.eastM() + length * Math.sin(home.headingRad()),
+                  start.northM() + length * Math.cos(home.headingRad())));
+      double width = Math.max(LEAST_RUNWAY_WIDTH, 30.0 * view.pixelsPerMetre());
+      canvas.line(from.x(), from.y(), to.x(), to.y(), Stroke.solid(Ink.RUNWAY, width));
+      canvas.line(from.x(), from.y(), to.x(), to.y(), Stroke.dashed(Ink.PAPER, 1.2, 6.0));
+    }
+    canvas.rectangle(
+        new Box(from.x() - 6.0, from.y() - 6.0, 12.0, 12.0),
+        Ink.RUNWAY,
+        Stroke.solid(Ink.PAPER, 1.5));
+  }
+
+  private void captureCircles() {
+    for (WaypointResult result : results) {
+      Pixel at = view.pixel(result.waypoint());
+      double radius = result.waypoint().captureRadiusM() * view.pixelsPerMetre();
+      canvas.circle(
+          at.x(),
+          at.y(),
+          radius,
+          result.captured() ? Ink.CAPTURED_AREA : Ink.MISSED_AREA,
+          Stroke.solid(result.captured() ? Ink.CAPTURED : Ink.MISSED, 1.3));
+    }
+  }
+
+  private void mark(WaypointResult result) {
+    Pixel at = view.pixel(result.waypoint());
+    if (result.captured()) {
+      canvas.circle(at.x(), at.y(), MARK_RADIUS, Ink.CAPTURED, Stroke.solid(Ink.PAPER, 1.5));
+      return;
+    }
+    double arm = MARK_RADIUS + 1.0;
+    for (Stroke stroke : List.of(Stroke.solid(Ink.PAPER, 6.0), Stroke.solid(Ink.MISSED, 3.0))) {
+      canvas.line(at.x() - arm, at.y() - arm, at.x() + arm, at.y() + arm, stroke);
+      canvas.line(at.x() - arm, at.y() + arm, at.x() + arm, at.y() - arm, stroke);
+    }
+  }
+
+  private void names(LabelPlacer placer) {
+    placer.avoidLine(Densified.line(flown.pixels()));
+    placer.avoidLine(Densified.line(planned()));
+    for (WaypointResult result : results) {
+      Pixel at = view.pixel(result.waypoint());
+      placer.avoid(
+          new Box(
+              at.x() - MARK_RADIUS - 1.0,
+              at.y() - MARK_RADIUS - 1.0,
+              2.0 * MARK_RADIUS + 2.0,
+              2.0 * MARK_RADIUS + 2.0));
+    }
+    for (int i = 0; i < results.size(); i++) {
+      String name =
+          results.size() > MOST_NAMES
+              ? String.valueOf(i + 1)
+              : WaypointNames.numbered(i, results.get(i).waypoint());
+      name(placer, view.pixel(results.get(i).waypoint()), name);
+    }
+    plan.home()
+        .ifPresent(
+            home ->
+                name(
+                    placer,
+                    view.pixel(view.plane().place(home.longitudeDeg(), home.latitudeDeg())),
+                    "home"));
+  }
+
+  private void name(LabelPlacer placer, Pixel at, String name) {
+    double width = Ink.LABEL.widthOf(name) + 4.0;
+    Box box = placer.place(at.x(), at.y(), MARK_RADIUS, width, NAME_HEIGHT);
+    double nearX = Math.max(box.x(), Math.min(box.right(), at.x()));
+    double nearY = Math.max(box.y(), Math.min(box.bottom(), at.y()));
+    if (Math.hypot(nearX - at.x(), nearY - at.y()) > LEADER_FROM + MARK_RADIUS) {
+      canvas.line(at.x(), at.y(), nearX, nearY, Stroke.solid(Ink.MUTED, 1.0));
+    }
+    canvas.text(box.x() + 2.0, box.bottom() - 4.0, name, Ink.LABEL);
+  }
+}
