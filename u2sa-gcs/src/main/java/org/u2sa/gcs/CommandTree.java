@@ -1,0 +1,80 @@
+package org.u2sa.gcs;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import picocli.CommandLine;
+import picocli.CommandLine.Help;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+
+/** Builds the tree of commands from the frame's own and the contributed ones. */
+final class CommandTree {
+
+  private CommandTree() {}
+
+  /**
+   * All providers on the class path; a broken one is told on {@code err} and left out, so that one
+   * bad jar spoils no other command.
+   */
+  static List<CommandProvider> discover(PrintWriter err) {
+    List<CommandProvider> found = new ArrayList<>();
+    Iterator<CommandProvider> providers = ServiceLoader.load(CommandProvider.class).iterator();
+    while (true) {
+      try {
+        if (!providers.hasNext()) {
+          return found;
+        }
+        found.add(providers.next());
+      } catch (ServiceConfigurationError e) {
+        err.println("u2sa: some commands are missing: " + e.getMessage());
+      }
+    }
+  }
+
+  /** The command line over all commands, with the project's way of answering errors. */
+  static CommandLine build(List<CommandProvider> providers, Help.Ansi ansi) {
+    RootCommand root = new RootCommand();
+    CommandLine line = new CommandLine(root);
+    CommandLine demo = new CommandLine(new DemoCommand());
+    line.addSubcommand(demo);
+    for (CommandProvider provider : providers) {
+      for (CommandProvider.Contribution contribution : provider.commands()) {
+        (contribution.group() == CommandProvider.Group.DEMO ? demo : line)
+            .addSubcommand(contribution.command());
+      }
+    }
+    for (CommandLine command : line.getSubcommands().values()) {
+      addHelp(command);
+    }
+    ErrorAnswers answers = new ErrorAnswers(root::debug);
+    line.setParameterExceptionHandler(answers);
+    line.setExecutionExceptionHandler(answers);
+    line.setColorScheme(Help.defaultColorScheme(ansi));
+    line.setCaseInsensitiveEnumValuesAllowed(true);
+    line.setUsageHelpLongOptionsMaxWidth(30);
+    return line;
+  }
+
+  /**
+   * Gives each command {@code --help} that has none of its own: authors of commands cannot forget
+   * it.
+   */
+  private static void addHelp(CommandLine command) {
+    CommandSpec spec = command.getCommandSpec();
+    if (spec.findOption("--help") == null) {
+      spec.addOption(
+          OptionSpec.builder("-h", "--help")
+              .usageHelp(true)
+              .type(boolean.class)
+              .description("Show this help.")
+              .build());
+    }
+    for (CommandLine child : command.getSubcommands().values()) {
+      addHelp(child);
+    }
+  }
+}

@@ -1,0 +1,83 @@
+package org.u2sa.gcs;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.BadInputException;
+import picocli.CommandLine;
+import picocli.CommandLine.IExecutionExceptionHandler;
+import picocli.CommandLine.IParameterExceptionHandler;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** Answers errors in one clear line; a stack trace only for those who ask by {@code --debug}. */
+final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExceptionHandler {
+
+  private static final String PREFIX = "u2sa: ";
+
+  private final BooleanSupplier debug;
+
+  ErrorAnswers(BooleanSupplier debug) {
+    this.debug = debug;
+  }
+
+  @Override
+  public int handleParseException(ParameterException e, String[] args) {
+    CommandLine command = e.getCommandLine();
+    PrintWriter err = command.getErr();
+    err.println(PREFIX + message(e, command));
+    if (e instanceof UnmatchedArgumentException unmatched) {
+      List<String> meant = Suggestions.of(unmatched);
+      if (!meant.isEmpty()) {
+        err.println("Did you mean " + String.join(" or ", meant) + "?");
+      }
+    }
+    err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
+    err.flush();
+    return ExitCode.BAD_INPUT;
+  }
+
+  @Override
+  public int handleExecutionException(Exception e, CommandLine command, ParseResult parsed) {
+    return answer(e, command.getErr());
+  }
+
+  /** Tells {@code thrown} on {@code err} and returns the exit code. */
+  int answer(Throwable thrown, PrintWriter err) {
+    boolean badInput = thrown instanceof BadInputException;
+    boolean told = badInput || thrown instanceof RunFailedException;
+    if (told) {
+      err.println(PREFIX + thrown.getMessage());
+    } else {
+      err.println(
+          PREFIX
+              + "unexpected "
+              + describe(thrown)
+              + (debug.getAsBoolean() ? "" : " (--debug shows where)"));
+    }
+    if (debug.getAsBoolean()) {
+      thrown.printStackTrace(err);
+    }
+    err.flush();
+    return badInput ? ExitCode.BAD_INPUT : ExitCode.FAILED;
+  }
+
+  private static String message(ParameterException e, CommandLine command) {
+    if (e instanceof UnmatchedArgumentException unmatched) {
+      String typed = unmatched.getUnmatched().get(0);
+      String kind =
+          typed.startsWith("-")
+              ? "option"
+              : command.getSubcommands().isEmpty() ? "argument" : "command";
+      return "unknown " + kind + " '" + typed + "'";
+    }
+    return e.getMessage();
+  }
+
+  private static String describe(Throwable thrown) {
+    String message = thrown.getMessage();
+    String name = thrown.getClass().getSimpleName();
+    return message == null ? name : name + ": " + message;
+  }
+}

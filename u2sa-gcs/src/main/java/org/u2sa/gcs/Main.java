@@ -1,0 +1,43 @@
+package org.u2sa.gcs;
+
+import java.io.PrintWriter;
+import java.util.List;
+import picocli.CommandLine;
+import picocli.CommandLine.Help;
+
+/** Entry of the program {@code u2sa}. */
+public final class Main {
+
+  private Main() {}
+
+  /** Runs one command and ends the virtual machine with its exit code ({@link ExitCode}). */
+  public static void main(String[] args) {
+    PrintWriter out = new PrintWriter(System.out, true);
+    PrintWriter err = new PrintWriter(System.err, true);
+    System.exit(run(CommandTree.discover(err), out, err, Help.Ansi.AUTO, args));
+  }
+
+  /**
+   * Runs one command.
+   *
+   * @return exit code, see {@link ExitCode}
+   */
+  static int run(
+      List<CommandProvider> providers,
+      PrintWriter out,
+      PrintWriter err,
+      Help.Ansi ansi,
+      String... args) {
+    CommandLine line = CommandTree.build(providers, ansi).setOut(out).setErr(err);
+    try {
+      return line.execute(args);
+    } catch (
+        Error e) { // picocli hands on Errors; a broken installation (LinkageError) deserves a clear
+      // line too
+      RootCommand root = line.getCommand();
+      return new ErrorAnswers(root::debug).answer(e, err);
+    } finally {
+      out.flush();
+    }
+  }
+}

@@ -1,0 +1,56 @@
+package org.u2sa.gcs;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.u2sa.interfaces.BadInputException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** A command as a module would contribute it: a greeting that can fail in every way. */
+@Command(name = "greet", description = "Greets by the seed.")
+final class GreetCommand implements Callable<Integer> {
+
+  /** Contributes the command, as a demo and at top level under another name. */
+  public static final class Provider implements CommandProvider {
+    @Override
+    public List<Contribution> commands() {
+      return List.of(
+          new Contribution(Group.DEMO, new GreetCommand()),
+          new Contribution(Group.TOP_LEVEL, new WaveCommand()));
+    }
+  }
+
+  /** A top-level command. */
+  @Command(name = "wave", description = "Waves.")
+  static final class WaveCommand implements Runnable {
+    @Override
+    public void run() {
+      throw new NoClassDefFoundError("org/example/Arm");
+    }
+  }
+
+  @Spec private CommandSpec spec;
+  @Mixin private DemoOptions options = new DemoOptions();
+
+  @Option(names = "--fail", description = "How to fail.")
+  private String fail = "";
+
+  DemoOptions options() {
+    return options;
+  }
+
+  @Override
+  public Integer call() {
+    switch (fail) {
+      case "input" ->
+          throw new BadInputException("mission.xml, line 3, <z>: \"high\" is not a number");
+      case "run" -> throw new RunFailedException("FlightGear went away at 12.5 s");
+      case "bug" -> throw new IllegalStateException("wing came off");
+      default -> spec.commandLine().getOut().println("hello " + options.seed());
+    }
+    return ExitCode.DONE;
+  }
+}
