@@ -1,0 +1,19 @@
+package org.u2sa.flightgear.control;
+
+/** What the aircraft is at, from standing on the runway to following its mission. */
+public enum FlightPhase {
+  /** Standing on the brakes: waits for engine and navigation, then opens the throttle. */
+  RUN_UP,
+  /** Rolling along the centreline. */
+  ROLL,
+  /** Raising the nose. */
+  ROTATE,
+  /** Climbing straight ahead at full throttle. */
+  CLIMB_OUT,
+  /** Following navigation. */
+  CRUISE,
+  /** In the air without navigation: wings level, altitude held. */
+  HOLD,
+  /** On the ground for good: brakes on, engine idling. */
+  STOPPED
+}

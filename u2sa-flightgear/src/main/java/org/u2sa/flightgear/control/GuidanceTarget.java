@@ -1,0 +1,13 @@
+package org.u2sa.flightgear.control;
+
+import java.util.OptionalDouble;
+
+/**
+ * Where navigation wants the aircraft.
+ *
+ * @param northM point ahead on the leg, in the plane of {@link FlightState} [m]
+ * @param eastM point ahead on the leg [m]
+ * @param altitudeM to hold, above mean sea level [m]
+ * @param speedMps true airspeed asked for [m/s]; empty leaves the cruise speed
+ */
+record GuidanceTarget(double northM, double eastM, double altitudeM, OptionalDouble speedMps) {}
