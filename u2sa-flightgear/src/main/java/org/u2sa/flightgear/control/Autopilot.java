@@ -12,7 +12,8 @@ final class Autopilot {
   private static final double LEAST_SCALE = 0.6;
   private static final double MOST_SCALE = 1.6;
   private static final double NEAR_GROUND_M = 10.0;
-  private static final double RUDDER_RATE = 2.0; // full travel a second is half a second stop to stop
+  private static final double RUDDER_RATE =
+      2.0; // full travel a second is half a second stop to stop
 
   private final Tuning tuning;
   private final TakeOffSequence sequence;
@@ -75,7 +76,10 @@ final class Autopilot {
 
   private void enter(FlightState state, FlightPhase before, boolean first) {
     if (first || phase == FlightPhase.HOLD) {
-      holdAltitudeM = Math.max(state.altitudeM(), state.altitudeM() - state.heightM() + tuning.takeOff().safeHeightM());
+      holdAltitudeM =
+          Math.max(
+              state.altitudeM(),
+              state.altitudeM() - state.heightM() + tuning.takeOff().safeHeightM());
     }
     boolean airborne = phase == FlightPhase.CRUISE || phase == FlightPhase.HOLD;
     if (airborne && (first || before == FlightPhase.RUN_UP || before == FlightPhase.STOPPED)) {
@@ -143,11 +147,11 @@ final class Autopilot {
     speedDemandMps = tuning.cruiseMps();
     if (target.isPresent()) {
       GuidanceTarget ahead = target.get();
-      bank =
-          lateral.bankRad(
-              state, ahead.northM() - state.northM(), ahead.eastM() - state.eastM());
+      bank = lateral.bankRad(state, ahead.northM(), ahead.eastM());
       altitudeDemandM = ahead.altitudeM();
-      speedDemandMps = ahead.speedMps().orElse(speedDemandMps * state.trueOverCalibrated()) / state.trueOverCalibrated();
+      speedDemandMps =
+          ahead.speedMps().orElse(speedDemandMps * state.trueOverCalibrated())
+              / state.trueOverCalibrated();
       holdAltitudeM = altitudeDemandM;
     }
     return surfaces(state, bank, tuning.bankLimitRad(), false, tuning.leastPitchRad(), dtS);
@@ -162,8 +166,7 @@ final class Autopilot {
       double dtS) {
     double scale = scale(state);
     double limit = Math.min(bankLimit, stall.bankLimitRad(state));
-    bankDemand =
-        Limit.approach(bankDemand, Limit.symmetric(bank, limit), tuning.bankRate() * dtS);
+    bankDemand = Limit.approach(bankDemand, Limit.symmetric(bank, limit), tuning.bankRate() * dtS);
     double slowest = stall.leastSpeedMps(bankDemand) + 0.5 * tuning.stall().bandMps();
     speedDemandMps = Limit.within(slowest, speedDemandMps, tuning.fastestMps());
     double most = Math.min(tuning.mostPitchRad(), stall.pitchLimitRad(state));
@@ -183,8 +186,7 @@ final class Autopilot {
     pitchDemand = Math.min(most, command.pitchRad() + tuning.turnPitch() * (load - 1.0));
     double aileron = roll.aileron(state, bankDemand, scale, dtS);
     double elevator = pitch.elevator(state, pitchDemand, scale, dtS);
-    rudder =
-        Limit.approach(rudder, yaw.rudder(state, aileron, scale, dtS), RUDDER_RATE * dtS);
+    rudder = Limit.approach(rudder, yaw.rudder(state, aileron, scale, dtS), RUDDER_RATE * dtS);
     return new Surfaces(aileron, elevator, rudder, throttle, 1.0, 0.0, 0.0);
   }
 

@@ -1,10 +1,10 @@
 package org.u2sa.flightgear.control;
 
 /**
- * Altitude and airspeed together: the throttle answers for the total energy rate γ + V̇/g, the pitch
- * for how it is shared, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control Autopilot
- * Design Using Total Energy Principles, AIAA 83-2239). Short of speed, the pitch serves the airspeed
- * alone.
+ * Altitude and airspeed together: the throttle answers for the total energy rate γ + V̇/g, the
+ * pitch for how it is shared, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control
+ * Autopilot Design Using Total Energy Principles, AIAA 83-2239). Short of speed, the pitch serves
+ * the airspeed alone.
  */
 final class EnergyLaw {
   /** What the two levers shall do: pitch [rad] and throttle, 0…1. */
@@ -60,8 +60,7 @@ final class EnergyLaw {
             -parameters.sinkLimitMps(),
             (demand.altitudeM() - state.altitudeM()) / parameters.altitudeTimeConstantS(),
             parameters.climbLimitMps());
-    climbDemand =
-        Limit.approach(climbDemand, climb, parameters.verticalAccelerationMps2() * dtS);
+    climbDemand = Limit.approach(climbDemand, climb, parameters.verticalAccelerationMps2() * dtS);
     double pathDemand = climbDemand / speed;
     double accelerationDemand =
         Limit.symmetric(
@@ -115,8 +114,7 @@ final class EnergyLaw {
     double direct = 0.5 * demanded + parameters.pitchDamping() * error;
     double next = pitchIntegral + parameters.pitchIntegral() * error * dtS;
     double raw = direct + next;
-    boolean deeper =
-        (raw > demand.most() && error > 0.0) || (raw < demand.least() && error < 0.0);
+    boolean deeper = (raw > demand.most() && error > 0.0) || (raw < demand.least() && error < 0.0);
     if (!deeper) {
       pitchIntegral = Limit.within(demand.least() - 0.2, next, demand.most() + 0.2);
     }

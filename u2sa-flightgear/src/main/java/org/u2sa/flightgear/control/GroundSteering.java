@@ -16,7 +16,8 @@ final class GroundSteering {
    * @param integral rudder per integrated yaw rate error at 10 m/s [1/rad]
    * @param airDamping rudder per yaw rate error, nose wheel up [s/rad]
    * @param airIntegral rudder per integrated yaw rate error, nose wheel up [1/rad]
-   * @param weathercock rudder against the wind's push on the fin, per sideslip, nose wheel up [1/rad]
+   * @param weathercock rudder against the wind's push on the fin, per sideslip, nose wheel up
+   *     [1/rad]
    * @param intoWind aileron per metre per second of crosswind when standing, less with speed [s/m]
    */
   record Parameters(

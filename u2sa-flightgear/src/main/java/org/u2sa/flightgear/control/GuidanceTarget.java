@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 /**
  * Where navigation wants the aircraft.
  *
- * @param northM point ahead on the leg, in the plane of {@link FlightState} [m]
- * @param eastM point ahead on the leg [m]
+ * @param northM of a point ahead on the leg, from the aircraft [m]
+ * @param eastM of that point, from the aircraft [m]
  * @param altitudeM to hold, above mean sea level [m]
  * @param speedMps true airspeed asked for [m/s]; empty leaves the cruise speed
  */

@@ -8,7 +8,8 @@ package org.u2sa.flightgear.control;
 final class LateralGuidance {
   static final double GRAVITY = 9.80665;
 
-  private static final double SLOWEST_MPS = 5.0; // over ground; slower there is no track to speak of
+  private static final double SLOWEST_MPS =
+      5.0; // over ground; slower there is no track to speak of
 
   private final double shortestM;
 

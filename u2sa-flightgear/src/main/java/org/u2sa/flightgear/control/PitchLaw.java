@@ -13,7 +13,8 @@ final class PitchLaw {
    */
   record Parameters(double timeConstantS, double rateLimit, RateLoop.Gains rate) {}
 
-  private static final double STEEPEST_RAD = Math.toRadians(60.0); // of the turn that is compensated
+  private static final double STEEPEST_RAD =
+      Math.toRadians(60.0); // of the turn that is compensated
   private static final double SLOWEST_MPS = 20.0;
 
   private final Parameters parameters;

@@ -64,7 +64,8 @@ final class TakeOffSequence {
       }
       case ROTATE ->
           lasting(liftedSinceS, state, LIFTED_FOR_S) ? FlightPhase.CLIMB_OUT : FlightPhase.ROTATE;
-      case CLIMB_OUT -> state.heightM() >= parameters.safeHeightM() ? flying : FlightPhase.CLIMB_OUT;
+      case CLIMB_OUT ->
+          state.heightM() >= parameters.safeHeightM() ? flying : FlightPhase.CLIMB_OUT;
       case CRUISE, HOLD -> {
         boolean landed =
             lasting(landedSinceS, state, LANDED_FOR_S)

@@ -1,9 +1,9 @@
 package org.u2sa.flightgear.control;
 
 /**
- * Keeps the turn coordinated by the rudder: damps yaw about r = g/V · sin φ cos θ (coordinated turn;
- * Stevens and Lewis, 2nd ed., section 4.4), meets the adverse yaw of the ailerons, and takes the
- * sideslip out slowly, which trims the propeller's swirl.
+ * Keeps the turn coordinated by the rudder: damps yaw about r = g/V · sin φ cos θ (coordinated
+ * turn; Stevens and Lewis, 2nd ed., section 4.4), meets the adverse yaw of the ailerons, and takes
+ * the sideslip out slowly, which trims the propeller's swirl.
  */
 final class YawLaw {
   /**

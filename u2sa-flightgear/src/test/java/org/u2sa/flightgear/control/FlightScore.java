@@ -50,7 +50,8 @@ final class FlightScore {
     stalled |= truth.stalled();
     for (int i = Math.max(0, legs - 1); i <= Math.min(legs, missM.length - 1); i++) {
       Course.Mark m = course.marks().get(i);
-      missM[i] = Math.min(missM[i], Math.hypot(state.northM() - m.northM(), state.eastM() - m.eastM()));
+      missM[i] =
+          Math.min(missM[i], Math.hypot(state.northM() - m.northM(), state.eastM() - m.eastM()));
     }
     FlightPhase phase = autopilot.phase();
     if (phase == FlightPhase.ROLL || phase == FlightPhase.ROTATE) {
@@ -74,22 +75,25 @@ final class FlightScore {
     flown++;
     worstBankDeg = Math.max(worstBankDeg, Math.abs(Math.toDegrees(state.rollRad())));
     if (state.heightM() > 15) {
-    slowestMps = Math.min(slowestMps, state.calibratedAirspeedMps());
-    highestAlphaDeg = Math.max(highestAlphaDeg, Math.toDegrees(state.alphaRad()));
+      slowestMps = Math.min(slowestMps, state.calibratedAirspeedMps());
+      highestAlphaDeg = Math.max(highestAlphaDeg, Math.toDegrees(state.alphaRad()));
     }
     betaSquares += state.betaRad() * state.betaRad();
     if (legs != lastLeg) {
       lastLeg = legs;
       legSinceS = truth.timeS();
     }
-    if (phase != FlightPhase.CRUISE || truth.timeS() - legSinceS < planner.turnS() + ESTABLISHED_S) {
+    if (phase != FlightPhase.CRUISE
+        || truth.timeS() - legSinceS < planner.turnS() + ESTABLISHED_S) {
       return;
     }
     double offset = planner.offsetM(state);
     crossSquares += offset * offset;
     crossCount++;
     worstCrossM = Math.max(worstCrossM, Math.abs(offset));
-    boolean level = legs > 0 && course.marks().get(legs).altitudeM() == course.marks().get(legs - 1).altitudeM();
+    boolean level =
+        legs > 0
+            && course.marks().get(legs).altitudeM() == course.marks().get(legs - 1).altitudeM();
     if (level) {
       double error = state.altitudeM() - course.marks().get(legs).altitudeM();
       levelSquares += error * error;
@@ -116,10 +120,28 @@ final class FlightScore {
 
   @Override
   public String toString() {
-    return String.format(java.util.Locale.ROOT,
+    return String.format(
+        java.util.Locale.ROOT,
         "miss %5.1f xt %5.1f/%5.1f alt %4.1f/%4.1f bank %4.1f vmin %4.1f aoa %4.1f rwy %4.1f co %5.1f liftoff %4.1fs %4.1fkt %3.0fm bounce %.0f pitch≥%.1f beta %.2f legs %d end %.0fs%s%s",
-        worstMissM(), crossRmsM(), worstCrossM, levelRmsM(), worstLevelM, worstBankDeg, slowestMps, highestAlphaDeg,
-        worstRunwayOffsetM, worstClimbOutOffsetM, liftOffS, liftOffKt, groundRollM, rejoinedGround, climbOutLowestPitchDeg,
-        Math.toDegrees(Math.sqrt(betaSquares / Math.max(1, flown))), legs, endS, crashed ? " CRASHED" : "", stalled ? " STALLED" : "");
+        worstMissM(),
+        crossRmsM(),
+        worstCrossM,
+        levelRmsM(),
+        worstLevelM,
+        worstBankDeg,
+        slowestMps,
+        highestAlphaDeg,
+        worstRunwayOffsetM,
+        worstClimbOutOffsetM,
+        liftOffS,
+        liftOffKt,
+        groundRollM,
+        rejoinedGround,
+        climbOutLowestPitchDeg,
+        Math.toDegrees(Math.sqrt(betaSquares / Math.max(1, flown))),
+        legs,
+        endS,
+        crashed ? " CRASHED" : "",
+        stalled ? " STALLED" : "");
   }
 }

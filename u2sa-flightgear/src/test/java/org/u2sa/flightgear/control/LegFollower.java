@@ -3,8 +3,8 @@ package org.u2sa.flightgear.control;
 import java.util.OptionalDouble;
 
 /**
- * The least path planner that a flight needs: a point ahead on the present leg, the next leg as soon
- * as the turn into it begins.
+ * The least path planner that a flight needs: a point ahead on the present leg, the next leg as
+ * soon as the turn into it begins.
  */
 final class LegFollower {
   private static final double LOOK_AHEAD_M = 300.0;
@@ -86,8 +86,8 @@ final class LegFollower {
             + (state.eastM() - fromEast) * Math.sin(bearing)
             + LOOK_AHEAD_M;
     return new GuidanceTarget(
-        fromNorth + along * Math.cos(bearing),
-        fromEast + along * Math.sin(bearing),
+        fromNorth + along * Math.cos(bearing) - state.northM(),
+        fromEast + along * Math.sin(bearing) - state.eastM(),
         mark.altitudeM(),
         OptionalDouble.empty());
   }

@@ -69,14 +69,31 @@ final class SimulatedFlight {
       }
       score.note(truth, state, autopilot, planner);
       if (trace != null) {
-        trace.append(String.format(java.util.Locale.ROOT,
-            "%.2f,%s,%d,%.1f,%.1f,%.1f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.3f,%.3f,%.3f,%.3f,%.2f,%.1f,%.0f%n",
-            state.timeS(), autopilot.phase(), planner.leg(), state.northM(), state.eastM(), state.altitudeM(), state.heightM(),
-            Math.toDegrees(state.rollRad()), Math.toDegrees(autopilot.bankDemandRad()),
-            Math.toDegrees(state.pitchRad()), Math.toDegrees(autopilot.pitchDemandRad()),
-            state.calibratedAirspeedMps(), autopilot.speedDemandMps(), autopilot.altitudeDemandM(),
-            surfaces.aileron(), surfaces.elevator(), surfaces.rudder(), surfaces.throttle(),
-            Math.toDegrees(state.betaRad()), planner.offsetM(state), state.engineRpm()));
+        trace.append(
+            String.format(
+                java.util.Locale.ROOT,
+                "%.2f,%s,%d,%.1f,%.1f,%.1f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.3f,%.3f,%.3f,%.3f,%.2f,%.1f,%.0f%n",
+                state.timeS(),
+                autopilot.phase(),
+                planner.leg(),
+                state.northM(),
+                state.eastM(),
+                state.altitudeM(),
+                state.heightM(),
+                Math.toDegrees(state.rollRad()),
+                Math.toDegrees(autopilot.bankDemandRad()),
+                Math.toDegrees(state.pitchRad()),
+                Math.toDegrees(autopilot.pitchDemandRad()),
+                state.calibratedAirspeedMps(),
+                autopilot.speedDemandMps(),
+                autopilot.altitudeDemandM(),
+                surfaces.aileron(),
+                surfaces.elevator(),
+                surfaces.rudder(),
+                surfaces.throttle(),
+                Math.toDegrees(state.betaRad()),
+                planner.offsetM(state),
+                state.engineRpm()));
       }
       underWay.add(inputs(surfaces));
       aircraft.step(underWay.remove(), 1.0 / loop.rateHz());

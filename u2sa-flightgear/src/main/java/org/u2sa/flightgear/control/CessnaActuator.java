@@ -1,0 +1,44 @@
+package org.u2sa.flightgear.control;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+
+/** The Cessna's actuators by the names that commands address. */
+enum CessnaActuator {
+  AILERON("AILERON", Surfaces::aileron),
+  ELEVATOR("ELEVATOR", Surfaces::elevator),
+  RUDDER("RUDDER", Surfaces::rudder),
+  THROTTLE("THROTTLE", Surfaces::throttle),
+  MIXTURE("MIXTURE", Surfaces::mixture),
+  FLAPS("FLAPS", Surfaces::flaps),
+  LEFT_BRAKE("LEFT BRAKE", Surfaces::brakes),
+  RIGHT_BRAKE("RIGHT BRAKE", Surfaces::brakes);
+
+  private final String actuatorName;
+  private final ToDoubleFunction<Surfaces> share;
+
+  CessnaActuator(String actuatorName, ToDoubleFunction<Surfaces> share) {
+    this.actuatorName = actuatorName;
+    this.share = share;
+  }
+
+  /** As in {@link org.u2sa.messages.ActuatorCommand#actuatorName()}. */
+  String actuatorName() {
+    return actuatorName;
+  }
+
+  /** What the surfaces ask of this actuator, −1…1. */
+  double of(Surfaces surfaces) {
+    return share.applyAsDouble(surfaces);
+  }
+
+  /** Surfaces centred, engine idling on a rich mixture, brakes off [%]. */
+  static Map<String, Double> neutral() {
+    Map<String, Double> neutral = new LinkedHashMap<>();
+    for (CessnaActuator actuator : values()) {
+      neutral.put(actuator.actuatorName(), actuator == MIXTURE ? 100.0 : 0.0);
+    }
+    return neutral;
+  }
+}

@@ -1,0 +1,123 @@
+package org.u2sa.flightgear.control;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.core.control.ControlSystem;
+import org.u2sa.flightgear.ControlStatus;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Flies a Cessna 172 by itself from the runway along its mission. In: state, navigation. Out:
+ * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once for each state),
+ * control-status. Without fresh navigation it keeps the wings level and the altitude, or stands on
+ * the brakes.
+ */
+public final class CessnaControl extends ControlSystem {
+  private static final double STATUS_INTERVAL_S = 1.0;
+  private static final double FULL_PERCENT = 100.0;
+
+  private final FlightStateReader reader = new FlightStateReader();
+  private final Autopilot autopilot;
+  private FlightPhase loggedPhase;
+  private boolean loggedNavigating;
+  private double statusDueS = Double.NEGATIVE_INFINITY;
+  private List<String> loggedMissing = List.of();
+
+  /** Called by the launcher. */
+  public CessnaControl(ServiceContext context) {
+    super(context, "Control");
+    autopilot = new Autopilot(GuidanceVariables.tuning(this));
+    registerPublisher(ControlStatus.CHANNEL);
+  }
+
+  @Override
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<FlightState> seen = reader.read(state);
+    if (seen.isEmpty()) {
+      lacking(FlightStateReader.missing(state));
+      return;
+    }
+    loggedMissing = List.of();
+    FlightState now = seen.get();
+    Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
+    Surfaces surfaces = autopilot.step(now, target);
+    for (CessnaActuator actuator : CessnaActuator.values()) {
+      command(actuator.actuatorName(), FULL_PERCENT * actuator.of(surfaces));
+    }
+    report(now, target.isPresent());
+  }
+
+  /** The point as it lies from the aircraft now; turned by the attitude that it was computed from. */
+  private Optional<GuidanceTarget> target(NavigationPoint point, FlightState now) {
+    Optional<FlightState> then = stateOf(point).flatMap(reader::read);
+    Optional<Point> ned = nedOf(point);
+    if (then.isEmpty() || ned.isEmpty()) {
+      return Optional.empty();
+    }
+    FlightState from = then.get();
+    return Optional.of(
+        new GuidanceTarget(
+            ned.get().x() + from.northM() - now.northM(),
+            ned.get().y() + from.eastM() - now.eastM(),
+            from.altitudeM() - ned.get().z(),
+            point.speed()));
+  }
+
+  private void report(FlightState state, boolean navigating) {
+    FlightPhase phase = autopilot.phase();
+    boolean news = phase != loggedPhase || navigating != loggedNavigating;
+    if (news) {
+      log(
+          LogLevelEnum.INFO,
+          "phase " + phase + (navigating ? "" : ", no navigation: " + without(phase)));
+      loggedPhase = phase;
+      loggedNavigating = navigating;
+    }
+    if (news || state.timeS() >= statusDueS) {
+      publish(ControlStatus.CHANNEL, status(navigating));
+      statusDueS = state.timeS() + STATUS_INTERVAL_S;
+    }
+  }
+
+  private static String without(FlightPhase phase) {
+    return switch (phase) {
+      case RUN_UP -> "waits on the brakes";
+      case STOPPED -> "stands on the brakes";
+      case HOLD -> "wings level, altitude held";
+      case ROLL, ROTATE, CLIMB_OUT, CRUISE -> "goes on to the safe height";
+    };
+  }
+
+  private ControlStatus status(boolean navigating) {
+    ControlStatus status = new ControlStatus().phase(autopilot.phase()).navigating(navigating);
+    boolean flying =
+        switch (autopilot.phase()) {
+          case CLIMB_OUT, CRUISE, HOLD -> true;
+          case RUN_UP, ROLL, ROTATE, STOPPED -> false;
+        };
+    return flying
+        ? status
+            .bank(autopilot.bankDemandRad())
+            .pitch(autopilot.pitchDemandRad())
+            .altitude(autopilot.altitudeDemandM())
+            .airspeed(autopilot.speedDemandMps())
+        : status;
+  }
+
+  private void lacking(List<String> missing) {
+    if (!missing.equals(loggedMissing)) {
+      loggedMissing = missing;
+      log(LogLevelEnum.WARN, "state lacks " + missing + ": no commands until it has them");
+    }
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    return CessnaActuator.neutral();
+  }
+}
