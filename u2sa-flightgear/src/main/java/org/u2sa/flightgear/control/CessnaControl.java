@@ -52,7 +52,9 @@ public final class CessnaControl extends ControlSystem {
     report(now, target.isPresent());
   }
 
-  /** The point as it lies from the aircraft now; turned by the attitude that it was computed from. */
+  /**
+   * The point as it lies from the aircraft now; turned by the attitude that it was computed from.
+   */
   private Optional<GuidanceTarget> target(NavigationPoint point, FlightState now) {
     Optional<FlightState> then = stateOf(point).flatMap(reader::read);
     Optional<Point> ned = nedOf(point);
