@@ -155,11 +155,8 @@ final class BoundVariable {
     if (!converts() || !(stated.get().value() instanceof Double)) {
       throw error(reason);
     }
-    Range inFile = limits.between(toFile(limits.min()), toFile(limits.max()));
     throw error(
-        NumberText.withUnit(stated.get().value(), fileUnit())
-            + " is outside "
-            + inFile.withUnit(fileUnit()));
+        NumberText.withUnit(stated.get().value(), fileUnit()) + " is outside " + inFile(limits));
   }
 
   private String expected() {
@@ -212,14 +209,14 @@ final class BoundVariable {
               + " "
               + NumberText.withUnit(inFile, fileUnit())
               + " is outside "
-              + declaredLimits.withUnit(unit())
+              + inFile(declaredLimits)
               + "; a file may narrow the range, not widen it");
     }
     return end;
   }
 
   private static boolean near(double value, double end) {
-    return Math.abs(value - end) <= ROUNDING * Math.abs(end);
+    return Double.isFinite(end) && Math.abs(value - end) <= ROUNDING * Math.abs(end);
   }
 
   private String fileUnit() {
@@ -234,7 +231,13 @@ final class BoundVariable {
     return converts() ? Units.convert(value, fileUnit(), unit()) : value;
   }
 
-  private double toFile(double value) {
-    return converts() ? Units.convert(value, unit(), fileUnit()) : value;
+  private String inFile(Range range) {
+    return converts()
+        ? range
+            .between(
+                Units.convert(range.min(), unit(), fileUnit()),
+                Units.convert(range.max(), unit(), fileUnit()))
+            .withUnit(fileUnit())
+        : range.withUnit(unit());
   }
 }

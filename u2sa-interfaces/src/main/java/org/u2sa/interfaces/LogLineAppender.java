@@ -5,6 +5,7 @@ import ch.qos.logback.classic.spi.ThrowableProxyUtil;
 import ch.qos.logback.core.AppenderBase;
 import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,13 +24,15 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
 
   private final Path file;
   private final String serviceName;
+  private final PrintStream complaints;
   private FileOutputStream out;
   private boolean lineBroken; // the last write failed, perhaps in the middle of its line
   private long lost; // lines since the last one that was written
   private long failures;
   private boolean said;
 
-  LogLineAppender(Path file, String serviceName) {
+  LogLineAppender(Path file, String serviceName, PrintStream complaints) {
+    this.complaints = complaints;
     this.file = file;
     this.serviceName = serviceName;
     setName(serviceName);
@@ -116,7 +119,7 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
   private void sayOnce(IOException e) {
     if (!said) {
       said = true;
-      System.err.println(file + ": log of " + serviceName + " cannot be written: " + e);
+      complaints.println(file + ": log of " + serviceName + " cannot be written: " + e);
     }
   }
 }

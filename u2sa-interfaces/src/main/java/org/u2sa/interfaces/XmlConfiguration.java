@@ -99,7 +99,7 @@ public final class XmlConfiguration implements Configurator {
   @Override
   public synchronized <T> T getVariable(Variable<T> variable) {
     String name = variable.name();
-    if (!variable.equals(declared.get(name))) {
+    if (declared.get(name) != variable) {
       FileVariable statement = stated.get(name);
       if (statement != null && (!file.isPresent() || overridden.contains(name))) {
         statement = statement.withType(variable.type());

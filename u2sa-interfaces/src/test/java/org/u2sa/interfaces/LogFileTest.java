@@ -1,57 +1,263 @@
 package org.u2sa.interfaces;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class LogFileTest {
+  private static final String TIME = "2017-07-14T02:40:00.123456Z";
+  private static final Clock CLOCK = clock(1_500_000_000_123_456L);
+
   @TempDir Path folder;
+  private final ByteArrayOutputStream complaints = new ByteArrayOutputStream();
 
-  private static final Clock CLOCK =
-      new Clock() {
-        @Override
-        public long micros() {
-          return 1_500_000_000_123_456L;
+  private static Clock clock(long micros) {
+    return new Clock() {
+      @Override
+      public long micros() {
+        if (micros < 0) {
+          throw new IllegalStateException("nobody should ask for the time");
         }
+        return micros;
+      }
 
-        @Override
-        public Waiter newWaiter(String name) {
-          throw new UnsupportedOperationException("nobody waits in this test");
-        }
-      };
+      @Override
+      public Waiter newWaiter(String name) {
+        throw new UnsupportedOperationException("nobody waits in this test");
+      }
+    };
+  }
+
+  private LogFile log(Path file, LogLevelEnum lowest) throws IOException {
+    return new LogFile(file, "Control", lowest, CLOCK, new PrintStream(complaints, true, "UTF-8"));
+  }
+
+  private String complaints() throws IOException {
+    return complaints.toString("UTF-8");
+  }
 
   private static String text(Path file) throws IOException {
     return new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
   }
 
-  @Test
-  void log_newFolder_lineHasTimeLevelServiceThreadAndMessage() throws IOException {
-    Path file = folder.resolve("logs/Control.log");
-    try (LogFile log = new LogFile(file, "Control", LogLevelEnum.INFO, CLOCK)) {
-      log.log(LogLevelEnum.DEBUG, "unseen");
-      log.log(LogLevelEnum.INFO, "bank 30 deg {} \r\nsecond");
+  private static String line(String level, String message) {
+    long thread = Thread.currentThread().getId();
+    return TIME + " | " + level + " | Control | " + thread + " | " + message + "\n";
+  }
 
-      assertThat(text(file))
-          .isEqualTo(
-              "2017-07-14T02:40:00.123456Z | INFO | Control | "
-                  + Thread.currentThread().getId()
-                  + " | bank 30 deg {} \n    second\n");
+  @Test
+  void log_newFolder_lineHasTimeLevelServiceThreadAndMessageAndIsWrittenAtOnce()
+      throws IOException {
+    Path file = folder.resolve("logs/Control.log");
+    try (LogFile log = log(file, LogLevelEnum.DEBUG)) {
+      log.log(LogLevelEnum.DEBUG, "bank {} é");
+
+      assertThat(text(file)).isEqualTo(line("DEBUG", "bank {} é"));
     }
   }
 
   @Test
-  void log_diskFull_countsAndDoesNotThrow() {
-    try (LogFile log = new LogFile(Paths.get("/dev/full"), "Control", LogLevelEnum.INFO, CLOCK)) {
+  void log_messageWithNewlines_isIndentedSoThatItForgesNoLine() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.WARN, "a\nb\r\nc\rd");
+    }
+
+    assertThat(text(file)).isEqualTo(line("WARN", "a\n    b\n    c\n    d"));
+  }
+
+  @Test
+  void log_throwable_hasItsTraceBelow() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.ERROR, "callback", new IllegalStateException("no state"));
+    }
+
+    assertThat(text(file))
+        .startsWith(
+            line("ERROR", "callback")
+                + "    java.lang.IllegalStateException: no state\n    \tat org.u2sa.interfaces.");
+  }
+
+  @Test
+  void log_existingFile_isAppendedTo() throws IOException {
+    Path file = Files.write(folder.resolve("Control.log"), "before\n".getBytes());
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "after");
+    }
+
+    assertThat(text(file)).isEqualTo("before\n" + line("INFO", "after"));
+  }
+
+  @Test
+  void log_fileDeletedMeanwhile_isMadeAgain() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "a");
+      Files.delete(file);
+      log.log(LogLevelEnum.INFO, "b");
+    }
+
+    assertThat(text(file)).isEqualTo(line("INFO", "b"));
+  }
+
+  @Test
+  void log_eachLevel_isWrittenFromTheLowestUp() throws IOException {
+    for (LogLevelEnum lowest : LogLevelEnum.values()) {
+      Path file = folder.resolve(lowest + ".log");
+      StringBuilder expected = new StringBuilder();
+      try (LogFile log = log(file, lowest)) {
+        for (LogLevelEnum level : LogLevelEnum.values()) {
+          log.log(level, "x");
+          assertThat(log.writes(level)).isEqualTo(level.ordinal() >= lowest.ordinal());
+          expected.append(level.ordinal() >= lowest.ordinal() ? line(level.name(), "x") : "");
+        }
+      }
+      assertThat(text(file)).isEqualTo(expected.toString());
+    }
+  }
+
+  @Test
+  void log_belowTheLevel_doesNotEvenAskForTheTime() {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = new LogFile(file, "Control", LogLevelEnum.INFO, clock(-1))) {
+      assertThatCode(() -> log.log(LogLevelEnum.DEBUG, "x")).doesNotThrowAnyException();
+    }
+  }
+
+  @Test
+  void log_simulatedTime_startsAtZero() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = new LogFile(file, "Control", LogLevelEnum.INFO, clock(0))) {
+      log.log(LogLevelEnum.INFO, "x");
+    }
+
+    assertThat(text(file)).startsWith("1970-01-01T00:00:00.000000Z | ");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void log_diskFull_countsEachLineAndSaysItOnce() throws IOException {
+    try (LogFile log = log(Paths.get("/dev/full"), LogLevelEnum.INFO)) {
       log.log(LogLevelEnum.INFO, "a");
       log.log(LogLevelEnum.ERROR, "b");
 
       assertThat(log.failures()).isEqualTo(2);
+      assertThat(complaints())
+          .isEqualTo(
+              "/dev/full: log of Control cannot be written:"
+                  + " java.io.IOException: No space left on device\n");
     }
+  }
+
+  @Test
+  void log_folderCannotBeMade_countsAndRecoversWhenItCan() throws IOException {
+    Path obstacle = Files.write(folder.resolve("logs"), new byte[0]);
+    Path file = obstacle.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "a");
+      log.log(LogLevelEnum.INFO, "b");
+      assertThat(log.failures()).isEqualTo(2);
+      assertThat(complaints()).startsWith(file + ": log of Control cannot be written: ");
+      assertThat(complaints().split("\n")).hasSize(1);
+
+      Files.delete(obstacle);
+      log.log(LogLevelEnum.INFO, "c");
+      log.log(LogLevelEnum.INFO, "d");
+      assertThat(log.failures()).isEqualTo(2);
+    }
+
+    assertThat(text(file))
+        .isEqualTo(
+            line("WARN", "2 lines before this one could not be written")
+                + line("INFO", "c")
+                + line("INFO", "d"));
+  }
+
+  @Test
+  void log_fourThreads_everyLineIsWholeAndInItsThreadsOrder() throws Exception {
+    Path file = folder.resolve("Control.log");
+    List<Callable<Boolean>> writers = new ArrayList<>();
+    ExecutorService threads = Executors.newFixedThreadPool(4);
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      for (int writer = 0; writer < 4; writer++) {
+        String prefix = "writer " + writer + " line ";
+        writers.add(
+            () -> {
+              for (int i = 0; i < 500; i++) {
+                log.log(LogLevelEnum.INFO, prefix + i);
+              }
+              return true;
+            });
+      }
+      for (Future<Boolean> done : threads.invokeAll(writers)) {
+        assertThat(done.get()).isTrue();
+      }
+    } finally {
+      threads.shutdownNow();
+    }
+
+    List<String> lines = Files.readAllLines(file);
+    assertThat(lines).hasSize(2000);
+    for (int writer = 0; writer < 4; writer++) {
+      int next = 0;
+      for (String line : lines) {
+        if (line.contains("writer " + writer + " ")) {
+          assertThat(line).matches(TIME + " \\| INFO \\| Control \\| \\d+ \\| writer \\d line \\d+");
+          assertThat(line).endsWith(" line " + next++);
+        }
+      }
+      assertThat(next).isEqualTo(500);
+    }
+  }
+
+  @Test
+  void log_interruptedThread_writes() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      Thread.currentThread().interrupt();
+      log.log(LogLevelEnum.INFO, "a");
+      assertThat(Thread.interrupted()).isTrue();
+      log.log(LogLevelEnum.INFO, "b");
+      assertThat(log.failures()).isZero();
+    }
+
+    assertThat(text(file)).isEqualTo(line("INFO", "a") + line("INFO", "b"));
+  }
+
+  @Test
+  void close_twiceAndThenLog_isHarmless() throws IOException {
+    Path file = folder.resolve("Control.log");
+    LogFile log = log(file, LogLevelEnum.INFO);
+    log.close();
+    log.close();
+    log.log(LogLevelEnum.INFO, "late");
+
+    assertThat(text(file)).isEmpty();
+    assertThat(complaints()).isEmpty();
+  }
+
+  @Test
+  void named_anyCase_isTheLevel() {
+    assertThat(LogLevelEnum.named(" Warn ")).isEqualTo(LogLevelEnum.WARN);
+    assertThatCode(() -> LogLevelEnum.named("loud"))
+        .hasMessage("\"loud\" is not a log level: DEBUG, INFO, WARN or ERROR");
   }
 }

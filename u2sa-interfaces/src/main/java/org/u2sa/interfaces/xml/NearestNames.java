@@ -23,9 +23,7 @@ public final class NearestNames {
         best = name;
       }
     }
-    return best != null && fewest * 3 <= Math.max(best.length(), 3)
-        ? Optional.of(best)
-        : Optional.empty();
+    return best != null && fewest * 3 <= best.length() ? Optional.of(best) : Optional.empty();
   }
 
   /** {@code "; did you mean "x"?"}, or nothing if no known name is near. */
@@ -33,21 +31,28 @@ public final class NearestNames {
     return nearest(given, known).map(name -> "; did you mean \"" + name + "\"?").orElse("");
   }
 
-  // Levenshtein's distance, one row at a time (Wagner & Fischer 1974).
+  // Insertions, deletions, replacements and swaps of neighbours (optimal string alignment,
+  // Damerau 1964): swapped letters are the commonest slip.
   private static int edits(String from, String to) {
-    int[] row = new int[to.length() + 1];
-    for (int j = 0; j <= to.length(); j++) {
-      row[j] = j;
-    }
-    for (int i = 1; i <= from.length(); i++) {
-      int diagonal = row[0];
-      row[0] = i;
-      for (int j = 1; j <= to.length(); j++) {
-        int replaced = diagonal + (from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1);
-        diagonal = row[j];
-        row[j] = Math.min(replaced, Math.min(row[j], row[j - 1]) + 1);
+    int[][] edits = new int[from.length() + 1][to.length() + 1];
+    for (int i = 0; i <= from.length(); i++) {
+      for (int j = 0; j <= to.length(); j++) {
+        if (i == 0 || j == 0) {
+          edits[i][j] = i + j;
+          continue;
+        }
+        boolean same = from.charAt(i - 1) == to.charAt(j - 1);
+        int fewest = edits[i - 1][j - 1] + (same ? 0 : 1);
+        fewest = Math.min(fewest, Math.min(edits[i - 1][j], edits[i][j - 1]) + 1);
+        if (i > 1
+            && j > 1
+            && from.charAt(i - 1) == to.charAt(j - 2)
+            && from.charAt(i - 2) == to.charAt(j - 1)) {
+          fewest = Math.min(fewest, edits[i - 2][j - 2] + 1);
+        }
+        edits[i][j] = fewest;
       }
     }
-    return row[to.length()];
+    return edits[from.length()][to.length()];
   }
 }

@@ -24,12 +24,7 @@ final class XmlParser {
   private static final int MAX_DEPTH = 100;
   private static final char BYTE_ORDER_MARK = '\uFEFF';
   // Jackson's factory switches DTDs and external entities off; never changed after construction.
-  private static final XMLInputFactory FACTORY =
-      XmlFactory.builder()
-          .xmlInputFactory(new WstxInputFactory())
-          .xmlOutputFactory(new WstxOutputFactory())
-          .build()
-          .getXMLInputFactory();
+  private static final XMLInputFactory FACTORY = factory();
 
   private final String origin;
   private final XMLStreamReader reader;
@@ -40,6 +35,16 @@ final class XmlParser {
     this.origin = origin;
     this.reader = reader;
     this.offset = offset;
+  }
+
+  private static XMLInputFactory factory() {
+    WstxInputFactory woodstox = new WstxInputFactory();
+    woodstox.getConfig().doParseLazily(false); // errors come as XMLStreamException, where they are
+    return XmlFactory.builder()
+        .xmlInputFactory(woodstox)
+        .xmlOutputFactory(new WstxOutputFactory())
+        .build()
+        .getXMLInputFactory();
   }
 
   /** An element whose end tag has not come yet. */

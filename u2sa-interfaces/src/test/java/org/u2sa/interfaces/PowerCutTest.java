@@ -1,0 +1,105 @@
+package org.u2sa.interfaces;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Kills a process that changes its configuration without pause: the file is old or new, whole. */
+class PowerCutTest {
+  private static final int KILLS = 6;
+  private static final int PADDING = 400_000; // makes a write last, so that kills fall into it
+
+  @TempDir Path folder;
+
+  /** What the killed process runs: counts up in the file and prints what is written. */
+  static final class Writer {
+    private Writer() {}
+
+    public static void main(String[] arguments) {
+      XmlConfiguration configuration = XmlConfiguration.load(Paths.get(arguments[0]));
+      for (int i = (Integer) configuration.getVariable("N") + 1; true; i++) {
+        String problem = configuration.change("N", i).orElse("");
+        System.out.println(problem.isEmpty() ? String.valueOf(i) : problem);
+      }
+    }
+  }
+
+  private static String text(int n, String padding) {
+    return "<configuration>\n<variable name=\"N\" type=\"int\" value=\""
+        + n
+        + "\"/>\n<!-- "
+        + padding
+        + " -->\n</configuration>\n";
+  }
+
+  @Test
+  @Timeout(60)
+  void setVariable_processKilled_fileIsOldOrNewAndWhole() throws Exception {
+    StringBuilder padding = new StringBuilder();
+    while (padding.length() < PADDING) {
+      padding.append("comment ");
+    }
+    Path file = folder.resolve("X.xml");
+    Files.write(file, text(0, padding.toString()).getBytes(StandardCharsets.UTF_8));
+    for (int kill = 1; kill <= KILLS; kill++) {
+      int last = writeAndKill(file, 3 + kill);
+
+      String after = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+      int n = (Integer) XmlConfiguration.load(file).getVariable("N");
+      assertThat(n).as("kill %d", kill).isBetween(last, last + 1);
+      assertThat(after.equals(text(n, padding.toString()))).as("kill %d: whole", kill).isTrue();
+    }
+  }
+
+  /**
+   * Runs the writer until it has reported some changes, kills it, and gives the last reported one.
+   */
+  private static int writeAndKill(Path file, int changes) throws IOException, InterruptedException {
+    Process process =
+        new ProcessBuilder(
+                Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-Xshare:auto",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Writer.class.getName(),
+                file.toString())
+            .redirectErrorStream(true)
+            .start();
+    int last = 0;
+    try (BufferedReader lines =
+        new BufferedReader(
+            new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+      for (int i = 0; i < changes; i++) {
+        last = Integer.parseInt(lines.readLine());
+      }
+      process.destroyForcibly(); // SIGKILL: no finally, no shutdown hook
+      for (String line = next(lines); line != null; line = next(lines)) {
+        last = Integer.parseInt(line);
+      }
+    } finally {
+      process.destroyForcibly();
+    }
+    assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    return last;
+  }
+
+  // What the process said before it died; Java closes the stream of a killed process under us.
+  private static String next(BufferedReader lines) {
+    try {
+      return lines.readLine();
+    } catch (IOException e) {
+      return null;
+    }
+  }
+}
