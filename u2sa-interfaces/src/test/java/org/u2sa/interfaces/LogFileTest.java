@@ -9,7 +9,6 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -17,8 +16,6 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class LogFileTest {
@@ -153,45 +150,6 @@ class LogFileTest {
   }
 
   @Test
-  @EnabledOnOs(OS.LINUX)
-  void log_diskFull_countsEachLineAndSaysItOnce() throws IOException {
-    try (LogFile log = log(Paths.get("/dev/full"), LogLevelEnum.INFO)) {
-      log.log(LogLevelEnum.INFO, "a");
-      log.log(LogLevelEnum.ERROR, "b");
-
-      assertThat(log.failures()).isEqualTo(2);
-      assertThat(complaints())
-          .isEqualTo(
-              "/dev/full: log of Control cannot be written:"
-                  + " java.io.IOException: No space left on device\n");
-    }
-  }
-
-  @Test
-  void log_folderCannotBeMade_countsAndRecoversWhenItCan() throws IOException {
-    Path obstacle = Files.write(folder.resolve("logs"), new byte[0]);
-    Path file = obstacle.resolve("Control.log");
-    try (LogFile log = log(file, LogLevelEnum.INFO)) {
-      log.log(LogLevelEnum.INFO, "a");
-      log.log(LogLevelEnum.INFO, "b");
-      assertThat(log.failures()).isEqualTo(2);
-      assertThat(complaints()).startsWith(file + ": log of Control cannot be written: ");
-      assertThat(complaints().split("\n")).hasSize(1);
-
-      Files.delete(obstacle);
-      log.log(LogLevelEnum.INFO, "c");
-      log.log(LogLevelEnum.INFO, "d");
-      assertThat(log.failures()).isEqualTo(2);
-    }
-
-    assertThat(text(file))
-        .isEqualTo(
-            line("WARN", "2 lines before this one could not be written")
-                + line("INFO", "c")
-                + line("INFO", "d"));
-  }
-
-  @Test
   void log_fourThreads_everyLineIsWholeAndInItsThreadsOrder() throws Exception {
     Path file = folder.resolve("Control.log");
     List<Callable<Boolean>> writers = new ArrayList<>();
@@ -220,7 +178,8 @@ class LogFileTest {
       int next = 0;
       for (String line : lines) {
         if (line.contains("writer " + writer + " ")) {
-          assertThat(line).matches(TIME + " \\| INFO \\| Control \\| \\d+ \\| writer \\d line \\d+");
+          assertThat(line)
+              .matches(TIME + " \\| INFO \\| Control \\| \\d+ \\| writer \\d line \\d+");
           assertThat(line).endsWith(" line " + next++);
         }
       }

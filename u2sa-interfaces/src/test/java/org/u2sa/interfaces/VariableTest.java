@@ -53,18 +53,26 @@ class VariableTest {
     assertThatThrownBy(() -> Range.of(Double.NaN, 1)).isInstanceOf(IllegalArgumentException.class);
     assertThat(
             new Range[] {
-              Range.of(0, 500), Range.positive(), Range.nonNegative(), Range.any(),
-              Range.of(Double.NEGATIVE_INFINITY, 7), Range.of(-1.5, 1e-9)
+              Range.of(0, 500),
+              Range.positive(),
+              Range.nonNegative(),
+              Range.any(),
+              Range.of(Double.NEGATIVE_INFINITY, 7),
+              Range.of(-1.5, 1e-9)
             })
         .extracting(Range::toString)
-        .containsExactly(
-            "0…500", "above 0", "at least 0", "any number", "at most 7", "-1.5…1E-9");
+        .containsExactly("0…500", "above 0", "at least 0", "any number", "at most 7", "-1.5…1E-9");
   }
 
   @ParameterizedTest
   @CsvSource({
-    "String, STRING", "string, STRING", "DOUBLE, DOUBLE", "int, INTEGER", "Integer, INTEGER",
-    "Boolean, BOOLEAN", "' boolean ', BOOLEAN"
+    "String, STRING",
+    "string, STRING",
+    "DOUBLE, DOUBLE",
+    "int, INTEGER",
+    "Integer, INTEGER",
+    "Boolean, BOOLEAN",
+    "' boolean ', BOOLEAN"
   })
   void named_thesisTypes_inAnyCase(String xmlName, VariableType type) {
     assertThat(VariableType.named(xmlName)).contains(type);
@@ -118,7 +126,6 @@ class VariableTest {
   @Test
   void inMemory_valueOfAnotherClass_isRefused() {
     assertThatThrownBy(() -> XmlConfiguration.inMemory("test", Map.of("A", 1L)))
-        .hasMessage(
-            "test, variable \"A\": 1 is neither Integer, Double, Boolean nor String");
+        .hasMessage("test, variable \"A\": 1 is neither Integer, Double, Boolean nor String");
   }
 }

@@ -164,6 +164,7 @@ final class XmlParser {
     String what = e.getMessage().split("\\n\\s*at \\[row", 2)[0].trim();
     String where =
         e.getLocation() == null ? "" : ", line " + Math.max(1, e.getLocation().getLineNumber());
-    return new BadInputException(origin + where + ": not well-formed XML: " + what, e);
+    return new BadInputException(
+        origin + where + ": not well-formed XML: " + XmlText.oneLine(what), e);
   }
 }

@@ -153,9 +153,15 @@ public final class XmlText {
     return text.getBytes(charset);
   }
 
-  /** The beginning of a long text, for a message. */
+  /** The beginning of a long text on one line, for a message. */
   static String shortened(String text) {
-    return text.length() <= SHORT ? text : text.substring(0, SHORT) + "…";
+    String line = oneLine(text);
+    return line.length() <= SHORT ? line : line.substring(0, SHORT) + "…";
+  }
+
+  /** A text of the file as a message can show it: without line ends and other controls. */
+  static String oneLine(String text) {
+    return text.replaceAll("[\\p{Cntrl}\\s]+", " ");
   }
 
   private XmlText with(int from, int to, String replacement) {

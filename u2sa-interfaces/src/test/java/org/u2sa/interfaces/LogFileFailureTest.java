@@ -1,0 +1,97 @@
+package org.u2sa.interfaces;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The service flies on when its log cannot. */
+class LogFileFailureTest {
+  private static final String TIME = "2017-07-14T02:40:00.123456Z";
+  private static final Clock CLOCK = clock(1_500_000_000_123_456L);
+
+  @TempDir Path folder;
+  private final ByteArrayOutputStream complaints = new ByteArrayOutputStream();
+
+  private static Clock clock(long micros) {
+    return new Clock() {
+      @Override
+      public long micros() {
+        if (micros < 0) {
+          throw new IllegalStateException("nobody should ask for the time");
+        }
+        return micros;
+      }
+
+      @Override
+      public Waiter newWaiter(String name) {
+        throw new UnsupportedOperationException("nobody waits in this test");
+      }
+    };
+  }
+
+  private LogFile log(Path file, LogLevelEnum lowest) throws IOException {
+    return new LogFile(file, "Control", lowest, CLOCK, new PrintStream(complaints, true, "UTF-8"));
+  }
+
+  private String complaints() throws IOException {
+    return complaints.toString("UTF-8");
+  }
+
+  private static String text(Path file) throws IOException {
+    return new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+  }
+
+  private static String line(String level, String message) {
+    long thread = Thread.currentThread().getId();
+    return TIME + " | " + level + " | Control | " + thread + " | " + message + "\n";
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void log_diskFull_countsEachLineAndSaysItOnce() throws IOException {
+    try (LogFile log = log(Paths.get("/dev/full"), LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "a");
+      log.log(LogLevelEnum.ERROR, "b");
+
+      assertThat(log.failures()).isEqualTo(2);
+      assertThat(complaints())
+          .isEqualTo(
+              "/dev/full: log of Control cannot be written:"
+                  + " java.io.IOException: No space left on device\n");
+    }
+  }
+
+  @Test
+  void log_folderCannotBeMade_countsAndRecoversWhenItCan() throws IOException {
+    Path obstacle = Files.write(folder.resolve("logs"), new byte[0]);
+    Path file = obstacle.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "a");
+      log.log(LogLevelEnum.INFO, "b");
+      assertThat(log.failures()).isEqualTo(2);
+      assertThat(complaints()).startsWith(file + ": log of Control cannot be written: ");
+      assertThat(complaints().split("\n")).hasSize(1);
+
+      Files.delete(obstacle);
+      log.log(LogLevelEnum.INFO, "c");
+      log.log(LogLevelEnum.INFO, "d");
+      assertThat(log.failures()).isEqualTo(2);
+    }
+
+    assertThat(text(file))
+        .isEqualTo(
+            line("WARN", "2 lines before this one could not be written")
+                + line("INFO", "c")
+                + line("INFO", "d"));
+  }
+}
