@@ -126,8 +126,9 @@ class MainTest {
   void run_unexpectedExceptionWithDebug_hasAStackTrace() {
     assertThat(run("--debug", "demo", "greet", "--fail", "bug")).isEqualTo(ExitCode.FAILED);
     assertThat(err.toString()).contains("at org.u2sa.gcs.GreetCommand");
-    assertThat(err.toString()).doesNotContain("--debug"); // heeded before and after the command
+    assertThat(run("demo", "greet", "--fail", "bug", "--debug")).isEqualTo(ExitCode.FAILED);
     assertThat(err.toString().lines().filter(line -> line.startsWith("u2sa: "))).hasSize(2);
+    assertThat(err.toString()).doesNotContain("--debug"); // heeded before and after the command
   }
 
   @Test
