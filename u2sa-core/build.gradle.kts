@@ -15,4 +15,5 @@ dependencies {
         exclude(group = "io.netty", module = "netty-transport-native-epoll")
     }
     testImplementation(testFixtures(project(":u2sa-abstract")))
+    testImplementation(libs.awaitility)
 }

@@ -11,3 +11,14 @@ dependencies {
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.archunit)
 }
+
+// ./gradlew :u2sa-flightgear:run --args="demo cessna" does what ./u2sa does without Maven.
+tasks.register<JavaExec>("run") {
+    description = "Runs the command line."
+    group = "application"
+    mainClass.set("org.u2sa.gcs.Main")
+    classpath = sourceSets.main.get().runtimeClasspath
+    workingDir = rootDir
+    systemProperty("u2sa.home", rootDir.path)
+    standardInput = System.`in`
+}

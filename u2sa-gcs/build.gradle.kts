@@ -8,4 +8,16 @@ dependencies {
     api(project(":u2sa-core"))
     api(libs.picocli)
     testImplementation(testFixtures(project(":u2sa-abstract")))
+    api(libs.jackson.core)
+    api(libs.geographiclib)
+    testImplementation(libs.jackson.databind)
+}
+
+// version.properties says ${project.version}, as Maven's filtering understands it.
+tasks.processResources {
+    val versions = mapOf("project" to mapOf("version" to project.version.toString()))
+    inputs.property("versions", versions)
+    filesMatching("**/version.properties") {
+        expand(versions)
+    }
 }

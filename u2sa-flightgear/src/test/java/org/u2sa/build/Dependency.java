@@ -1,0 +1,34 @@
+package org.u2sa.build;
+
+import java.util.SortedSet;
+
+/**
+ * One declared dependency of one module, in words that both builds share.
+ *
+ * @param name group and artifact, with ":test-fixtures" where the other module's test kit is meant
+ * @param exclusions what it must not bring, each a group or group:artifact
+ */
+record Dependency(String name, String version, Scope scope, SortedSet<String> exclusions)
+    implements Comparable<Dependency> {
+  enum Scope {
+    /** Maven's compile, Gradle's api. */
+    COMPILE,
+    RUNTIME,
+    TEST
+  }
+
+  @Override
+  public int compareTo(Dependency other) {
+    return toString().compareTo(other.toString());
+  }
+
+  @Override
+  public String toString() {
+    return name
+        + ":"
+        + version
+        + " "
+        + scope
+        + (exclusions.isEmpty() ? "" : " without " + exclusions);
+  }
+}

@@ -1,0 +1,105 @@
+package org.u2sa.build;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Properties;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Reads what Gradle reads: settings, version catalog, convention plugin and each module's script.
+ */
+final class GradleBuild {
+  private static final String BOM = "u2sa-bom";
+  private static final Pattern INCLUDE = Pattern.compile("include\\(\"([^\"]+)\"\\)");
+  private static final Pattern TEXT = Pattern.compile("\"([^\"]*)\"");
+
+  /** Gradle starts tests with it; Surefire brings its own. */
+  private static final String LAUNCHER = "org.junit.platform:junit-platform-launcher";
+
+  private GradleBuild() {}
+
+  static BuildDescription read(Path folder) throws IOException {
+    Properties properties = new Properties();
+    try (Reader reader = Files.newBufferedReader(folder.resolve("gradle.properties"))) {
+      properties.load(reader);
+    }
+    String group = properties.getProperty("group");
+    String version = properties.getProperty("version");
+    VersionCatalog catalog = VersionCatalog.read(folder.resolve("gradle/libs.versions.toml"));
+
+    SortedMap<String, SortedSet<Dependency>> modules = new TreeMap<>();
+    SortedSet<String> bom = new TreeSet<>();
+    for (String line : Files.readAllLines(folder.resolve("settings.gradle.kts"))) {
+      Matcher include = INCLUDE.matcher(line);
+      if (include.matches()) {
+        String module = include.group(1);
+        Path script = folder.resolve(module).resolve("build.gradle.kts");
+        SortedSet<Dependency> own = new DependencyBlock(script, group, version, catalog).read();
+        if (module.equals(BOM)) {
+          own.forEach(dependency -> bom.add(dependency.name().substring(group.length() + 1)));
+          own = new TreeSet<>();
+        }
+        modules.put(module, own);
+      }
+    }
+    return new BuildDescription(
+        settings(folder, group, version), managed(catalog), bom, everywhere(catalog), modules);
+  }
+
+  private static SortedMap<String, String> settings(Path folder, String group, String version)
+      throws IOException {
+    Path plugin =
+        folder.resolve("build-logic/src/main/java/org/u2sa/build/JavaConventionsPlugin.java");
+    String source = Files.readString(plugin);
+    SortedSet<String> arguments = new TreeSet<>();
+    Matcher argument = TEXT.matcher(constant(source, "COMPILER_ARGUMENTS"));
+    while (argument.find()) {
+      arguments.add(argument.group(1));
+    }
+    SortedMap<String, String> settings = new TreeMap<>();
+    settings.put("group", group);
+    settings.put("version", version);
+    settings.put("Java release", constant(source, "JAVA_RELEASE"));
+    settings.put("excluded tags", constant(source, "EXCLUDED_TAGS").replace("\"", ""));
+    settings.put("compiler arguments", arguments.toString());
+    return settings;
+  }
+
+  private static String constant(String source, String name) {
+    Matcher matcher = Pattern.compile(name + "\\s*=\\s*([^;]+);").matcher(source);
+    if (!matcher.find()) {
+      throw new IllegalStateException("JavaConventionsPlugin has no constant " + name);
+    }
+    return matcher.group(1);
+  }
+
+  private static SortedMap<String, String> managed(VersionCatalog catalog) {
+    SortedMap<String, String> managed = new TreeMap<>();
+    for (Map.Entry<String, VersionCatalog.Library> entry : catalog.libraries().entrySet()) {
+      VersionCatalog.Library library = entry.getValue();
+      if (!library.module().equals(LAUNCHER)) {
+        managed.put(library.module(), library.version());
+      }
+    }
+    return managed;
+  }
+
+  private static SortedSet<Dependency> everywhere(VersionCatalog catalog) {
+    SortedSet<Dependency> everywhere = new TreeSet<>();
+    for (String alias : catalog.bundle("test")) {
+      VersionCatalog.Library library = catalog.library(alias);
+      everywhere.add(
+          new Dependency(
+              library.module(), library.version(), Dependency.Scope.TEST, new TreeSet<>()));
+    }
+    return everywhere;
+  }
+}
