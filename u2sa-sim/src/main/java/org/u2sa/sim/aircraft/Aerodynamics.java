@@ -156,7 +156,7 @@ final class Aerodynamics {
             + tail * CY_RUDDER * rudder
             + rate * SPAN_M * (CY_P * roll + CY_R * yaw);
     forceX = lift * sinAlpha - drag * u * perSpeed;
-    forceY = side - drag * v * perSpeed;
+    forceY = side; // the book counts what drag does sideways into this derivative
     forceZ = -lift * cosAlpha - drag * w * perSpeed;
 
     double liftBounded = Math.min(1.6, Math.max(0.0, wingLift));

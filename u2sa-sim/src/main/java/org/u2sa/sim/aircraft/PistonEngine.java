@@ -19,7 +19,6 @@ final class PistonEngine {
   private static final double FULL_OPENING = 5.0;
   private static final double STALL_RPM = 350.0;
   private static final double LIGHT_RPM = 450.0; // turned this fast by the stream, it fires again
-  private static final double WEAKEST_MIXTURE = 0.1;
 
   /** Torque at full throttle over rpm, of the rated one: from the maker's sea-level power curve. */
   private static final Table FULL_THROTTLE =
@@ -55,7 +54,7 @@ final class PistonEngine {
     // thinning air.
     mixtureFactor = MIXTURE.at(RICH_AT_SEA_LEVEL * mixture / StrictMath.sqrt(newDensityRatio));
     double rpm = speedRadPerS / RADPERS_PER_RPM;
-    if (rpm < STALL_RPM || mixtureFactor < WEAKEST_MIXTURE) {
+    if (rpm < STALL_RPM) {
       running = false;
     } else if (rpm > LIGHT_RPM) {
       running = true;

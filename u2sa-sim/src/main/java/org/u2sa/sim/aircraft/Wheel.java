@@ -15,6 +15,7 @@ final class Wheel {
 
   private static final double TYRE_STIFFNESS = 90_000.0; // both ways along the ground [N/m]
   private static final double TYRE_DAMPING = 4_000.0; // [N s/m]
+  private static final double DAMPED_BELOW_MPS = 1.0;
   private static final double RELAXATION_M = 0.3; // half to one wheel radius
   private static final double GRIP = 0.7; // dry asphalt, light aircraft tyre
   private static final double BRAKE_GRIP = 0.45; // what the 172's single discs can use of it
@@ -25,7 +26,7 @@ final class Wheel {
   final double y;
   final double z;
   private final double stiffness;
-  private final double damping;
+  private final double legDamping;
   private final double steerRad; // at full rudder, right positive
   private double cosSteer = 1.0;
   private double sinSteer;
@@ -54,7 +55,7 @@ final class Wheel {
     this.y = y;
     this.z = z;
     this.stiffness = stiffness;
-    this.damping = damping;
+    this.legDamping = damping;
     this.steerRad = steerRad;
   }
 
@@ -84,7 +85,7 @@ final class Wheel {
       alongLimit = acrossLimit = 0.0;
       return;
     }
-    double load = Math.max(0.0, stiffness * compression + damping * velD);
+    double load = Math.max(0.0, stiffness * compression + legDamping * velD);
     double rollN = attitude.xn * cosSteer + attitude.yn * sinSteer;
     double rollE = attitude.xe * cosSteer + attitude.ye * sinSteer;
     double length = StrictMath.sqrt(rollN * rollN + rollE * rollE);
@@ -103,7 +104,9 @@ final class Wheel {
     acrossLimit =
         StrictMath.sqrt(
             Math.max(LEAST_SIDE * LEAST_SIDE * grip * grip, grip * grip - along * along));
-    across = limit(-TYRE_STIFFNESS * deflectionAcross - TYRE_DAMPING * slipAcrossMps, acrossLimit);
+    // Rolling, fresh tread enters the contact patch and what was damped leaves it.
+    double damping = TYRE_DAMPING / (1.0 + Math.abs(slipAlongMps) / DAMPED_BELOW_MPS);
+    across = limit(-TYRE_STIFFNESS * deflectionAcross - damping * slipAcrossMps, acrossLimit);
     forceN = along * rollN - across * rollE;
     forceE = along * rollE + across * rollN;
     forceD = -load;

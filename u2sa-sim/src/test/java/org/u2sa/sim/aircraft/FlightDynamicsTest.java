@@ -42,6 +42,26 @@ class FlightDynamicsTest {
   }
 
   @Test
+  void derivatives_withoutAir_velocityTurnsWithTheVerticalAndKeepsItsLength() {
+    state[FlightDynamics.LAT] = Math.toRadians(60.0);
+    state[FlightDynamics.VN] = 40.0;
+    state[FlightDynamics.VE] = 60.0;
+    state[FlightDynamics.VD] = 5.0;
+    dynamics.densityKgPerM3 = 0.0;
+    derive(0.0, 0.0, 0.3);
+    double along =
+        40.0 * rate[FlightDynamics.VN]
+            + 60.0 * rate[FlightDynamics.VE]
+            + 5.0 * (rate[FlightDynamics.VD] - StandardAtmosphere.GRAVITY_MPS2);
+    assertThat(along).isCloseTo(0.0, within(1e-9));
+    // Stevens and Lewis, 2nd ed., eq. 1.4-16 without the earth's rotation: VE' = VE (VN tan φ − VD)
+    // / N
+    double prime = 6_378_137.0 / Math.sqrt(1.0 - 6.69437999014e-3 * 0.75);
+    double expected = 60.0 * (40.0 * Math.tan(Math.toRadians(60.0)) + 5.0) / prime;
+    assertThat(rate[FlightDynamics.VE]).isCloseTo(expected, within(1e-9));
+  }
+
+  @Test
   void derivatives_atRestInTheAir_fallsAtG() {
     state[FlightDynamics.ALT] = 1_000.0;
     derive(0.2, 0.3, 0.4);

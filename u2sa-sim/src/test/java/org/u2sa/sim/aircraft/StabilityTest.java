@@ -13,6 +13,22 @@ class StabilityTest {
   private final Cessna172 aircraft = Cessna172.inFlight(trim.start(0, 0, 0, 0), Wind.calm());
 
   @Test
+  void step_elevatorStep_shortPeriodOvershootsLittle() {
+    // 2ζω = −(Mq + Mα' + Zα/V) = 7.0 /s and ω = 5.0 /s at 52 m/s: ζ = 0.7, overshoot 5 % (Nelson,
+    // Flight Stability, eq. 4.75)
+    double before = aircraft.state().angleOfAttackRad();
+    double highest = 0.0;
+    for (int i = 0; i < 60; i++) {
+      deflect(0.0, -0.03, 0.0, 1.0 / 60.0);
+      highest = Math.max(highest, aircraft.state().angleOfAttackRad());
+    }
+    deflect(0.0, -0.03, 0.0, 0.4); // where a weakly damped one would swing back
+    double settled = aircraft.state().angleOfAttackRad() - before;
+    assertThat(settled).isBetween(Math.toRadians(0.5), Math.toRadians(2.0));
+    assertThat((highest - before) / settled).isBetween(0.97, 1.12);
+  }
+
+  @Test
   void step_elevatorPulse_phugoidIsSlowAndDamped() {
     deflect(0.0, -0.06, 0.0, 2.0);
     double first = speedSwing(60.0);
@@ -56,7 +72,7 @@ class StabilityTest {
 
   @Test
   void step_smallBank_spiralIsNearNeutral() {
-    while (aircraft.state().rollRad() < Math.toRadians(10.0)) {
+    while (aircraft.state().rollRad() < Math.toRadians(10.0) && aircraft.state().timeS() < 20.0) {
       deflect(0.15, 0.0, 0.0, 0.1);
     }
     aircraft.step(trim.controls(), 20.0);

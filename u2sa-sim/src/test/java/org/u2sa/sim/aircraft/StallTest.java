@@ -30,9 +30,10 @@ class StallTest {
   @Test
   void step_stickForward_recoversWithinAFewSeconds() {
     Cessna172 aircraft = gliding(0.0);
-    while (!aircraft.state().stalled()) {
+    while (!aircraft.state().stalled() && aircraft.state().timeS() < 30.0) {
       hold(aircraft, -0.6, 0.0);
     }
+    assertThat(aircraft.state().stalled()).isTrue();
     for (int i = 0; i < 60; i++) {
       hold(aircraft, 0.1, 0.0);
     }
