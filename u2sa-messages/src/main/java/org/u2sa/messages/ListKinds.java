@@ -188,6 +188,11 @@ final class ListKinds {
     }
 
     @Override
+    public MessageType<?> elementType() {
+      return element;
+    }
+
+    @Override
     public List<M> copied(List<M> value) {
       List<M> copies = new ArrayList<>(value.size());
       for (M message : value) {

@@ -39,6 +39,7 @@ final class ScalarKinds {
           && text.getBytes(StandardCharsets.UTF_8).length > Limits.TEXT_BYTES) {
         throw expected("at most " + Limits.TEXT_BYTES + " bytes of text");
       }
+      requireUnicode(text);
       return text;
     }
 
@@ -55,6 +56,20 @@ final class ScalarKinds {
     @Override
     public String read(CborReader in) throws IOException, MalformedMessageException {
       return in.text();
+    }
+  }
+
+  /** Half a surrogate pair is no character, and UTF-8 cannot carry it. */
+  private static void requireUnicode(String text) {
+    for (int i = 0; i < text.length(); i++) {
+      if (Character.isSurrogate(text.charAt(i))) {
+        boolean pair =
+            i + 1 < text.length() && Character.isSurrogatePair(text.charAt(i), text.charAt(i + 1));
+        if (!pair) {
+          throw expected("Unicode text without half a surrogate pair");
+        }
+        i++;
+      }
     }
   }
 
@@ -176,6 +191,11 @@ final class ScalarKinds {
     @Override
     public E parsed(List<String> texts) {
       return named(ValueKind.only(texts).trim().toUpperCase(Locale.ROOT).replaceAll("[ -]+", "_"));
+    }
+
+    @Override
+    public List<E> constants() {
+      return List.of(type.getEnumConstants());
     }
 
     private E named(String name) {

@@ -20,6 +20,16 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
     this.ifUnset = ifUnset;
   }
 
+  /** For a list of messages, their type or its nearest common ancestor. */
+  public Optional<MessageType<?>> elementType() {
+    return Optional.ofNullable(values.elementType());
+  }
+
+  /** For an enum, its constants in wire order; else empty. */
+  public List<V> constants() {
+    return values.constants();
+  }
+
   V checked(Object value) {
     try {
       return values.checked(value);

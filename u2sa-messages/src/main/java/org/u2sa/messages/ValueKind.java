@@ -24,6 +24,16 @@ interface ValueKind<V> {
     return value;
   }
 
+  /** The type of the messages in a list; null if it is no list of messages. */
+  default MessageType<?> elementType() {
+    return null;
+  }
+
+  /** All values there are, if they are few; else empty. */
+  default List<V> constants() {
+    return List.of();
+  }
+
   static String only(List<String> texts) {
     if (texts.size() != 1) {
       throw new IllegalArgumentException("expected one value");

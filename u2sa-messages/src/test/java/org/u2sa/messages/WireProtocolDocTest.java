@@ -1,0 +1,93 @@
+package org.u2sa.messages;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Holds the tables of docs/wire-protocol.md to the schemas. To write them anew:
+ * -Du2sa.docs.write=true.
+ */
+class WireProtocolDocTest {
+  private static final String BEGIN = "<!-- schemas: written by WireProtocolDocTest -->\n";
+  private static final String END = "<!-- end of schemas -->";
+
+  @Test
+  void tables_ofEveryMessage_areThoseOfTheSchemas() throws IOException {
+    Path file = Repository.file("docs/wire-protocol.md");
+    String doc = new String(Files.readAllBytes(file), UTF_8);
+    int begin = doc.indexOf(BEGIN) + BEGIN.length();
+    int end = doc.indexOf(END);
+    if (Boolean.getBoolean("u2sa.docs.write")) {
+      doc = doc.substring(0, begin) + tables() + doc.substring(end);
+      Files.write(file, doc.getBytes(UTF_8));
+      end = doc.indexOf(END);
+    }
+
+    assertThat(doc.substring(begin, end)).isEqualTo(tables());
+  }
+
+  private static String tables() {
+    StringBuilder out = new StringBuilder();
+    for (MessageType<?> type : MessageTypes.standard().all()) {
+      append(out, type);
+    }
+    return out.toString();
+  }
+
+  private static <T extends U2SAData> void append(StringBuilder out, MessageType<T> type) {
+    out.append("\n### ").append(type.name()).append("\n\n");
+    out.append("Type chain `").append(String.join("/", type.chain())).append('`');
+    out.append(type.isAbstract() ? ", abstract: only subclasses travel.\n\n" : ".\n\n");
+    out.append("| field | CBOR | unit | presence | bit | since |\n|---|---|---|---|---|---|\n");
+    for (MessageField<T> field : type.fields()) {
+      out.append("| ").append(field.name());
+      out.append(" | ").append(cborType(field));
+      out.append(" | ").append(unit(field));
+      out.append(" | ").append(presence(field));
+      out.append(" | ").append(field.bit().isPresent() ? field.bit().getAsInt() : "");
+      out.append(" | ").append(field.since()).append(" |\n");
+    }
+  }
+
+  private static String cborType(MessageField<?> field) {
+    if (field instanceof ValueField<?, ?> value) {
+      if (!value.constants().isEmpty()) {
+        return "text: " + value.constants().toString().replaceAll("[\\[\\]]", "");
+      }
+      if (value.elementType().isPresent()) {
+        return "array of " + value.elementType().get().name() + " maps";
+      }
+    }
+    if (field instanceof NumberField<?> number && number.max() < Double.POSITIVE_INFINITY) {
+      return "float64, " + number.min() + "…" + number.max();
+    }
+    if (field instanceof NumberField<?> number && number.min() > Double.NEGATIVE_INFINITY) {
+      return "float64, ≥ " + number.min();
+    }
+    return field.kind().cborType();
+  }
+
+  private static String unit(MessageField<?> field) {
+    String global = field.unitIn(org.u2sa.messages.frame.ReferenceFrame.GLOBAL);
+    return global.equals(field.unit()) ? field.unit() : field.unit() + "; GLOBAL: " + global;
+  }
+
+  private static <T extends U2SAData> String presence(MessageField<T> field) {
+    if (field.isRequired()) {
+      return "required";
+    }
+    if (field.isOptional()) {
+      return "optional";
+    }
+    Object ifUnset =
+        field instanceof NumberField<?> number
+            ? (Object) number.ifUnset
+            : ((ValueField<?, ?>) field).ifUnset;
+    return "always; " + ("".equals(ifUnset) ? "\"\"" : ifUnset) + " unless set";
+  }
+}
