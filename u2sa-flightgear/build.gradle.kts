@@ -9,6 +9,7 @@ dependencies {
     api(project(":u2sa-sim"))
     api(project(":u2sa-gcs"))
     testImplementation(testFixtures(project(":u2sa-abstract")))
+    testImplementation(libs.awaitility)
     testImplementation(libs.archunit)
 }
 

@@ -1,0 +1,81 @@
+package org.u2sa.flightgear.link;
+
+import org.u2sa.interfaces.Clock;
+
+/**
+ * When a line was measured, by the run's clock: an anchor (arrival of one line) plus FlightGear's
+ * own time since then, so that steps between readings are steps of the flight, not of the network.
+ * Three rules keep it right for whoever asks how old a reading is:
+ *
+ * <ul>
+ *   <li>Never later than the arrival. A line that comes sooner than expected (less delay than the
+ *       anchor's, or FlightGear runs faster than the run's clock) becomes the anchor.
+ *   <li>A line that comes late keeps its early time: after a stall of the network the lines that
+ *       had piled up are as old as they are. Only if all lines stay late by more than {@link
+ *       #LATE_MICROS} for {@link #PATIENCE_MICROS} has FlightGear itself lost time, and a new
+ *       anchor is set.
+ *   <li>A line with FlightGear's time unchanged is no new measurement (FlightGear is paused); the
+ *       anchor moves along.
+ * </ul>
+ *
+ * With FlightGear at n times real speed, times are therefore those of arrival, and a second between
+ * readings is n seconds of flight. Belongs to one thread.
+ */
+final class MeasuringTime {
+  static final long LATE_MICROS = 250_000;
+  static final long PATIENCE_MICROS = 200_000;
+
+  private boolean anchored;
+  private long anchorMicros;
+  private double anchorS;
+  private double lastS;
+  private long lastMicros = Long.MIN_VALUE;
+  private long lateSinceMicros = Clock.NEVER;
+
+  /**
+   * Takes a line.
+   *
+   * @param elapsedS FlightGear's time [s]
+   * @param arrivalMicros run's clock [µs]
+   * @return whether it is a new measurement; its time is then {@link #micros()}
+   */
+  boolean take(double elapsedS, long arrivalMicros) {
+    boolean paused = anchored && elapsedS == lastS;
+    if (!anchored || elapsedS <= lastS) { // earlier: FlightGear was reset or is another one
+      anchor(elapsedS, arrivalMicros);
+    }
+    lastS = elapsedS;
+    if (!paused) {
+      lastMicros = Math.max(lastMicros + 1, measured(elapsedS, arrivalMicros));
+    }
+    return !paused;
+  }
+
+  /** When the newest measurement was made [µs]; grows with each. */
+  long micros() {
+    return lastMicros;
+  }
+
+  private long measured(double elapsedS, long arrivalMicros) {
+    long expected = anchorMicros + Clock.micros(elapsedS - anchorS);
+    if (expected > arrivalMicros) {
+      return anchor(elapsedS, arrivalMicros);
+    }
+    if (arrivalMicros - expected <= LATE_MICROS) {
+      lateSinceMicros = Clock.NEVER;
+    } else if (lateSinceMicros == Clock.NEVER) {
+      lateSinceMicros = arrivalMicros;
+    } else if (arrivalMicros - lateSinceMicros > PATIENCE_MICROS) {
+      return anchor(elapsedS, arrivalMicros);
+    }
+    return expected;
+  }
+
+  private long anchor(double elapsedS, long arrivalMicros) {
+    anchored = true;
+    anchorS = elapsedS;
+    anchorMicros = arrivalMicros;
+    lateSinceMicros = Clock.NEVER;
+    return arrivalMicros;
+  }
+}

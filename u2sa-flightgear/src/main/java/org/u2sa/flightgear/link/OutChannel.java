@@ -1,0 +1,247 @@
+package org.u2sa.flightgear.link;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.LinkedHashSet;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.flightgear.protocol.LineSplitter;
+import org.u2sa.flightgear.protocol.MalformedLineException;
+import org.u2sa.flightgear.protocol.OutField;
+import org.u2sa.flightgear.protocol.OutLine;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.CommunicationException;
+
+/**
+ * Where FlightGear's lines come in. We listen; whoever sends the first good line while nobody else
+ * does is FlightGear, so neither a stray connection nor a dead one keeps the real one out. Belongs
+ * to the link's thread.
+ */
+final class OutChannel {
+  static final long SILENCE_MICROS = Clock.MICROS_PER_SECOND;
+
+  private static final int MOST_PEERS = 4;
+
+  private final Clock clock;
+  private final Troubles troubles;
+  private final ServerSocketChannel server;
+  private final MeasuringTime time = new MeasuringTime();
+  private final Set<Peer> peers = new LinkedHashSet<>();
+  private final ByteBuffer buffer = ByteBuffer.allocate(16_384);
+  private Peer flightGear;
+  private AircraftReading newest = AircraftReading.none();
+  private long lastLineMicros;
+  private long count;
+  private boolean silent;
+  private boolean everConnected;
+
+  OutChannel(FlightGearAddress address, Selector selector, Clock clock, Troubles troubles) {
+    this.clock = clock;
+    this.troubles = troubles;
+    this.server = listen(address, selector);
+  }
+
+  private static ServerSocketChannel listen(FlightGearAddress address, Selector selector) {
+    try {
+      ServerSocketChannel server = ServerSocketChannel.open();
+      try {
+        server.setOption(
+            StandardSocketOptions.SO_REUSEADDR,
+            true); // a run that just ended holds the port for a minute otherwise
+        server.bind(new InetSocketAddress(address.bindHost(), address.outPort()));
+        server.configureBlocking(false);
+        server.register(selector, SelectionKey.OP_ACCEPT);
+        return server;
+      } catch (IOException | RuntimeException e) {
+        server.close();
+        throw e;
+      }
+    } catch (IOException | RuntimeException e) { // a host that cannot be resolved is no IOException
+      throw new CommunicationException(
+          "cannot listen for FlightGear on "
+              + address.bindHost()
+              + ":"
+              + address.outPort()
+              + " ("
+              + e.getMessage()
+              + "): end the program that holds the port, or give this one and FlightGear another out-port",
+          e);
+    }
+  }
+
+  int port() {
+    return server.socket().getLocalPort();
+  }
+
+  void accept(Selector selector) throws IOException {
+    SocketChannel channel = server.accept();
+    if (channel == null) {
+      return;
+    }
+    if (peers.size() == MOST_PEERS) {
+      peers.stream().filter(peer -> peer != flightGear).findFirst().ifPresent(this::close);
+    }
+    channel.configureBlocking(false);
+    Peer peer = new Peer(channel);
+    peers.add(peer);
+    channel.register(selector, SelectionKey.OP_READ, peer);
+  }
+
+  /** Takes what has come from a peer. */
+  void read(Peer peer) {
+    try {
+      buffer.clear();
+      int got = peer.channel.read(buffer);
+      if (got < 0) {
+        lost(peer, "FlightGear closed the connection of its lines");
+        return;
+      }
+      buffer.flip();
+      peer.lines.feed(buffer, line -> take(peer, line), start -> tooLong(peer));
+    } catch (IOException e) {
+      lost(peer, "FlightGear's lines broke off: " + e.getMessage());
+    }
+  }
+
+  private void tooLong(Peer peer) {
+    troubles.refusedLine("longer than " + LineSplitter.LONGEST + " bytes, from " + peer.name);
+  }
+
+  private void take(Peer peer, String text) {
+    if (!peers.contains(peer)) {
+      return; // closed by an earlier line of the same packet
+    }
+    OutLine line;
+    try {
+      line = OutLine.parse(text);
+    } catch (MalformedLineException e) {
+      troubles.refusedLine(e.getMessage() + ", from " + peer.name);
+      return;
+    }
+    long now = clock.micros();
+    if (peer != flightGear && !adopt(peer, now)) {
+      return;
+    }
+    if (silent) {
+      silent = false;
+      troubles.event(
+          String.format(
+              Locale.ROOT,
+              "FlightGear's lines are back after %.1f s",
+              Clock.seconds(now - lastLineMicros)));
+    }
+    lastLineMicros = now;
+    if (!line.isBeforeFlight()) {
+      count = Math.round(line.get(OutField.COUNT));
+      if (time.take(line.get(OutField.ELAPSED), now)) {
+        newest = Readings.of(line, newest.sequence() + 1, time.micros());
+      }
+    }
+  }
+
+  private boolean adopt(Peer peer, long now) {
+    if (flightGear != null && !silent && now - lastLineMicros <= SILENCE_MICROS) {
+      troubles.event(
+          "a second sender of lines, "
+              + peer.name
+              + ", was refused: "
+              + flightGear.name
+              + " is connected");
+      close(peer);
+      return false;
+    }
+    if (flightGear != null) {
+      close(flightGear);
+    }
+    flightGear = peer;
+    silent = false;
+    troubles.event(
+        "FlightGear "
+            + (everConnected ? "is connected again" : "connected")
+            + " from "
+            + peer.name);
+    everConnected = true;
+    return true;
+  }
+
+  private void lost(Peer peer, String what) {
+    boolean inside = peer.lines.isInsideLine();
+    close(peer);
+    if (peer == flightGear) {
+      flightGear = null;
+      troubles.event(what + (inside ? " in the middle of a line" : ""));
+    }
+  }
+
+  /** Notices silence. */
+  void tick(long nowMicros) {
+    if (flightGear != null && !silent && nowMicros - lastLineMicros > SILENCE_MICROS) {
+      silent = true;
+      troubles.event("FlightGear has been silent for more than 1 s");
+    }
+  }
+
+  /**
+   * The newest reading; empty while FlightGear is gone or silent, or its flight model does not run
+   * yet.
+   */
+  Optional<AircraftReading> reading() {
+    return flightGear != null && !silent && newest.sequence() > 0
+        ? Optional.of(newest)
+        : Optional.empty();
+  }
+
+  /** The newest reading there ever was. */
+  AircraftReading newest() {
+    return newest;
+  }
+
+  /** When the newest good line came [µs]. */
+  long lastLineMicros() {
+    return lastLineMicros;
+  }
+
+  /** Number of the newest line that FlightGear has received from us. */
+  long count() {
+    return count;
+  }
+
+  boolean hasPeer() {
+    return !peers.isEmpty();
+  }
+
+  boolean everConnected() {
+    return everConnected;
+  }
+
+  private void close(Peer peer) {
+    peers.remove(peer);
+    Closing.quietly(peer.channel, troubles);
+  }
+
+  void close() {
+    peers.forEach(peer -> Closing.quietly(peer.channel, troubles));
+    peers.clear();
+    flightGear = null;
+    Closing.quietly(server, troubles);
+  }
+
+  /** One connection. */
+  static final class Peer {
+    private final SocketChannel channel;
+    private final LineSplitter lines = new LineSplitter();
+    private final String name;
+
+    private Peer(SocketChannel channel) throws IOException {
+      this.channel = channel;
+      this.name = String.valueOf(channel.getRemoteAddress()).replace("/", "");
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package org.u2sa.flightgear.link;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+
+/** FlightGear's property server, as much as a repair needs. Calls block, at most some seconds. */
+final class PropertyServer implements AutoCloseable {
+  private static final int PATIENCE_MS = 3_000;
+  private static final int MOST_LINES = 50;
+
+  private final Socket socket = new Socket();
+  private final BufferedReader in;
+  private final OutputStream out;
+
+  /**
+   * @throws IOException if nobody answers
+   */
+  PropertyServer(String host, int port) throws IOException {
+    try {
+      socket.connect(new InetSocketAddress(host, port), PATIENCE_MS);
+      socket.setSoTimeout(PATIENCE_MS);
+      in =
+          new BufferedReader(
+              new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
+      out = socket.getOutputStream();
+    } catch (IOException e) {
+      socket.close();
+      throw new IOException("property server " + host + ":" + port + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Address of this side, as FlightGear can reach it. */
+  String ownAddress() {
+    return socket.getLocalAddress().getHostAddress();
+  }
+
+  /**
+   * Runs a command.
+   *
+   * @return whether FlightGear says that it was done
+   * @throws IOException if it says nothing
+   */
+  boolean run(String command) throws IOException {
+    out.write(("run " + command + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
+    out.flush();
+    for (int i = 0; i < MOST_LINES; i++) {
+      String answer = in.readLine();
+      if (answer == null) {
+        throw new IOException("property server closed after \"run " + command + "\"");
+      }
+      if (answer.contains("<completed>")) {
+        return true;
+      }
+      if (answer.contains("failed")) {
+        return false;
+      }
+    }
+    throw new IOException("property server did not answer \"run " + command + "\"");
+  }
+
+  @Override
+  public void close() throws IOException {
+    socket.close();
+  }
+}

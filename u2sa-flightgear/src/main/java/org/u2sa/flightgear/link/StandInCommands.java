@@ -1,0 +1,75 @@
+package org.u2sa.flightgear.link;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.flightgear.protocol.OutField;
+import org.u2sa.flightgear.protocol.OutLine;
+import org.u2sa.flightgear.protocol.ProtocolFiles;
+
+/**
+ * What the stand-in's property server can do: its readings, its speed-up, and FlightGear's commands
+ * for channels.
+ */
+final class StandInCommands implements StandInProperties.Simulator {
+  private static final String SPEED_UP = "/sim/speed-up";
+  private static final int CONFIG_PARTS = 8; // generic,socket,out,20,127.0.0.1,5501,tcp,u2sa-out
+
+  private final StandInFlightGear standIn;
+
+  StandInCommands(StandInFlightGear standIn) {
+    this.standIn = standIn;
+  }
+
+  @Override
+  public String get(String path) {
+    OutLine said = standIn.said();
+    for (OutField field : OutField.values()) {
+      if (field.node().equals(path)) {
+        return said.format().split(",", -1)[field.ordinal()];
+      }
+    }
+    return path.equals(SPEED_UP) ? String.valueOf(standIn.speedUp()) : "";
+  }
+
+  @Override
+  public void set(String path, String value) {
+    if (path.equals(SPEED_UP) && value.matches("[0-9]{1,2}([.][0-9]+)?")) {
+      standIn.speedUp(Double.parseDouble(value));
+    }
+  }
+
+  @Override
+  public boolean run(String command, List<String> arguments) {
+    Map<String, String> values = new HashMap<>();
+    for (String argument : arguments) {
+      int equals = argument.indexOf('=');
+      if (equals > 0) {
+        values.put(argument.substring(0, equals), argument.substring(equals + 1));
+      }
+    }
+    String name = values.getOrDefault("name", "");
+    return switch (command) {
+      case "exit" -> {
+        standIn.exit();
+        yield true;
+      }
+      case "remove-io-channel" -> standIn.remove(name);
+      case "add-io-channel" -> add(name, values.getOrDefault("config", "").split(",", -1));
+      default -> false;
+    };
+  }
+
+  private boolean add(String name, String[] config) {
+    if (name.isEmpty() || config.length != CONFIG_PARTS || !config[5].matches("[0-9]{1,5}")) {
+      return false;
+    }
+    int port = Integer.parseInt(config[5]);
+    if (config[2].equals("out") && config[7].equals(ProtocolFiles.OUT)) {
+      return standIn.add(name, () -> new StandInOutput(config[4], port));
+    }
+    return config[2].equals("in")
+        && config[7].equals(ProtocolFiles.IN)
+        && standIn.add(name, () -> new StandInInput(standIn.host(), port));
+  }
+}

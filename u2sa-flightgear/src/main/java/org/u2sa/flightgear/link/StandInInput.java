@@ -1,0 +1,117 @@
+package org.u2sa.flightgear.link;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.flightgear.protocol.InLine;
+import org.u2sa.flightgear.protocol.LineSplitter;
+import org.u2sa.flightgear.protocol.MalformedLineException;
+import org.u2sa.flightgear.protocol.OutLine;
+
+/**
+ * The stand-in's ear. As FlightGear it serves one client at a time, and after one that closed in
+ * mid-line, without a word or by a reset it accepts connections and ignores them for ever.
+ */
+final class StandInInput implements StandInChannel {
+  private final ServerSocketChannel server = ServerSocketChannel.open();
+  private final ByteBuffer buffer = ByteBuffer.allocate(16_384);
+  private final List<SocketChannel> ignored = new ArrayList<>();
+  private SocketChannel client;
+  private LineSplitter lines = new LineSplitter();
+  private boolean spoke;
+  private boolean dead;
+  private InLine told = InLine.nothing();
+  private String poison = "";
+
+  /**
+   * @throws IOException if the port is taken
+   */
+  StandInInput(String host, int port) throws IOException {
+    try {
+      server.bind(new InetSocketAddress(host, port));
+      server.configureBlocking(false);
+    } catch (IOException e) {
+      server.close();
+      throw new IOException("cannot listen on " + host + ":" + port + ": " + e.getMessage(), e);
+    }
+  }
+
+  int port() {
+    return server.socket().getLocalPort();
+  }
+
+  @Override
+  public InLine work(InLine before, OutLine line) throws IOException {
+    told = before;
+    if (dead) {
+      for (SocketChannel next = server.accept(); next != null; next = server.accept()) {
+        ignored.add(next);
+      }
+      return told;
+    }
+    if (client == null) {
+      client = server.accept();
+      if (client == null) {
+        return told;
+      }
+      client.configureBlocking(false);
+      lines = new LineSplitter();
+      spoke = false;
+    }
+    hear();
+    if (!poison.isEmpty()) {
+      throw new IOException(poison);
+    }
+    return told;
+  }
+
+  private void hear() throws IOException {
+    try {
+      for (int got = read(); got != 0; got = read()) {
+        if (got < 0) {
+          hangUp(!spoke || lines.isInsideLine());
+          return;
+        }
+        spoke = true;
+        buffer.flip();
+        lines.feed(buffer, this::take, start -> take(start));
+      }
+    } catch (IOException reset) { // what FlightGear does then, the stand-in does
+      hangUp(true);
+    }
+  }
+
+  private int read() throws IOException {
+    buffer.clear();
+    return client.read(buffer);
+  }
+
+  private void take(String line) {
+    try {
+      told = told.after(line);
+    } catch (MalformedLineException e) {
+      poison = e.getMessage();
+    }
+  }
+
+  private void hangUp(boolean forEver) throws IOException {
+    dead = forEver;
+    client.close();
+    client = null;
+  }
+
+  @Override
+  public void close() throws IOException {
+    server.close();
+    if (client != null) {
+      client.close();
+    }
+    for (SocketChannel one : ignored) {
+      one.close();
+    }
+  }
+}

@@ -1,0 +1,46 @@
+package org.u2sa.flightgear.link;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import org.u2sa.flightgear.protocol.InLine;
+import org.u2sa.flightgear.protocol.OutLine;
+
+/**
+ * The stand-in's lines. As FlightGear it connects once, never again, and freezes as a whole while
+ * the peer does not read.
+ */
+final class StandInOutput implements StandInChannel {
+  private static final int PATIENCE_MS = 2_000;
+
+  private final SocketChannel channel = SocketChannel.open();
+
+  /**
+   * @throws IOException if nobody listens; then there is no such channel
+   */
+  StandInOutput(String host, int port) throws IOException {
+    try {
+      channel.socket().connect(new InetSocketAddress(host, port), PATIENCE_MS);
+      channel.socket().setTcpNoDelay(true);
+    } catch (IOException e) {
+      channel.close();
+      throw new IOException("nobody listens on " + host + ":" + port + ": " + e.getMessage(), e);
+    }
+  }
+
+  @Override
+  public InLine work(InLine told, OutLine line) throws IOException {
+    ByteBuffer bytes = ByteBuffer.wrap((line.format() + "\n").getBytes(StandardCharsets.US_ASCII));
+    while (bytes.hasRemaining()) {
+      channel.write(bytes);
+    }
+    return told;
+  }
+
+  @Override
+  public void close() throws IOException {
+    channel.close();
+  }
+}

@@ -1,0 +1,61 @@
+package org.u2sa.flightgear.link;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.u2sa.interfaces.Clock;
+
+/**
+ * What is to be said about the link: each event once, refused lines at most once in {@link
+ * #PAUSE_MICROS}. Safe for several threads.
+ */
+final class Troubles {
+  static final long PAUSE_MICROS = 5 * Clock.MICROS_PER_SECOND;
+
+  private static final int MOST_KEPT = 20;
+
+  private final Clock clock;
+  private final Deque<String> events = new ArrayDeque<>();
+  private long refused;
+  private long refusedUnsaid;
+  private String refusedWhy = "";
+  private long refusedSaidMicros = Long.MIN_VALUE / 2;
+
+  Troubles(Clock clock) {
+    this.clock = clock;
+  }
+
+  synchronized void event(String what) {
+    if (events.size() == MOST_KEPT) {
+      events.removeFirst(); // nobody asks: the newest are worth more
+    }
+    events.addLast(what);
+  }
+
+  synchronized void refusedLine(String why) {
+    refused++;
+    refusedUnsaid++;
+    refusedWhy = why;
+  }
+
+  /** How many lines were refused so far. */
+  synchronized long refusedLines() {
+    return refused;
+  }
+
+  /** What has not been said yet; empty if nothing. */
+  synchronized String take() {
+    long now = clock.micros();
+    if (refusedUnsaid > 0 && now - refusedSaidMicros >= PAUSE_MICROS) {
+      String lines =
+          refusedUnsaid == 1
+              ? "1 line of FlightGear refused: "
+              : refusedUnsaid + " lines of FlightGear refused, the last: ";
+      event(lines + refusedWhy);
+      refusedUnsaid = 0;
+      refusedSaidMicros = now;
+    }
+    String all = String.join("; ", events);
+    events.clear();
+    return all;
+  }
+}

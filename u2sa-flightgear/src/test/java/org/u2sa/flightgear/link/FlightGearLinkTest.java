@@ -1,0 +1,260 @@
+package org.u2sa.flightgear.link;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.time.Duration;
+import java.util.concurrent.Callable;
+import java.util.function.Predicate;
+import org.awaitility.core.ConditionFactory;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.flightgear.protocol.LineSplitter;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.sim.aircraft.ControlInputs;
+
+/** What can go wrong on the wire, without a simulator behind it. */
+final class FlightGearLinkTest {
+  private static final ControlInputs SOME =
+      new ControlInputs(0.1, -0.2, 0.3, 0.4, 1.0, 0.0, 0.0, 0.0);
+
+  private final Clock clock = new SystemClock();
+  private final StringBuilder troubles = new StringBuilder();
+  private RawFlightGear flightGear;
+  private FlightGearLink link;
+
+  @BeforeEach
+  void open() throws IOException {
+    flightGear = new RawFlightGear();
+    link = new FlightGearLink("127.0.0.1", 0, flightGear.inPort(), 0, clock);
+  }
+
+  @AfterEach
+  void close() throws IOException {
+    link.close();
+    flightGear.close();
+  }
+
+  @Test
+  void constructor_portTaken_saysWhichAndWhatToDo() throws IOException {
+    try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      assertThatThrownBy(() -> new FlightGearLink("127.0.0.1", other.getLocalPort(), 1, 0, clock))
+          .isInstanceOf(CommunicationException.class)
+          .hasMessageContaining("127.0.0.1:" + other.getLocalPort())
+          .hasMessageContaining("out-port");
+    }
+  }
+
+  @Test
+  void read_flightGearAbsent_isNotConnectedAndSaysThatItWaits() {
+    link.write(SOME);
+    assertThat(link.read(clock.micros())).isEqualTo(AircraftReading.none());
+    assertThat(link.trouble()).isEqualTo("waiting for FlightGear on 127.0.0.1:" + link.outPort());
+  }
+
+  @Test
+  void read_flightGearAbsentButPropertyPortKnown_saysOnceThatNobodyIsThere() throws IOException {
+    link.close();
+    int nobody = flightGear.inPort();
+    flightGear.stopListening();
+    link = new FlightGearLink("127.0.0.1", 0, 1, nobody, clock);
+    awaitTrouble("property server 127.0.0.1:" + nobody);
+  }
+
+  @Test
+  void read_linesFromBeforeTheFlightModel_areNoReadings() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(0.0, 1.0));
+    awaitTrouble("FlightGear connected");
+    assertThat(link.read(clock.micros()).connected()).isFalse();
+    flightGear.send(RawFlightGear.line(0.05, 2.0));
+    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(1.99, 2.01);
+    assertThat(link.refusedLines()).isZero();
+  }
+
+  @Test
+  void read_lineHalvedByPackets_isReadWhole() throws IOException {
+    String line = RawFlightGear.line(5.0, 1.25);
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(4.0, 1.0) + line.substring(0, 70));
+    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(0.99, 1.01);
+    flightGear.send(line.substring(70));
+    assertThat(readUntil(each -> each.sequence() == 2).headingRad()).isBetween(1.24, 1.26);
+  }
+
+  @Test
+  void read_slowPeerByteByByte_isReadWhole() throws IOException {
+    flightGear.connect(link.outPort());
+    for (char each : RawFlightGear.line(5.0, 1.25).toCharArray()) {
+      flightGear.send(String.valueOf(each));
+    }
+    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(1.24, 1.26);
+  }
+
+  @Test
+  void read_garbage_isRefusedAndTheNextLineIsRead() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(
+        "GET / HTTP/1.0\r\n\n\0\u00ff\n1,2,3\n"
+            + RawFlightGear.line(5.0, 1.0).replaceFirst("^5[^,]*", "nan"));
+    flightGear.send(RawFlightGear.line(5.0, 1.25));
+    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(1.24, 1.26);
+    assertThat(link.refusedLines()).isEqualTo(5);
+    awaitTrouble(
+        "5 lines of FlightGear refused, the last: /sim/time/elapsed-sec: \"nan\" is not a number");
+  }
+
+  @Test
+  void read_endlessLine_isRefusedAndTheNextLineIsRead() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send("7".repeat(3 * LineSplitter.LONGEST) + "\n" + RawFlightGear.line(5.0, 1.25));
+    readUntil(AircraftReading::connected);
+    awaitTrouble("1 line of FlightGear refused: longer than 2048 bytes");
+  }
+
+  @Test
+  void read_flightGearGone_isNotConnectedKeepsTheLastValuesAndComesBack() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.25) + "6.0,1");
+    readUntil(AircraftReading::connected);
+    flightGear.closeLines();
+    AircraftReading last = readUntil(each -> !each.connected());
+    assertThat(last.headingRad()).isBetween(1.24, 1.26);
+    awaitTrouble("FlightGear closed the connection of its lines in the middle of a line");
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.2, 1.5));
+    assertThat(readUntil(AircraftReading::connected).sequence()).isEqualTo(2);
+    awaitTrouble("FlightGear is connected again");
+  }
+
+  @Test
+  void read_flightGearSilentForASecond_isNotConnectedUntilItSpeaksAgain() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.0));
+    AircraftReading first = readUntil(AircraftReading::connected);
+    assertThat(link.read(first.measuredAtMicros() + 900_000).connected()).isTrue();
+    assertThat(link.read(first.measuredAtMicros() + 1_100_000).connected()).isFalse();
+    awaitTrouble("silent for more than 1 s");
+    flightGear.send(RawFlightGear.line(6.5, 1.0));
+    readUntil(AircraftReading::connected);
+    awaitTrouble("FlightGear's lines are back after 1.");
+  }
+
+  @Test
+  void read_secondSenderWhileOneIsConnected_isRefused() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.0));
+    readUntil(AircraftReading::connected);
+    try (RawFlightGear second = new RawFlightGear()) {
+      second.connect(link.outPort());
+      second.send(RawFlightGear.line(50.0, 3.0));
+      assertThat(second.isRefused()).isTrue();
+    }
+    flightGear.send(RawFlightGear.line(5.1, 1.5));
+    assertThat(readUntil(each -> each.sequence() == 2).headingRad()).isBetween(1.49, 1.51);
+    awaitTrouble("a second sender of lines");
+  }
+
+  @Test
+  void read_strayConnectionsThatSayNothing_doNotKeepFlightGearOut() throws IOException {
+    try (RawFlightGear stray = new RawFlightGear()) {
+      for (int i = 0; i < 10; i++) {
+        stray.connect(link.outPort());
+      }
+      flightGear.connect(link.outPort());
+      flightGear.send(RawFlightGear.line(5.0, 1.0));
+      readUntil(AircraftReading::connected);
+    }
+  }
+
+  @Test
+  void write_beforeAnyLine_doesNotConnectThenSendsTheNewestFirst() throws IOException {
+    link.write(SOME.withThrottle(0.9));
+    link.write(SOME);
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.0));
+    assertThat(flightGear.acceptControls().readLine())
+        .isEqualTo("0.100000,-0.200000,0.300000,0.000000,0.400000,1.000000,0.000000,0.000000,1");
+  }
+
+  @Test
+  void write_controlConnectionClosed_connectsAgainAndSaysSo() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.0));
+    link.write(SOME);
+    flightGear.acceptControls().readLine();
+    flightGear.closeControls();
+    awaitTrouble("controls do not reach FlightGear at 127.0.0.1:" + flightGear.inPort());
+    assertThat(flightGear.acceptControls().readLine()).startsWith("0.100000,-0.200000");
+    awaitTrouble("controls go to FlightGear again");
+  }
+
+  @Test
+  void write_nobodyTakesControls_saysSoOnceAndReadingGoesOn() throws IOException {
+    flightGear.stopListening();
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.0));
+    link.write(SOME);
+    awaitTrouble("controls do not reach FlightGear");
+    for (int i = 0; i < 20; i++) {
+      flightGear.send(RawFlightGear.line(5.1 + i, 1.0));
+      link.write(SOME);
+    }
+    readUntil(each -> each.connected() && each.sequence() == 21);
+    troubles.append(link.trouble());
+    assertThat(troubles.toString()).containsOnlyOnce("controls do not reach FlightGear");
+  }
+
+  @Test
+  void write_flightGearThatDoesNotRead_neverBlocks() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.0));
+    link.write(SOME);
+    flightGear.acceptControls();
+    long before = clock.micros();
+    for (int i = 0; i < 200_000; i++) {
+      link.write(SOME);
+    }
+    assertThat(clock.micros() - before).isLessThan(5 * Clock.MICROS_PER_SECOND);
+  }
+
+  @Test
+  void close_afterWrite_sendsTheLastControlsAndAWholeLine() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.line(5.0, 1.0));
+    link.write(SOME);
+    BufferedReader controls = flightGear.acceptControls();
+    assertThat(controls.readLine()).startsWith("0.100000,");
+    link.write(SOME.withThrottle(0.9));
+    link.write(ControlInputs.neutral());
+    link.close();
+    String last = controls.lines().reduce("", (one, next) -> next);
+    assertThat(last).startsWith("0.000000,0.000000,0.000000,0.000000,0.000000,1.000000,");
+    assertThat(link.read(clock.micros()).connected()).isFalse();
+    assertThat(flightGear.isRefused()).isTrue();
+  }
+
+  private AircraftReading readUntil(Predicate<AircraftReading> condition) {
+    return quickly("a reading").until(() -> link.read(clock.micros()), condition);
+  }
+
+  private void awaitTrouble(String part) {
+    Callable<Boolean> said = () -> troubles.append(link.trouble()).indexOf(part) >= 0;
+    quickly(part + " in " + troubles).until(said);
+  }
+
+  private static ConditionFactory quickly(String what) {
+    return await(what)
+        .pollDelay(Duration.ZERO)
+        .pollInterval(Duration.ofMillis(2))
+        .atMost(Duration.ofSeconds(5));
+  }
+}
