@@ -91,7 +91,7 @@ final class CborReader {
 
   private U2SAData mapAfterType(MessageType<?> type, List<String> chain)
       throws IOException, MalformedMessageException {
-    U2SAData message = type.createCarrier().orElseThrow();
+    U2SAData message = type.createCarrier().get();
     boolean isKnown = type.chain().equals(chain);
     Map<String, Object> unknown = isKnown ? null : new LinkedHashMap<>();
     fields(message, unknown);

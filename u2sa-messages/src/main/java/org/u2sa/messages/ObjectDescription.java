@@ -165,7 +165,7 @@ public class ObjectDescription extends U2SAData {
     for (MessageField<U2SAData> field : fields()) {
       if (field.kind() == Kind.POINT_LIST) {
         List<Point> points = new ArrayList<>();
-        for (Object point : (List<?>) field.get(this).orElseThrow()) {
+        for (Object point : (List<?>) field.get(this).get()) {
           points.add(conversion.convert((Point) point));
         }
         field.set(this, points);

@@ -51,7 +51,7 @@ final class PointConversion {
     }
     StateInformation placed =
         vehicle.in(fixed.isEarth() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_NED);
-    if (placed.x().isEmpty() || placed.y().isEmpty() || placed.psi().isEmpty()) {
+    if (!placed.x().isPresent() || !placed.y().isPresent() || !placed.psi().isPresent()) {
       throw new IllegalArgumentException(
           what + ": the vehicle's state lacks x, y or psi: " + placed);
     }
@@ -110,7 +110,7 @@ final class PointConversion {
   /** Absent roll and pitch are level. */
   private Rotation attitude() {
     return Rotation.nedFromFrd(
-        vehicle.phi().orElse(0.0), vehicle.theta().orElse(0.0), vehicle.psi().orElseThrow());
+        vehicle.phi().orElse(0.0), vehicle.theta().orElse(0.0), vehicle.psi().getAsDouble());
   }
 
   private Geodetic vehiclePlace() {

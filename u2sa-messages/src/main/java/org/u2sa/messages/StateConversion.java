@@ -105,7 +105,7 @@ final class StateConversion {
   }
 
   private static Point position(StateInformation from, StateInformation to) {
-    if (from.x().isEmpty() || from.y().isEmpty()) {
+    if (!from.x().isPresent() || !from.y().isPresent()) {
       throw new IllegalArgumentException(
           between(from.referenceFrame(), to.referenceFrame()) + ": x and y are needed");
     }

@@ -36,9 +36,9 @@ enum StateTriple {
   }
 
   boolean isEmpty(StateInformation state) {
-    return state.number(fields[0]).isEmpty()
-        && state.number(fields[1]).isEmpty()
-        && state.number(fields[2]).isEmpty();
+    return !state.number(fields[0]).isPresent()
+        && !state.number(fields[1]).isPresent()
+        && !state.number(fields[2]).isPresent();
   }
 
   boolean isComplete(StateInformation state) {

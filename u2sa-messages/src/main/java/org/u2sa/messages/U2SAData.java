@@ -137,7 +137,7 @@ public abstract class U2SAData {
 
   /** An empty message of the same type. */
   U2SAData blank() {
-    return type().createCarrier().orElseThrow();
+    return type().createCarrier().get();
   }
 
   private void requireComplete() {

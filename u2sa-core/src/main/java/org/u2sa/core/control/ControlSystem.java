@@ -13,6 +13,7 @@ import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
@@ -140,9 +141,10 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   private static Point ned(Point body, StateInformation state) {
+    boolean local = state.referenceFrame().isLocal();
+    StateInformation ned = state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
     Rotation attitude =
-        Rotation.nedFromFrd(
-            state.phi().orElse(0.0), state.theta().orElse(0.0), state.psi().orElse(0.0));
+        Rotation.nedFromFrd(ned.phi().orElse(0.0), ned.theta().orElse(0.0), ned.psi().orElse(0.0));
     return attitude.times(Point.of(body.x(), -body.y(), body.z()));
   }
 

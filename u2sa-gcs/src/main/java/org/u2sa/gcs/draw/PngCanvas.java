@@ -13,6 +13,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 
 /** Draws into an image in memory, by Java 2D and without a screen; ends as a PNG file. */
@@ -41,6 +42,22 @@ public final class PngCanvas implements Canvas, AutoCloseable {
     return new Font(family, Font.PLAIN, 1)
         .getFamily()
         .equals(family); // Java answers Dialog for an unknown one
+  }
+
+  /**
+   * Why this Java cannot draw, if it cannot: one without fonts or font libraries fails at the first
+   * text, each in its own way.
+   */
+  public static Optional<String> obstacle() {
+    try (PngCanvas probe = new PngCanvas(1, 1)) {
+      probe.text(0.0, 1.0, "x", TextStyle.of(Color.BLACK, 1.0));
+      return Optional.empty();
+    } catch (RuntimeException | LinkageError | InternalError e) {
+      return Optional.of(
+          "this Java cannot draw text ("
+              + e
+              + "); a font may help, e.g. apt install fonts-dejavu-core");
+    }
   }
 
   /** Writes the image as PNG. */

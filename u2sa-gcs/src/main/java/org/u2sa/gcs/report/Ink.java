@@ -29,6 +29,7 @@ final class Ink {
 
   static final TextStyle TITLE = TextStyle.of(TEXT, 34).inBold();
   static final TextStyle SUBTITLE = TextStyle.of(MUTED, 19);
+  static final TextStyle ALARM = TextStyle.of(MISSED, 19).inBold();
   static final TextStyle HEADING = TextStyle.of(TEXT, 17).inBold();
   static final TextStyle LABEL = TextStyle.of(TEXT, 16).inBold();
   static final TextStyle TICK = TextStyle.of(MUTED, 14);

@@ -17,11 +17,12 @@ import org.u2sa.gcs.draw.Ticks;
 final class MapPanel {
 
   private static final double M_PER_KM = 1000.0;
-  private static final double MARK_RADIUS = 5.0; // px
   private static final double LEAST_RUNWAY_WIDTH = 11.0; // px
   private static final double LINE_WIDTH = 3.4;
   private static final double LEADER_FROM =
       14.0; // a label farther from its waypoint gets a leader line [px]
+  private static final double HOME_RADIUS = 7.0; // px
+  private static final double LARGEST_WHOLE_CIRCLE = 25.0; // px
   private static final double NAME_HEIGHT = 18.0;
   private static final int MOST_NAMES = 30; // with more waypoints, numbers alone
 
@@ -57,7 +58,9 @@ final class MapPanel {
           canvas.polyline(planned(), Stroke.dashed(Ink.PLANNED, 2.0, 7.0));
           plan.home().ifPresent(this::runway);
           flown.draw(canvas, altitudes.lowM(), altitudes.highM(), LINE_WIDTH);
-          results.forEach(this::mark);
+          results.forEach(
+              result ->
+                  WaypointMark.draw(canvas, view.pixel(result.waypoint()), result.captured()));
         });
     canvas.rectangle(view.frame(), null, Ink.FRAME);
     MapFurniture furniture = new MapFurniture(canvas, view);
@@ -137,37 +140,19 @@ final class MapPanel {
     }
   }
 
-  private void mark(WaypointResult result) {
-    Pixel at = view.pixel(result.waypoint());
-    if (result.captured()) {
-      canvas.circle(at.x(), at.y(), MARK_RADIUS, Ink.CAPTURED, Stroke.solid(Ink.PAPER, 1.5));
-      return;
-    }
-    double arm = MARK_RADIUS + 1.0;
-    for (Stroke stroke : List.of(Stroke.solid(Ink.PAPER, 6.0), Stroke.solid(Ink.MISSED, 3.0))) {
-      canvas.line(at.x() - arm, at.y() - arm, at.x() + arm, at.y() + arm, stroke);
-      canvas.line(at.x() - arm, at.y() + arm, at.x() + arm, at.y() - arm, stroke);
-    }
-  }
-
   private void names(LabelPlacer placer) {
     placer.avoidLine(Densified.line(flown.pixels()));
     placer.avoidLine(Densified.line(planned()));
     for (WaypointResult result : results) {
       Pixel at = view.pixel(result.waypoint());
-      placer.avoid(
-          new Box(
-              at.x() - MARK_RADIUS - 1.0,
-              at.y() - MARK_RADIUS - 1.0,
-              2.0 * MARK_RADIUS + 2.0,
-              2.0 * MARK_RADIUS + 2.0));
+      double radius = signRadius(result);
+      placer.avoid(new Box(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius));
     }
     for (int i = 0; i < results.size(); i++) {
-      String name =
-          results.size() > MOST_NAMES
-              ? String.valueOf(i + 1)
-              : WaypointNames.numbered(i, results.get(i).waypoint());
-      name(placer, view.pixel(results.get(i).waypoint()), name);
+      WaypointResult result = results.get(i);
+      boolean crowded = results.size() > MOST_NAMES;
+      String name = crowded ? String.valueOf(i + 1) : WaypointNames.numbered(i, result.waypoint());
+      name(placer, view.pixel(result.waypoint()), signRadius(result), name);
     }
     plan.home()
         .ifPresent(
@@ -175,15 +160,24 @@ final class MapPanel {
                 name(
                     placer,
                     view.pixel(view.plane().place(home.longitudeDeg(), home.latitudeDeg())),
+                    HOME_RADIUS,
                     "home"));
   }
 
-  private void name(LabelPlacer placer, Pixel at, String name) {
+  /**
+   * What a name should stay off: the whole capture circle while that is small, else the sign alone.
+   */
+  private double signRadius(WaypointResult result) {
+    double circle = result.waypoint().captureRadiusM() * view.pixelsPerMetre();
+    return Math.max(WaypointMark.RADIUS, circle <= LARGEST_WHOLE_CIRCLE ? circle : 0.0) + 1.0;
+  }
+
+  private void name(LabelPlacer placer, Pixel at, double radius, String name) {
     double width = Ink.LABEL.widthOf(name) + 4.0;
-    Box box = placer.place(at.x(), at.y(), MARK_RADIUS, width, NAME_HEIGHT);
+    Box box = placer.place(at.x(), at.y(), radius, width, NAME_HEIGHT);
     double nearX = Math.max(box.x(), Math.min(box.right(), at.x()));
     double nearY = Math.max(box.y(), Math.min(box.bottom(), at.y()));
-    if (Math.hypot(nearX - at.x(), nearY - at.y()) > LEADER_FROM + MARK_RADIUS) {
+    if (Math.hypot(nearX - at.x(), nearY - at.y()) > LEADER_FROM + radius) {
       canvas.line(at.x(), at.y(), nearX, nearY, Stroke.solid(Ink.MUTED, 1.0));
     }
     canvas.text(box.x() + 2.0, box.bottom() - 4.0, name, Ink.LABEL);

@@ -23,7 +23,6 @@ final class ProfilePanel {
     5, 10, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14_400, 36_000
   };
   private static final double NUMBER_SPACING = 22.0; // closer numbers take turns in two rows [px]
-  private static final double MARK_RADIUS = 4.5;
   private static final int MOST_TIMES = 14;
 
   private final Canvas canvas;
@@ -163,12 +162,10 @@ final class ProfilePanel {
   private void marks() {
     for (WaypointResult result : results) {
       if (result.timeS().isPresent() && result.waypoint().altitudeM().isPresent()) {
-        canvas.circle(
-            x(result.timeS().getAsDouble()),
-            y(result.waypoint().altitudeM().getAsDouble()),
-            MARK_RADIUS,
-            result.captured() ? Ink.CAPTURED : Ink.MISSED,
-            Stroke.solid(Ink.PAPER, 1.5));
+        Pixel at =
+            new Pixel(
+                x(result.timeS().getAsDouble()), y(result.waypoint().altitudeM().getAsDouble()));
+        WaypointMark.draw(canvas, at, result.captured());
       }
     }
   }

@@ -1,10 +1,12 @@
 package org.u2sa.gcs.report;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.gcs.draw.PngCanvas;
 import org.u2sa.gcs.draw.SvgCanvas;
 import org.u2sa.interfaces.BadInputException;
@@ -57,10 +59,12 @@ public record RunReport(
   /**
    * Writes all files into {@code directory}, which is made if need be.
    *
+   * @return empty, or why there is no {@code track.png}: a Java without fonts cannot draw one, and
+   *     a flight is not lost for that
    * @throws ReportException naming the file and the system's reason if one cannot be written; there
    *     is no {@code summary.json} then
    */
-  public void write(Path directory) {
+  public Optional<String> write(Path directory) {
     try {
       Files.createDirectories(directory);
       Files.deleteIfExists(directory.resolve(SUMMARY));
@@ -72,15 +76,19 @@ public record RunReport(
     ReportFile.writeText(
         directory.resolve("track.kml"), out -> TrackKml.write(out, title, plan, score, track));
     ReportFile.writeText(directory.resolve("track.svg"), out -> out.write(svg(title)));
-    ReportFile.write(
-        directory.resolve("track.png"),
-        out -> {
-          try (PngCanvas canvas = new PngCanvas(TrackPicture.WIDTH, TrackPicture.HEIGHT)) {
-            TrackPicture.draw(canvas, facts, plan, score, track);
-            canvas.writeTo(out);
-          }
-        });
+    Optional<String> obstacle = PngCanvas.obstacle();
+    if (obstacle.isEmpty()) {
+      ReportFile.write(directory.resolve("track.png"), this::png);
+    }
     ReportFile.writeText(directory.resolve(SUMMARY), this::writeSummary);
+    return obstacle.map(reason -> "no track.png (track.svg shows the same): " + reason);
+  }
+
+  private void png(OutputStream out) throws IOException {
+    try (PngCanvas canvas = new PngCanvas(TrackPicture.WIDTH, TrackPicture.HEIGHT)) {
+      TrackPicture.draw(canvas, facts, plan, score, track);
+      canvas.writeTo(out);
+    }
   }
 
   /** Writes what {@code summary.json} holds, for {@code --json}; leaves {@code out} open. */

@@ -1,43 +1,26 @@
 package org.u2sa.gcs.report;
 
-import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.util.DefaultIndenter;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 import java.io.Writer;
-import java.math.BigDecimal;
-import java.math.RoundingMode;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.OptionalDouble;
 
-/**
- * Writes {@code summary.json}: stable order of keys, numbers rounded to the millimetre, millisecond
- * or thousandth. A number that does not exist is {@code null}, and {@code absent} says why; JSON
- * has no NaN.
- */
+/** Writes {@code summary.json} of one run, keys in a fixed order. */
 final class SummaryJson {
 
-  private static final int DECIMALS = 3;
-
+  private final SummaryNumbers numbers;
   private final JsonGenerator json;
-  private final Map<String, String> absent = new LinkedHashMap<>();
 
-  private SummaryJson(JsonGenerator json) {
-    this.json = json;
+  private SummaryJson(SummaryNumbers numbers) {
+    this.numbers = numbers;
+    json = numbers.generator();
   }
 
   /** Writes the summary and leaves {@code out} open. */
   static void write(Writer out, RunFacts facts, FlightScore score) throws IOException {
-    JsonGenerator json = new JsonFactory().createGenerator(out);
-    json.disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET);
-    json.setPrettyPrinter(
-        new DefaultPrettyPrinter().withObjectIndenter(new DefaultIndenter("  ", "\n")));
-    new SummaryJson(json).run(facts, score);
-    json.close();
-    out.write('\n');
-    out.flush();
+    try (SummaryNumbers numbers = new SummaryNumbers(out)) {
+      new SummaryJson(numbers).run(facts, score);
+    }
   }
 
   private void run(RunFacts facts, FlightScore score) throws IOException {
@@ -58,15 +41,14 @@ final class SummaryJson {
     json.writeEndArray();
     flight(score);
     outcome(score.outcome());
-    number("simSeconds", score.simSeconds());
-    number("wallSeconds", facts.wallSeconds());
-    number(
-        "simSecondsPerSecond",
+    numbers.number("simSeconds", score.simSeconds());
+    numbers.number("wallSeconds", facts.wallSeconds());
+    OptionalDouble rate =
         facts.wallSeconds() > 0.0
             ? OptionalDouble.of(score.simSeconds() / facts.wallSeconds())
-            : OptionalDouble.empty(),
-        "no wall time was measured");
-    absences();
+            : OptionalDouble.empty();
+    numbers.number("simSecondsPerSecond", rate, "no wall time was measured");
+    numbers.absences();
     json.writeEndObject();
   }
 
@@ -75,28 +57,28 @@ final class SummaryJson {
     json.writeStartObject();
     json.writeStringField("name", name);
     String never = "never was the target";
-    number("missM", result.missM(), never, name);
-    number(
+    numbers.number("missM", result.missM(), never, name);
+    numbers.number(
         "altitudeErrorM",
         result.altitudeErrorM(),
         result.missM().isPresent() ? "has no planned altitude" : never,
         name);
-    number("timeS", result.timeS(), never, name);
+    numbers.number("timeS", result.timeS(), never, name);
     json.writeBooleanField("captured", result.captured());
     json.writeEndObject();
   }
 
   private void flight(FlightScore score) throws IOException {
     String noStraight = "no straight between waypoints was flown";
-    number("crossTrackRmsM", score.crossTrackRmsM(), noStraight);
-    number("crossTrackRmsWholeLegsM", score.crossTrackRmsWholeLegsM(), noStraight);
-    number("settlingDistanceM", FlightScorer.SETTLING_DISTANCE_M);
+    numbers.number("crossTrackRmsM", score.crossTrackRmsM(), noStraight);
+    numbers.number("crossTrackRmsWholeLegsM", score.crossTrackRmsWholeLegsM(), noStraight);
+    numbers.number("settlingDistanceM", FlightScorer.SETTLING_DISTANCE_M);
     String noLevel = "no leg between waypoints of one altitude was flown";
-    number("altitudeRmsM", score.altitudeRmsM(), noLevel);
-    number("altitudeMaxErrorM", score.altitudeMaxErrorM(), noLevel);
+    numbers.number("altitudeRmsM", score.altitudeRmsM(), noLevel);
+    numbers.number("altitudeMaxErrorM", score.altitudeMaxErrorM(), noLevel);
     String noFlight = "the vehicle did not take off";
-    number("maxBankDeg", degrees(score.maxBankRad()), noFlight);
-    number("minAirspeedMps", score.minAirspeedMps(), noFlight);
+    numbers.number("maxBankDeg", SummaryNumbers.degrees(score.maxBankRad()), noFlight);
+    numbers.number("minAirspeedMps", score.minAirspeedMps(), noFlight);
     json.writeBooleanField("tookOff", score.tookOff());
   }
 
@@ -110,45 +92,5 @@ final class SummaryJson {
       json.writeString(violation);
     }
     json.writeEndArray();
-  }
-
-  private void absences() throws IOException {
-    json.writeObjectFieldStart("absent");
-    for (Map.Entry<String, String> entry : absent.entrySet()) {
-      json.writeStringField(entry.getKey(), entry.getValue());
-    }
-    json.writeEndObject();
-  }
-
-  private void number(String key, OptionalDouble value, String reasonIfAbsent, String of)
-      throws IOException {
-    if (value.isEmpty()) {
-      absent.put(of + ": " + key, reasonIfAbsent);
-    }
-    valueOrNull(key, value);
-  }
-
-  private void number(String key, OptionalDouble value, String reasonIfAbsent) throws IOException {
-    if (value.isEmpty()) {
-      absent.put(key, reasonIfAbsent);
-    }
-    valueOrNull(key, value);
-  }
-
-  private void valueOrNull(String key, OptionalDouble value) throws IOException {
-    if (value.isPresent()) {
-      number(key, value.getAsDouble());
-    } else {
-      json.writeNullField(key);
-    }
-  }
-
-  private void number(String key, double value) throws IOException {
-    json.writeFieldName(key);
-    json.writeNumber(BigDecimal.valueOf(value).setScale(DECIMALS, RoundingMode.HALF_EVEN));
-  }
-
-  private static OptionalDouble degrees(OptionalDouble radians) {
-    return radians.isPresent() ? OptionalDouble.of(Math.toDegrees(radians.getAsDouble())) : radians;
   }
 }

@@ -35,9 +35,16 @@ final class TrackPicture {
     AltitudeRange altitudes = AltitudeRange.of(plan, track);
     canvas.rectangle(new Box(0.0, 0.0, WIDTH, HEIGHT), Ink.PAPER, null);
     canvas.text(LEFT, 58.0, title(facts, score), Ink.TITLE);
-    canvas.text(LEFT, 92.0, subtitle(facts, score), Ink.SUBTITLE);
+    String alarm = alarm(score);
+    canvas.text(LEFT, 92.0, alarm, Ink.ALARM);
+    canvas.text(LEFT + Ink.ALARM.widthOf(alarm), 92.0, subtitle(facts, score), Ink.SUBTITLE);
     new MapPanel(canvas, MAP, plan, track, score, altitudes).draw();
     new ProfilePanel(canvas, PROFILE, plan, track, score, altitudes).draw();
+  }
+
+  private static String alarm(FlightScore score) {
+    return (score.outcome().crashed() ? "CRASHED    " : "")
+        + (score.outcome().stalled() ? "STALLED    " : "");
   }
 
   private static String subtitle(RunFacts facts, FlightScore score) {
@@ -53,12 +60,6 @@ final class TrackPicture {
     }
     parts.add(ProfilePanel.clock(score.simSeconds()) + " min simulated");
     parts.add(facts.simulator());
-    if (score.outcome().crashed()) {
-      parts.add(0, "CRASHED");
-    }
-    if (score.outcome().stalled()) {
-      parts.add(0, "STALLED");
-    }
     return String.join("  \u00b7  ", parts);
   }
 

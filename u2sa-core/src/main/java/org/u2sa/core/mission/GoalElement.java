@@ -1,0 +1,136 @@
+package org.u2sa.core.mission;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.Kind;
+import org.u2sa.messages.MessageField;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** A goal and the elements of the file that it was read from, so that errors can say where. */
+final class GoalElement {
+  private static final List<String> NOT_IN_FILES =
+      Arrays.asList("systemId", "timestamp", "completed", "abandoned");
+  private static final String FRAME = "referenceFrame";
+
+  private final XmlElement element;
+  private final GoalInformation message;
+  private final Map<String, XmlElement> fields;
+
+  private GoalElement(XmlElement element, GoalInformation message, Map<String, XmlElement> fields) {
+    this.element = element;
+    this.message = message;
+    this.fields = fields;
+  }
+
+  /** Reads the children of a goal's element as fields of its class, converting units. */
+  static <T extends GoalInformation> GoalElement read(XmlElement element, MessageType<T> type) {
+    element.refuseUnknownAttributes();
+    T message = type.create();
+    Map<String, List<XmlElement>> byField = byField(element, type);
+    ReferenceFrame frame = ReferenceFrame.GLOBAL;
+    if (byField.containsKey(FRAME)) { // first, for the units of the others depend on it
+      fill(message, type.field(FRAME).orElseThrow(), byField.get(FRAME), frame);
+      frame = (ReferenceFrame) type.field(FRAME).orElseThrow().get(message).orElseThrow();
+    }
+    Map<String, XmlElement> fields = new LinkedHashMap<>();
+    for (Map.Entry<String, List<XmlElement>> entry : byField.entrySet()) {
+      fill(message, type.field(entry.getKey()).orElseThrow(), entry.getValue(), frame);
+      fields.put(entry.getKey(), entry.getValue().get(0));
+    }
+    return new GoalElement(element, message, fields);
+  }
+
+  private static <T extends GoalInformation> Map<String, List<XmlElement>> byField(
+      XmlElement element, MessageType<T> type) {
+    Map<String, List<XmlElement>> byField = new LinkedHashMap<>();
+    for (XmlElement child : element.children()) {
+      MessageField<T> field =
+          type.fieldByElementName(child.name())
+              .filter(known -> !NOT_IN_FILES.contains(known.name()))
+              .orElseThrow(() -> unknownField(child, element, type));
+      byField.computeIfAbsent(field.name(), name -> new ArrayList<>()).add(child);
+    }
+    return byField;
+  }
+
+  private static RuntimeException unknownField(
+      XmlElement child, XmlElement element, MessageType<?> type) {
+    List<String> names = new ArrayList<>();
+    for (MessageField<?> field : type.fields()) {
+      if (!NOT_IN_FILES.contains(field.name())) {
+        names.add(field.name());
+      }
+    }
+    return child.error(
+        "unknown element in <"
+            + element.name()
+            + ">; expected one of "
+            + String.join(", ", names)
+            + NearestNames.didYouMean(child.name(), names));
+  }
+
+  private static <T extends GoalInformation> void fill(
+      T message, MessageField<T> field, List<XmlElement> elements, ReferenceFrame frame) {
+    XmlElement first = elements.get(0);
+    if (elements.size() > 1 && field.kind() != Kind.STRING_LIST) {
+      throw elements
+          .get(1)
+          .error("stands twice; " + field.name() + " stands in line " + first.line() + " already");
+    }
+    List<String> texts = new ArrayList<>();
+    for (XmlElement each : elements) {
+      each.refuseUnknownChildren();
+      each.refuseUnknownAttributes("unit");
+      if (each.text().isEmpty()) {
+        throw each.error("is empty; expected " + expected(field, frame));
+      }
+      texts.add(each.text());
+    }
+    try {
+      if (first.optionalAttribute("unit").isPresent()) {
+        field.set(message, converted(first, field, frame));
+      } else {
+        field.setTexts(message, texts);
+      }
+    } catch (IllegalArgumentException e) {
+      throw first.error(e.getMessage(), e);
+    }
+  }
+
+  private static String expected(MessageField<?> field, ReferenceFrame frame) {
+    String unit = field.unitIn(frame);
+    return field.kind() == Kind.DOUBLE
+        ? "a number" + (unit.isEmpty() ? "" : " of " + unit)
+        : "a value";
+  }
+
+  private static double converted(XmlElement element, MessageField<?> field, ReferenceFrame frame) {
+    if (field.kind() != Kind.DOUBLE) {
+      throw element.error("has a unit, but " + field.name() + " is not a number");
+    }
+    return Numbers.converted(element, "", field.unitIn(frame));
+  }
+
+  /** The goal's element. */
+  XmlElement element() {
+    return element;
+  }
+
+  /** The goal. */
+  GoalInformation message() {
+    return message;
+  }
+
+  /** The element of a field, by the field's own name; empty if the file leaves it out. */
+  Optional<XmlElement> field(String name) {
+    return Optional.ofNullable(fields.get(name));
+  }
+}

@@ -1,0 +1,81 @@
+package org.u2sa.core.mission;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.MessageTypes;
+
+/**
+ * A mission as its file has it (docs/missions.md): the goals in the file's order, and where the
+ * vehicle starts. Immutable; its goals are frozen and have unique names.
+ */
+public final class Mission {
+  /**
+   * Horizontal threshold of waypoints for which neither the mission nor a configuration says one
+   * [m].
+   */
+  public static final double DEFAULT_THRESHOLD_M = 100.0;
+
+  private final String origin;
+  private final Optional<Home> home;
+  private final List<GoalInformation> goals;
+  private final List<String> warnings;
+
+  Mission(String origin, Optional<Home> home, List<GoalInformation> goals, List<String> warnings) {
+    this.origin = origin;
+    this.home = home;
+    this.goals = Collections.unmodifiableList(new ArrayList<>(goals));
+    this.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
+    goals.forEach(GoalInformation::freeze);
+  }
+
+  /**
+   * Reads a mission with all goal classes on the class path and {@link #DEFAULT_THRESHOLD_M}.
+   *
+   * @throws BadInputException naming file, line, element, value and what was expected
+   */
+  public static Mission load(Path file) {
+    return load(file, MessageTypes.discovered(), DEFAULT_THRESHOLD_M);
+  }
+
+  /**
+   * Reads a mission.
+   *
+   * @param types among which goal classes are looked up
+   * @param defaultThresholdM horizontal threshold of waypoints that give none [m], positive
+   * @throws BadInputException naming file, line, element, value and what was expected
+   */
+  public static Mission load(Path file, MessageTypes types, double defaultThresholdM) {
+    return parse(XmlReader.read(file, "mission"), types, defaultThresholdM);
+  }
+
+  static Mission parse(XmlElement root, MessageTypes types, double defaultThresholdM) {
+    return new MissionReader(types, defaultThresholdM).read(root);
+  }
+
+  /** The file, as the user named it. */
+  public String origin() {
+    return origin;
+  }
+
+  /** Where the vehicle starts; empty if the mission does not say. */
+  public Optional<Home> home() {
+    return home;
+  }
+
+  /** The goals in the order of the file; at least one. */
+  public List<GoalInformation> goals() {
+    return goals;
+  }
+
+  /** What is odd but not wrong, such as goals that no other leads to: file, line, and what. */
+  public List<String> warnings() {
+    return warnings;
+  }
+}

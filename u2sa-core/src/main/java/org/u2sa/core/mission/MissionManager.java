@@ -1,0 +1,150 @@
+package org.u2sa.core.mission;
+
+import java.nio.file.Paths;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Keeps the goals of the mission and says which are current (thesis 3.2.3.2). In: goal-reports,
+ * goal-updates, goal-commands. Out: goals, at the start and at each change.
+ *
+ * <p>A goal that comes in completed or abandoned is a report, any other an update. A list without
+ * goals says that the mission is over.
+ */
+public final class MissionManager extends EventDrivenService {
+  static final Variable<String> MISSION =
+      Variable.text("MISSION")
+          .describedAs("The mission's XML file; relative to the working directory.");
+
+  static final Variable<Boolean> LOOP =
+      Variable.flag("LOOP")
+          .ifAbsent(false)
+          .describedAs(
+              "Whether the mission begins anew after its last goal (thesis 4.5.2.3 did for ever).");
+
+  static final Variable<String> OPTIONS =
+      Variable.text("OPTIONS")
+          .oneOf(GoalSequence.Options.ALL.name(), GoalSequence.Options.ANY.name())
+          .ifAbsent(GoalSequence.Options.ALL.name())
+          .describedAs(
+              "Of several next goals, whether ALL are to be finished before what follows, or ANY one.");
+
+  static final Variable<Double> DEFAULT_THRESHOLD =
+      Variable.number("DEFAULT THRESHOLD", "m")
+          .range(Range.positive())
+          .ifAbsent(Mission.DEFAULT_THRESHOLD_M)
+          .describedAs("Horizontal threshold of waypoints that give none.");
+
+  private final GoalSequence sequence;
+  private final Set<String> completed = new LinkedHashSet<>();
+  private final Set<String> abandoned = new LinkedHashSet<>();
+
+  /**
+   * Called by the launcher.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if the mission file is wrong
+   */
+  public MissionManager(ServiceContext context) {
+    super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
+    Mission mission =
+        Mission.load(
+            Paths.get(getVariable(MISSION)),
+            context.messageTypes(),
+            getVariable(DEFAULT_THRESHOLD));
+    sequence =
+        new GoalSequence(
+            mission.goals(), getVariable(LOOP), GoalSequence.Options.valueOf(getVariable(OPTIONS)));
+    log("mission " + mission.origin() + " with goals " + names(mission.goals()));
+    mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
+    registerPublisher(Channels.GOALS);
+    registerSubscriber(Channels.GOAL_REPORTS);
+    registerSubscriber(Channels.GOAL_UPDATES);
+    registerSubscriber(Channels.GOAL_COMMANDS);
+  }
+
+  @Override
+  protected void begin() {
+    publishGoals();
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof GoalCommand command) {
+      changeTo(command.uid());
+    } else if (!(data instanceof GoalInformation goal)) {
+      unexpected(data);
+    } else if (goal.completed() || goal.abandoned()) {
+      finish(goal);
+    } else {
+      update(goal);
+    }
+  }
+
+  private void finish(GoalInformation goal) {
+    String uid = goal.uid();
+    if (!sequence.finish(uid)) {
+      String what = sequence.knows(uid) ? "is not current" : "is not known";
+      log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" left out: it " + what);
+      return;
+    }
+    if (goal.completed()) {
+      completed.add(uid);
+      abandoned.remove(uid);
+      log("goal \"" + uid + "\" completed");
+    } else {
+      abandoned.add(uid);
+      log(LogLevelEnum.WARN, "goal \"" + uid + "\" given up by the planner");
+    }
+    publishGoals();
+  }
+
+  private void update(GoalInformation goal) {
+    if (sequence.update(goal)) {
+      log("goal \"" + goal.uid() + "\" updated");
+    } else {
+      log(
+          LogLevelEnum.WARN,
+          "goal \""
+              + goal.uid()
+              + "\" added; until another goal's next names it, or it is commanded, it is never pursued");
+    }
+    publishGoals();
+  }
+
+  private void changeTo(String uid) {
+    if (!sequence.knows(uid)) {
+      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" refused: it is not known");
+      return;
+    }
+    sequence.changeTo(uid);
+    log("changes to goal \"" + uid + "\" on command");
+    publishGoals();
+  }
+
+  private void publishGoals() {
+    List<GoalInformation> current = sequence.current();
+    if (sequence.isOver()) {
+      log("mission is over: completed " + completed + ", given up " + abandoned);
+    } else {
+      log("current goals " + names(current));
+    }
+    publish(Channels.GOALS, new GoalList().goals(current).upcoming(sequence.upcoming()));
+  }
+
+  private static List<String> names(List<GoalInformation> goals) {
+    return goals.stream().map(GoalInformation::uid).collect(Collectors.toList());
+  }
+}

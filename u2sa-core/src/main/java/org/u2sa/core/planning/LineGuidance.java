@@ -1,0 +1,174 @@
+package org.u2sa.core.planning;
+
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Follows the straight line between waypoints: the point to go to lies on the line, LOOK AHEAD
+ * ahead of the vehicle's foot on it (after Park, Deyst, How: A New Nonlinear Guidance Logic for
+ * Trajectory Tracking, AIAA 2004-4900).
+ *
+ * <p>Where the leg has no given start, the vehicle heads straight for the waypoint, and the leg
+ * begins where it has turned towards it. A waypoint inside the vehicle's turning circle is first
+ * flown away from.
+ */
+final class LineGuidance implements WaypointGuidance {
+  /** Course and bearing this near to each other: the vehicle heads for the waypoint [rad]. */
+  private static final double ALIGNED_RAD = Math.toRadians(5.0);
+
+  /**
+   * Turning circles, in radii: a waypoint nearer than the first to the circle's centre cannot be
+   * turned to …
+   */
+  private static final double INSIDE_CIRCLE = 1.2;
+
+  /** … and is flown away from until it is farther than the second. */
+  private static final double OUTSIDE_CIRCLE = 1.6;
+
+  /**
+   * In an anticipated turn the waypoint is passed when its distance has grown by this share of its
+   * threshold, or …
+   */
+  private static final double PASSED_SHARE = 0.2;
+
+  /** … by the way of this time, whichever is more [s]. */
+  private static final double PASSED_S = 1.0;
+
+  /**
+   * A distance that has grown by this does not merely scatter: the closest approach is behind [m].
+   */
+  private static final double GROWN_M = 1.0;
+
+  private final LineSettings settings;
+  private Optional<Place> start = Optional.empty();
+  private boolean leaving; // flies away from a waypoint inside its turning circle
+  private boolean turning; // already follows the next leg
+  private double nearestM; // to the target, since the way to it began
+  private double distanceM; // to the target
+  private boolean passed;
+
+  LineGuidance(LineSettings settings) {
+    this.settings = settings;
+  }
+
+  @Override
+  public void begin(Optional<Place> newStart) {
+    start = newStart.filter(Place::isHorizontal);
+    leaving = false;
+    turning = false;
+    nearestM = Double.POSITIVE_INFINITY;
+    distanceM = Double.POSITIVE_INFINITY;
+    passed = false;
+  }
+
+  @Override
+  public boolean hasPassed() {
+    return passed;
+  }
+
+  @Override
+  public boolean isNearest() {
+    return turnsOnTheSpot() || passed || distanceM > nearestM + GROWN_M;
+  }
+
+  private boolean turnsOnTheSpot() {
+    return settings.turns().accelerationMps2() == 0.0;
+  }
+
+  @Override
+  public Point bodyPoint(Vehicle vehicle, Point ned) {
+    return vehicle.body(ned);
+  }
+
+  @Override
+  public Point towards(Vehicle vehicle, Place target, double threshold, Optional<Place> after) {
+    Point to = vehicle.nedOf(target);
+    distanceM = Math.hypot(to.x(), to.y());
+    nearestM = Math.min(nearestM, distanceM);
+    if (start.isEmpty() && isHeadingFor(vehicle, to)) {
+      start = Optional.of(vehicle.place());
+    }
+    Optional<Leg> leg =
+        start.map(from -> legFrom(vehicle.nedOf(from), to)).filter(l -> !l.isPoint());
+    Point ned;
+    if (leg.isEmpty()) {
+      ned = straightTo(vehicle, to);
+    } else {
+      Optional<Point> beyond = after.filter(Place::isHorizontal).map(vehicle::nedOf);
+      Optional<Leg> next = beyond.map(point -> legFrom(to, point)).filter(l -> !l.isPoint());
+      beginTurnIfDue(vehicle, leg.get(), next, threshold);
+      passed = turning ? isBehind(vehicle, threshold) : leg.get().remainingM(0.0, 0.0) <= 0.0;
+      ned =
+          turning && next.isPresent()
+              ? ahead(
+                  vehicle,
+                  next.get(),
+                  settings.altitudes().along(target, after.get(), vehicle, to.z()))
+              : ahead(
+                  vehicle,
+                  leg.get(),
+                  settings.altitudes().along(start.get(), target, vehicle, to.z()));
+    }
+    return bodyPoint(vehicle, ned);
+  }
+
+  private static Leg legFrom(Point from, Point to) {
+    return new Leg(from.x(), from.y(), to.x(), to.y());
+  }
+
+  private boolean isHeadingFor(Vehicle vehicle, Point to) {
+    double bearing = Math.atan2(to.y(), to.x());
+    return turnsOnTheSpot()
+        || Math.abs(Angles.wrapped(bearing - vehicle.courseRad())) < ALIGNED_RAD;
+  }
+
+  /**
+   * Without a leg: to the target, or straight on while the target lies inside the turning circle.
+   */
+  private Point straightTo(Vehicle vehicle, Point to) {
+    double radius = settings.turns().radiusM(vehicle.speedMps());
+    double course = vehicle.courseRad();
+    double right = to.y() * Math.cos(course) - to.x() * Math.sin(course);
+    double along = to.x() * Math.cos(course) + to.y() * Math.sin(course);
+    double fromCentre = Math.hypot(along, Math.abs(right) - radius);
+    leaving =
+        fromCentre < (leaving ? OUTSIDE_CIRCLE : INSIDE_CIRCLE) * radius
+            && Math.abs(Math.atan2(right, along)) > ALIGNED_RAD;
+    double bearing = leaving || distanceM == 0.0 ? course : Math.atan2(to.y(), to.x());
+    double ahead = settings.lookAheadM(vehicle.speedMps());
+    if (turnsOnTheSpot()) {
+      ahead = Math.min(ahead, distanceM);
+    }
+    return Point.of(ahead * Math.cos(bearing), ahead * Math.sin(bearing), to.z());
+  }
+
+  private void beginTurnIfDue(Vehicle vehicle, Leg leg, Optional<Leg> next, double threshold) {
+    if (turning || next.isEmpty()) {
+      return;
+    }
+    double turn = leg.turnToRad(next.get());
+    double inside = Math.signum(turn) * leg.acrossM(0.0, 0.0);
+    double remaining = leg.remainingM(0.0, 0.0);
+    double distance = settings.turns().distanceM(vehicle.speedMps(), turn, inside, threshold);
+    if (remaining <= distance && Math.abs(inside) <= threshold) {
+      turning = true;
+    }
+  }
+
+  private boolean isBehind(Vehicle vehicle, double threshold) {
+    return distanceM > nearestM + Math.max(PASSED_SHARE * threshold, PASSED_S * vehicle.speedMps());
+  }
+
+  /**
+   * The point on a leg, ahead of the vehicle; a vehicle that turns on the spot is not led past the
+   * end.
+   */
+  private Point ahead(Vehicle vehicle, Leg leg, AltitudeProfile.Slope altitudes) {
+    double along = leg.alongM(0.0, 0.0) + settings.lookAheadM(vehicle.speedMps());
+    if (turnsOnTheSpot()) {
+      along = Math.min(along, leg.lengthM());
+    }
+    return Point.of(
+        leg.northAtM(along), leg.eastAtM(along), altitudes.downM(along / leg.lengthM()));
+  }
+}

@@ -1,0 +1,199 @@
+package org.u2sa.core.planning;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Plans the way to the current goal (thesis 3.2.3.4): a state machine with one state for each class
+ * of goals. In: state, goals. Out: navigation, goal-reports.
+ *
+ * <p>It plans once for each state estimate, so without fresh states it gives no navigation points.
+ * The same class serves aircraft and ground vehicles; only their configuration differs (thesis
+ * 4.6.2.3).
+ */
+public final class PathPlanner extends EventDrivenService {
+  private final long staleAfterMicros;
+  private final long reportIntervalMicros;
+  private final PlannerStates states;
+  private final EndOfMission end;
+  private Optional<GoalList> goals = Optional.empty();
+  private Optional<GoalInformation> goal = Optional.empty(); // pursued
+  private Optional<GoalInformation> finished =
+      Optional.empty(); // reported, and still the newest such
+  private String foreseen = ""; // UID of the goal that the pursuit expects next
+  private long reportedMicros;
+  private String complaint =
+      ""; // the last thing that was said to be wrong, so that it is said once
+
+  /** Called by the launcher. */
+  public PathPlanner(ServiceContext context) {
+    super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
+    LineSettings settings = PlanningVariables.lineSettings(this);
+    WaypointGuidance guidance = PlanningVariables.guidance(this, settings);
+    states =
+        new PlannerStates(
+            List.of(new WaypointState(guidance, getVariable(PlanningVariables.ATTEMPTS))));
+    states.discover(this);
+    end =
+        new EndOfMission(
+            PlanningVariables.holdsAtEnd(this),
+            getVariable(PlanningVariables.LOITER_RADIUS),
+            settings,
+            guidance);
+    staleAfterMicros = Clock.micros(getVariable(PlanningVariables.STALE_AFTER));
+    reportIntervalMicros = Clock.micros(getVariable(PlanningVariables.REPORT_INTERVAL));
+    registerPublisher(Channels.NAVIGATION);
+    registerPublisher(Channels.GOAL_REPORTS);
+    registerSubscriber(Channels.GOALS);
+    registerSubscriber(Channels.STATE);
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof GoalList list) {
+      goals = Optional.of(list);
+      if (goal.isPresent() && isFinished(goal.get().uid())) {
+        goal = Optional.empty(); // if the list names it again, it is to be reached once more
+      }
+    } else if (data instanceof StateInformation state) {
+      if (isUsable(state)) {
+        plan(state);
+      }
+    } else {
+      unexpected(data);
+    }
+  }
+
+  private boolean isUsable(StateInformation state) {
+    long ageMicros = clock().micros() - state.timestamp().orElse(0L);
+    if (state.timestamp().isEmpty() || ageMicros > staleAfterMicros) {
+      complain(
+          "state is " + Clock.seconds(ageMicros) + " s old: not planned from", "state too old");
+      return false;
+    }
+    if (Vehicle.of(state).isEmpty()) {
+      complain("state lacks x, y or psi: not planned from: " + state, "state incomplete");
+      return false;
+    }
+    return true;
+  }
+
+  private void plan(StateInformation state) {
+    if (goals.isEmpty()) {
+      return; // no mission yet: nothing to hold for either
+    }
+    try {
+      Optional<GoalInformation> chosen = choose(state);
+      publish(chosen.isPresent() ? pursue(chosen.get(), state) : atEnd(state), state);
+      complaint = "";
+    } catch (IllegalArgumentException e) {
+      complain(e.getMessage() + ": no navigation points", e.getMessage());
+    }
+  }
+
+  private Optional<GoalInformation> choose(StateInformation state) {
+    String preferred =
+        goal.map(GoalInformation::uid).filter(uid -> !isFinished(uid)).orElse(foreseen);
+    return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
+  }
+
+  private boolean isFinished(String uid) {
+    return finished.filter(done -> done.uid().equals(uid)).isPresent();
+  }
+
+  private double distanceM(GoalInformation option, StateInformation state) {
+    return states
+        .forGoal(option)
+        .map(known -> known.distanceM(option, state))
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+
+  private List<NavigationPoint> pursue(GoalInformation chosen, StateInformation state) {
+    Optional<PlannerState> planner = states.forGoal(chosen);
+    if (planner.isEmpty()) {
+      complain(
+          "goal \""
+              + chosen.uid()
+              + "\" is a "
+              + chosen.typeChain()
+              + ": no planner state for that",
+          chosen.uid());
+      return atEnd(state);
+    }
+    end.leave();
+    Optional<GoalInformation> after =
+        new GoalChoice(goals.get()).after(chosen, foreseen, option -> distanceM(option, state));
+    boolean begins = goal.filter(current -> current.uid().equals(chosen.uid())).isEmpty();
+    Pursuit pursuit = new Pursuit(chosen, begins ? finished : Optional.empty(), after, state);
+    if (begins) {
+      log(
+          "goal \""
+              + chosen.uid()
+              + "\" begins"
+              + finished.map(done -> ", from \"" + done.uid() + "\"").orElse(""));
+      planner.get().enter(pursuit);
+      finished = Optional.empty();
+    }
+    goal = Optional.of(chosen);
+    foreseen = after.map(GoalInformation::uid).orElse("");
+    Plan plan = planner.get().plan(pursuit);
+    if (!plan.remark().isEmpty()) {
+      LogLevelEnum level =
+          plan.progress() == Plan.Progress.COMPLETED ? LogLevelEnum.INFO : LogLevelEnum.WARN;
+      log(level, "goal \"" + chosen.uid() + "\" " + plan.remark());
+    }
+    if (plan.progress() != Plan.Progress.UNDER_WAY) {
+      report(chosen, plan.progress());
+    }
+    return plan.points();
+  }
+
+  /** Tells the Mission Manager, and again after a while if it does not react. */
+  private void report(GoalInformation done, Plan.Progress progress) {
+    long now = clock().micros();
+    if (isFinished(done.uid()) && now - reportedMicros < reportIntervalMicros) {
+      return;
+    }
+    GoalInformation report = done.copy();
+    report.timestamp(now);
+    report.completed(progress == Plan.Progress.COMPLETED);
+    report.abandoned(progress == Plan.Progress.ABANDONED);
+    publish(Channels.GOAL_REPORTS, report);
+    finished = Optional.of(done);
+    reportedMicros = now;
+  }
+
+  private List<NavigationPoint> atEnd(StateInformation state) {
+    goal = Optional.empty();
+    Optional<Place> last =
+        finished.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
+    return end.plan(Vehicle.of(state).orElseThrow(), last);
+  }
+
+  private void publish(List<NavigationPoint> points, StateInformation state) {
+    for (NavigationPoint point : points) {
+      point.timestamp(state.timestamp().orElseThrow());
+      publish(Channels.NAVIGATION, point);
+    }
+  }
+
+  /** Logs what is wrong, once until it is right again. */
+  private void complain(String what, String key) {
+    if (!complaint.equals(key)) {
+      log(LogLevelEnum.WARN, what);
+      complaint = key;
+    }
+  }
+}

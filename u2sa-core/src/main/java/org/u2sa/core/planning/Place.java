@@ -1,0 +1,67 @@
+package org.u2sa.core.planning;
+
+import java.util.OptionalDouble;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * A position of which any coordinate may be missing, either on the earth or on a local plane.
+ * Immutable.
+ *
+ * @param onEarth true: x longitude and y latitude [deg]; false: x east and y north [m]
+ * @param x see onEarth
+ * @param y see onEarth
+ * @param upM altitude above mean sea level, or above the local origin [m]
+ */
+record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble upM) {
+  /**
+   * Where a waypoint is.
+   *
+   * @throws IllegalArgumentException if its frame moves with the vehicle
+   */
+  static Place of(Waypoint waypoint) {
+    return of(waypoint.referenceFrame(), waypoint.x(), waypoint.y(), waypoint.z());
+  }
+
+  /**
+   * Where a vehicle is.
+   *
+   * @throws IllegalArgumentException if its frame moves with the vehicle
+   */
+  static Place of(StateInformation state) {
+    return of(state.referenceFrame(), state.x(), state.y(), state.z());
+  }
+
+  private static Place of(
+      ReferenceFrame frame, OptionalDouble x, OptionalDouble y, OptionalDouble z) {
+    if (frame.equals(ReferenceFrame.GLOBAL)) {
+      return new Place(true, x, y, z);
+    }
+    if (frame.equals(ReferenceFrame.LOCAL_ENU)) {
+      return new Place(false, x, y, z);
+    }
+    if (frame.equals(ReferenceFrame.LOCAL_NED)) {
+      return new Place(false, y, x, z.isPresent() ? OptionalDouble.of(-z.getAsDouble()) : z);
+    }
+    if (frame.isUtm() && x.isPresent() && y.isPresent()) {
+      StateInformation global =
+          new StateInformation()
+              .referenceFrame(frame)
+              .x(x.getAsDouble())
+              .y(y.getAsDouble())
+              .in(ReferenceFrame.GLOBAL);
+      return new Place(true, global.x(), global.y(), z);
+    }
+    throw new IllegalArgumentException(
+        "a position in "
+            + frame
+            + (frame.isUtm() ? " without x or y" : "")
+            + " cannot be navigated to; expected GLOBAL, LOCAL_ENU, LOCAL_NED, or UTM with x and y");
+  }
+
+  /** Whether both horizontal coordinates are known. */
+  boolean isHorizontal() {
+    return x.isPresent() && y.isPresent();
+  }
+}

@@ -1,0 +1,17 @@
+package org.u2sa.core.planning;
+
+import java.util.Collection;
+import org.u2sa.interfaces.Configurator;
+
+/**
+ * Brings an extension's planner states to every {@link PathPlanner}; found through {@link
+ * java.util.ServiceLoader}.
+ */
+public interface PlannerStateProvider {
+  /**
+   * New states for one planner.
+   *
+   * @param configuration the planner's, from which states declare and read their own variables
+   */
+  Collection<PlannerState> plannerStates(Configurator configuration);
+}

@@ -1,0 +1,38 @@
+package org.u2sa.core.planning;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.GoalInformation;
+
+/** The states that a planner can be in, found by the class of the goal. */
+final class PlannerStates {
+  private final List<PlannerState> states = new ArrayList<>();
+
+  PlannerStates(List<PlannerState> states) {
+    this.states.addAll(states);
+  }
+
+  /** Adds what extensions bring; theirs stand in for earlier ones of the same class of goals. */
+  void discover(Configurator configuration) {
+    for (PlannerStateProvider provider : ServiceLoader.load(PlannerStateProvider.class)) {
+      states.addAll(provider.plannerStates(configuration));
+    }
+  }
+
+  /**
+   * The state for the goal: the one whose class of goals is the goal's own or its nearest ancestor.
+   */
+  Optional<PlannerState> forGoal(GoalInformation goal) {
+    PlannerState nearest = null;
+    for (PlannerState state : states) {
+      boolean nearer = nearest == null || nearest.goalClass().isAssignableFrom(state.goalClass());
+      if (state.goalClass().isInstance(goal) && nearer) {
+        nearest = state;
+      }
+    }
+    return Optional.ofNullable(nearest);
+  }
+}

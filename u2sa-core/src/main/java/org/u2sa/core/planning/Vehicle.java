@@ -1,0 +1,131 @@
+package org.u2sa.core.planning;
+
+import java.util.Optional;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.Rotation;
+
+/**
+ * A state estimate as a planner sees it: where the vehicle is, how it moves, and where other places
+ * lie from it.
+ */
+final class Vehicle {
+  /** Slower than this the direction of motion says nothing [m/s]. */
+  private static final double SLOWEST_MPS = 0.3;
+
+  private final StateInformation state; // in GLOBAL or LOCAL_NED
+  private final Place place;
+
+  private Vehicle(StateInformation state) {
+    this.state = state;
+    this.place = Place.of(state);
+  }
+
+  /**
+   * The vehicle in that state; empty if the state lacks position or heading.
+   *
+   * @throws IllegalArgumentException if the state is in a frame of the vehicle itself
+   */
+  static Optional<Vehicle> of(StateInformation state) {
+    if (state.x().isEmpty() || state.y().isEmpty() || state.psi().isEmpty()) {
+      return Optional.empty();
+    }
+    ReferenceFrame frame = state.referenceFrame();
+    if (frame.isUtm()) {
+      return Optional.of(new Vehicle(state.in(ReferenceFrame.GLOBAL)));
+    }
+    if (frame.equals(ReferenceFrame.LOCAL_ENU)) {
+      return Optional.of(new Vehicle(state.in(ReferenceFrame.LOCAL_NED)));
+    }
+    return Optional.of(new Vehicle(state));
+  }
+
+  /** When it was there [µs]; 0 if nobody said. */
+  long timestampMicros() {
+    return state.timestamp().orElse(0L);
+  }
+
+  /** Where it is. */
+  Place place() {
+    return place;
+  }
+
+  /** Ground velocity northward [m/s]; 0 if unknown. */
+  double northMps() {
+    return (place.onEarth() ? state.yDot() : state.xDot()).orElse(0.0);
+  }
+
+  /** Ground velocity eastward [m/s]; 0 if unknown. */
+  double eastMps() {
+    return (place.onEarth() ? state.xDot() : state.yDot()).orElse(0.0);
+  }
+
+  /** Ground speed [m/s]; 0 if unknown. */
+  double speedMps() {
+    return Math.hypot(northMps(), eastMps());
+  }
+
+  /** Where it points [rad, clockwise from north]. */
+  double headingRad() {
+    return state.psi().orElseThrow();
+  }
+
+  /** Where it moves, or where it points while it hardly moves [rad, clockwise from north]. */
+  double courseRad() {
+    return speedMps() > SLOWEST_MPS ? Math.atan2(eastMps(), northMps()) : headingRad();
+  }
+
+  /**
+   * Where a place lies from the vehicle: north, east, down [m]. A coordinate that the place or the
+   * vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of altitudes;
+   * the earth's curvature does not enter it.
+   *
+   * @throws IllegalArgumentException if one is on the earth and the other on a local plane
+   */
+  Point nedOf(Place other) {
+    if (other.onEarth() != place.onEarth()) {
+      throw new IllegalArgumentException(
+          "a place " + frameOf(other) + " cannot be navigated to by a state " + frameOf(place));
+    }
+    double x = place.x().orElseThrow();
+    double y = place.y().orElseThrow();
+    double down =
+        place.upM().isPresent() && other.upM().isPresent()
+            ? place.upM().getAsDouble() - other.upM().getAsDouble()
+            : 0.0;
+    double otherX = other.x().orElse(x);
+    double otherY = other.y().orElse(y);
+    if (!place.onEarth()) {
+      return Point.of(otherY - y, otherX - x, down);
+    }
+    double altitude = place.upM().orElse(0.0);
+    Point ned = new Geodetic(x, y, altitude).nedOf(new Geodetic(otherX, otherY, altitude));
+    return Point.of(ned.x(), ned.y(), down);
+  }
+
+  private static String frameOf(Place place) {
+    return place.onEarth()
+        ? "on the earth (GLOBAL, UTM)"
+        : "on a local plane (LOCAL_ENU, LOCAL_NED)";
+  }
+
+  /**
+   * A vector given as north, east, down, in the thesis's BODY axes: forward, left, down. Attitude
+   * that is unknown is level.
+   */
+  Point body(Point ned) {
+    return body(ned, state.phi().orElse(0.0), state.theta().orElse(0.0));
+  }
+
+  /** As {@link #body}, but for a vehicle that is level whatever its attitude. */
+  Point levelBody(Point ned) {
+    return body(ned, 0.0, 0.0);
+  }
+
+  private Point body(Point ned, double phi, double theta) {
+    Point frd = Rotation.nedFromFrd(phi, theta, headingRad()).transposed().times(ned);
+    return Point.of(frd.x(), -frd.y(), frd.z());
+  }
+}

@@ -1,0 +1,39 @@
+package org.u2sa.core.planning;
+
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+
+/** How a vehicle is led to one waypoint after the other. */
+interface WaypointGuidance {
+  /**
+   * Begins the way to a waypoint.
+   *
+   * @param start where the leg begins; empty: wherever the vehicle is
+   */
+  void begin(Optional<Place> start);
+
+  /**
+   * Where to go now, in BODY axes.
+   *
+   * @param threshold the waypoint's horizontal threshold [m]
+   * @param after the waypoint after the target
+   */
+  Point towards(Vehicle vehicle, Place target, double threshold, Optional<Place> after);
+
+  /**
+   * Turns a vector given as north, east, down [m] into what this guidance hands to control, in BODY
+   * axes.
+   */
+  Point bodyPoint(Vehicle vehicle, Point ned);
+
+  /**
+   * Whether the vehicle, at the last call of {@link #towards}, had gone past the target for good.
+   */
+  boolean hasPassed();
+
+  /**
+   * Whether a vehicle within the threshold gains nothing by going on towards the target: it will
+   * come no nearer.
+   */
+  boolean isNearest();
+}

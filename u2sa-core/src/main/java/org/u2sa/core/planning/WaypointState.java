@@ -1,0 +1,134 @@
+package org.u2sa.core.planning;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Leads the vehicle to a waypoint.
+ *
+ * <p>The waypoint is reached within its horizontal threshold and, if it has one, its vertical
+ * threshold (thesis 3.2.3.4), and is reported when the vehicle comes no nearer. A vehicle that goes
+ * past without having reached it turns round for another attempt; after the last attempt the
+ * waypoint is given up, which the report says.
+ */
+final class WaypointState implements PlannerState {
+  /** Between states farther apart in time the way of the vehicle is not known [µs]. */
+  private static final long LONGEST_STEP_MICROS = 2 * Clock.MICROS_PER_SECOND;
+
+  private final WaypointGuidance guidance;
+  private final int attemptsAllowed;
+  private int attempts;
+  private boolean
+      armed; // false: the vehicle must leave the threshold before the waypoint can be reached
+  private boolean reached;
+  private double nearestM;
+  private Optional<StateInformation> last = Optional.empty();
+
+  WaypointState(WaypointGuidance guidance, int attemptsAllowed) {
+    this.guidance = guidance;
+    this.attemptsAllowed = attemptsAllowed;
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return Waypoint.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    Point ned = Vehicle.of(state).orElseThrow().nedOf(Place.of((Waypoint) goal));
+    return Math.hypot(ned.x(), ned.y());
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    guidance.begin(placeOf(pursuit.before()));
+    attempts = 1;
+    armed = pursuit.before().filter(before -> before.uid().equals(pursuit.goal().uid())).isEmpty();
+    reached = false;
+    nearestM = Double.POSITIVE_INFINITY;
+    last = Optional.empty();
+  }
+
+  private static Optional<Place> placeOf(Optional<GoalInformation> goal) {
+    return goal.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    Waypoint waypoint = (Waypoint) pursuit.goal();
+    Place target = Place.of(waypoint);
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    NavigationPoint point =
+        NavigationPoint.at(
+            guidance.towards(
+                vehicle, target, waypoint.horizontalThreshold(), placeOf(pursuit.after())));
+    waypoint.speed().ifPresent(point::speed);
+    double downM = vehicle.nedOf(target).z();
+    look(vehicle, target, waypoint, downM);
+    last = Optional.of(pursuit.state());
+    List<NavigationPoint> points = List.of(point);
+    if (reached && (guidance.isNearest() || !target.isHorizontal())) {
+      return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
+    }
+    if (!guidance.hasPassed()) {
+      return Plan.underWay(points);
+    }
+    return missed(points, passing(waypoint, downM));
+  }
+
+  /** Takes note of how near the vehicle came since the last state. */
+  private void look(Vehicle vehicle, Place target, Waypoint waypoint, double downM) {
+    Point to = vehicle.nedOf(target);
+    Point from =
+        last.filter(before -> isRecent(before, vehicle))
+            .flatMap(Vehicle::of)
+            .map(before -> vehicle.nedOf(before.place()))
+            .orElse(Point.ORIGIN);
+    double distance = new Leg(from.x(), from.y(), 0.0, 0.0).distanceM(to.x(), to.y());
+    boolean within = distance <= waypoint.horizontalThreshold();
+    nearestM = Math.min(nearestM, distance);
+    if (!armed) {
+      armed = !within;
+    } else if (within) {
+      reached |= Math.abs(downM) <= waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
+    }
+  }
+
+  private static boolean isRecent(StateInformation before, Vehicle vehicle) {
+    long step = vehicle.timestampMicros() - before.timestamp().orElse(0L);
+    return step > 0 && step <= LONGEST_STEP_MICROS;
+  }
+
+  private Plan missed(List<NavigationPoint> points, String passing) {
+    String remark = "missed, " + passing + ", attempt " + attempts + " of " + attemptsAllowed;
+    if (attempts == attemptsAllowed) {
+      return new Plan(points, Plan.Progress.ABANDONED, remark + ": given up");
+    }
+    attempts++;
+    nearestM = Double.POSITIVE_INFINITY;
+    guidance.begin(Optional.empty());
+    return new Plan(points, Plan.Progress.UNDER_WAY, remark + ": turns round for another");
+  }
+
+  private String passing(Waypoint waypoint, double downM) {
+    return String.format(
+        Locale.ROOT,
+        "passed at %.1f m (threshold %.1f m), %.1f m %s%s",
+        nearestM,
+        waypoint.horizontalThreshold(),
+        Math.abs(downM),
+        downM > 0.0 ? "high" : "low",
+        waypoint.verticalThreshold().isPresent()
+            ? String.format(
+                Locale.ROOT, " (threshold %.1f m)", waypoint.verticalThreshold().getAsDouble())
+            : "");
+  }
+}

@@ -1,0 +1,108 @@
+package org.u2sa.gcs.report;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/**
+ * Several runs of one mission, by their seeds: the worst of each figure, and a line a run.
+ *
+ * @param reports the runs in the order flown, at least one
+ */
+public record RunSeries(List<RunReport> reports) {
+
+  /**
+   * @throws IllegalArgumentException if empty
+   */
+  public RunSeries {
+    reports = List.copyOf(reports);
+    if (reports.isEmpty()) {
+      throw new IllegalArgumentException("a series has at least one run");
+    }
+  }
+
+  /** Whether every run succeeded. */
+  public boolean success() {
+    return reports.stream().allMatch(report -> report.score().success());
+  }
+
+  /**
+   * Writes {@code summary.json} of the whole into {@code directory}, beside the directories of its
+   * runs.
+   *
+   * @throws ReportException if it cannot be written
+   */
+  public void write(Path directory) {
+    ReportFile.writeText(directory.resolve(RunReport.SUMMARY), this::writeSummary);
+  }
+
+  /** Writes the same for {@code --json}; leaves {@code out} open. */
+  public void writeSummary(Writer out) throws IOException {
+    try (SummaryNumbers json = new SummaryNumbers(out)) {
+      JsonGenerator generator = json.generator();
+      generator.writeStartObject();
+      generator.writeStringField("demo", reports.get(0).facts().demo());
+      generator.writeStringField("simulator", reports.get(0).facts().simulator());
+      generator.writeBooleanField("success", success());
+      generator.writeNumberField("runs", reports.size());
+      generator.writeNumberField(
+          "runsSucceeded", reports.stream().filter(r -> r.score().success()).count());
+      json.number("worstMissM", worst(r -> worstMiss(r.score())), "no waypoint was a target");
+      json.number(
+          "worstCrossTrackRmsM", worst(r -> r.score().crossTrackRmsM()), "no straight was flown");
+      json.number(
+          "worstAltitudeErrorM",
+          worst(r -> r.score().altitudeMaxErrorM()),
+          "no level leg was flown");
+      json.number(
+          "worstBankDeg",
+          worst(r -> SummaryNumbers.degrees(r.score().maxBankRad())),
+          "nothing took off");
+      generator.writeArrayFieldStart("perRun");
+      for (RunReport report : reports) {
+        run(json, report);
+      }
+      generator.writeEndArray();
+      json.absences();
+      generator.writeEndObject();
+    }
+  }
+
+  private static void run(SummaryNumbers json, RunReport report) throws IOException {
+    FlightScore score = report.score();
+    String of = "seed " + report.facts().seed();
+    JsonGenerator generator = json.generator();
+    generator.writeStartObject();
+    generator.writeNumberField("seed", report.facts().seed());
+    generator.writeBooleanField("success", score.success());
+    generator.writeNumberField("waypoints", score.waypoints().size());
+    generator.writeNumberField("waypointsCaptured", score.captured());
+    json.number("worstMissM", worstMiss(score), "no waypoint was a target", of);
+    json.number("crossTrackRmsM", score.crossTrackRmsM(), "no straight was flown", of);
+    json.number("altitudeMaxErrorM", score.altitudeMaxErrorM(), "no level leg was flown", of);
+    json.number("maxBankDeg", SummaryNumbers.degrees(score.maxBankRad()), "did not take off", of);
+    generator.writeBooleanField("tookOff", score.tookOff());
+    generator.writeBooleanField("crashed", score.outcome().crashed());
+    generator.writeBooleanField("stalled", score.outcome().stalled());
+    json.number("simSeconds", score.simSeconds());
+    json.number("wallSeconds", report.facts().wallSeconds());
+    generator.writeEndObject();
+  }
+
+  private static OptionalDouble worstMiss(FlightScore score) {
+    return largest(score.waypoints().stream().map(WaypointResult::missM));
+  }
+
+  private OptionalDouble worst(Function<RunReport, OptionalDouble> figure) {
+    return largest(reports.stream().map(figure));
+  }
+
+  private static OptionalDouble largest(Stream<OptionalDouble> values) {
+    return values.flatMapToDouble(OptionalDouble::stream).max();
+  }
+}
