@@ -97,7 +97,7 @@ final class CborReader {
     fields(message, unknown);
     if (unknown != null) {
       message.keepUnknown(
-          new U2SAData.UnknownPart(List.copyOf(chain), Collections.unmodifiableMap(unknown)));
+          new UnknownPart(List.copyOf(chain), Collections.unmodifiableMap(unknown)));
     }
     requireComplete(message);
     return message;
@@ -112,7 +112,7 @@ final class CborReader {
       if (!seen.add(name)) {
         throw malformed("the key comes twice");
       }
-      MessageField<U2SAData> field = message.field(name);
+      MessageField<U2SAData> field = message.ownType().fieldOrNull(name);
       in.nextToken();
       if (field != null) {
         field.read(this, message);
@@ -127,7 +127,7 @@ final class CborReader {
   }
 
   private void requireComplete(U2SAData message) throws MalformedMessageException {
-    for (MessageField<U2SAData> field : message.fields()) {
+    for (MessageField<U2SAData> field : message.ownType().fields()) {
       if (field.isRequired() && !field.isSet(message)) {
         throw malformed(field.path() + " is required and missing");
       }

@@ -44,7 +44,7 @@ final class CborWriter {
   }
 
   private void message(U2SAData message, boolean withType) throws IOException {
-    List<MessageField<U2SAData>> fields = message.fields();
+    List<MessageField<U2SAData>> fields = message.ownType().fields();
     Map<String, Object> unknown = message.unknownFields();
     int size = unknown.size() + (withType ? 1 : 0);
     for (MessageField<U2SAData> field : fields) {

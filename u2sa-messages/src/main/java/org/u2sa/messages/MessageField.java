@@ -19,12 +19,12 @@ public abstract class MessageField<T extends U2SAData> {
 
   final int slot; // index in the message's storage
   final SerializableString key; // the name, encoded once
+  final int bit; // in the presence vector, or NO_BIT
   private final String owner;
   private final String name;
   private final Kind kind;
   private final String unit;
   private final FieldPresence presence;
-  private final int bit;
   private final int since;
 
   MessageField(FieldOutline outline, Kind kind) {

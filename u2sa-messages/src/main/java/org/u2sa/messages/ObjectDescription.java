@@ -162,7 +162,7 @@ public class ObjectDescription extends U2SAData {
    * old one.
    */
   void move(PointConversion conversion) {
-    for (MessageField<U2SAData> field : fields()) {
+    for (MessageField<U2SAData> field : ownType().fields()) {
       if (field.kind() == Kind.POINT_LIST) {
         List<Point> points = new ArrayList<>();
         for (Object point : (List<?>) field.get(this).get()) {

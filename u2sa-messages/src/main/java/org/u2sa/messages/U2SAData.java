@@ -30,12 +30,6 @@ public abstract class U2SAData {
   private UnknownPart
       unknown; // what a subclass unknown here had, for messages that stand for one; else null
 
-  /**
-   * What the reader's classes cannot hold of a message: its own type chain, and the fields beyond
-   * the known ancestor's.
-   */
-  record UnknownPart(List<String> chain, Map<String, Object> fields) {}
-
   /** An empty message of the type that {@link #type()} names. */
   protected U2SAData() {
     storage = new FieldStorage(type().sizes());
@@ -81,8 +75,8 @@ public abstract class U2SAData {
   public long presenceVector() {
     long vector = 0L;
     for (MessageField<U2SAData> field : fields()) {
-      if (field.bit().isPresent() && field.isSet(this)) {
-        vector |= 1L << field.bit().getAsInt();
+      if (field.bit != MessageField.NO_BIT && field.isSet(this)) {
+        vector |= 1L << field.bit;
       }
     }
     return vector;
@@ -230,14 +224,13 @@ public abstract class U2SAData {
     return unknown == null ? Map.of() : unknown.fields();
   }
 
-  @SuppressWarnings("unchecked") // as above
-  final MessageField<U2SAData> field(String name) {
-    return ((MessageType<U2SAData>) type()).fieldOrNull(name);
+  @SuppressWarnings("unchecked") // a message is an instance of its own type's class
+  final MessageType<U2SAData> ownType() {
+    return (MessageType<U2SAData>) type();
   }
 
-  @SuppressWarnings("unchecked") // a message is an instance of its own type's class
-  final List<MessageField<U2SAData>> fields() {
-    return ((MessageType<U2SAData>) type()).fields();
+  private List<MessageField<U2SAData>> fields() {
+    return ownType().fields();
   }
 
   @Override
@@ -256,19 +249,6 @@ public abstract class U2SAData {
   /** "Waypoint{uid=1, x=10.0 deg}": what is set. */
   @Override
   public final String toString() {
-    List<String> parts = new ArrayList<>();
-    for (FieldValue field : enumerateFields()) {
-      field
-          .value()
-          .ifPresent(
-              v ->
-                  parts.add(
-                      field.name() + "=" + v + (field.unit().isEmpty() ? "" : " " + field.unit())));
-    }
-    List<String> chain = typeChain();
-    return (chain.isEmpty() ? "U2SAData" : chain.get(chain.size() - 1))
-        + "{"
-        + String.join(", ", parts)
-        + "}";
+    return MessageText.of(this);
   }
 }

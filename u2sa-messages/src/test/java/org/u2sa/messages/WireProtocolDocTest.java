@@ -15,20 +15,29 @@ import org.junit.jupiter.api.Test;
 class WireProtocolDocTest {
   private static final String BEGIN = "<!-- schemas: written by WireProtocolDocTest -->\n";
   private static final String END = "<!-- end of schemas -->";
+  private static final String EXAMPLE = "<!-- example: written by WireProtocolDocTest -->\n";
+  private static final String END_OF_EXAMPLE = "<!-- end of example -->";
 
   @Test
   void tables_ofEveryMessage_areThoseOfTheSchemas() throws IOException {
+    assertWritten(BEGIN, END, tables());
+  }
+
+  @Test
+  void example_bytesWithNotes_areTheGoldenOnes() throws IOException {
+    byte[] bytes = Files.readAllBytes(Repository.file("docs/wire/golden/PercentageCommand.cbor"));
+    assertWritten(EXAMPLE, END_OF_EXAMPLE, AnnotatedHex.of(bytes));
+  }
+
+  private static void assertWritten(String begin, String end, String expected) throws IOException {
     Path file = Repository.file("docs/wire-protocol.md");
     String doc = new String(Files.readAllBytes(file), UTF_8);
-    int begin = doc.indexOf(BEGIN) + BEGIN.length();
-    int end = doc.indexOf(END);
+    int from = doc.indexOf(begin) + begin.length();
     if (Boolean.getBoolean("u2sa.docs.write")) {
-      doc = doc.substring(0, begin) + tables() + doc.substring(end);
+      doc = doc.substring(0, from) + expected + doc.substring(doc.indexOf(end));
       Files.write(file, doc.getBytes(UTF_8));
-      end = doc.indexOf(END);
     }
-
-    assertThat(doc.substring(begin, end)).isEqualTo(tables());
+    assertThat(doc.substring(from, doc.indexOf(end))).isEqualTo(expected);
   }
 
   private static String tables() {
