@@ -3,6 +3,7 @@ package org.u2sa.interfaces;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -38,16 +39,26 @@ public final class ConfigurationReference {
     return text.toString();
   }
 
-  private static void section(StringBuilder text, Class<?> type) {
-    List<Variable<?>> variables = variables(type);
-    text.append(text.length() == 0 ? "" : "\n");
-    text.append("## ").append(type.getSimpleName()).append("\n\n");
+  /**
+   * A section for the variables that a service declared, wherever its class keeps them: see {@link
+   * XmlConfiguration#declared()}.
+   *
+   * @param heading name of the service
+   * @throws IllegalArgumentException if a variable has no description
+   */
+  public static String markdownFor(String heading, Collection<Variable<?>> variables) {
+    StringBuilder text = new StringBuilder("## ").append(heading).append("\n\n");
     if (variables.isEmpty()) {
-      text.append("No variables of its own.\n");
-    } else {
-      text.append(HEADER);
-      variables.forEach(variable -> row(text, type, variable));
+      return text.append("No variables of its own.\n").toString();
     }
+    text.append(HEADER);
+    variables.forEach(variable -> row(text, heading, variable));
+    return text.toString();
+  }
+
+  private static void section(StringBuilder text, Class<?> type) {
+    text.append(text.length() == 0 ? "" : "\n");
+    text.append(markdownFor(type.getSimpleName(), variables(type)));
     List<String> links = new ArrayList<>();
     for (Class<?> ancestor : declaringAncestors(type)) {
       String name = ancestor.getSimpleName();
@@ -58,10 +69,10 @@ public final class ConfigurationReference {
     }
   }
 
-  private static void row(StringBuilder text, Class<?> type, Variable<?> variable) {
+  private static void row(StringBuilder text, String heading, Variable<?> variable) {
     if (variable.description().isEmpty()) {
       throw new IllegalArgumentException(
-          type.getName() + ", " + variable + ": no description for the reference");
+          heading + ", " + variable + ": no description for the reference");
     }
     cell(text, "`" + variable.name() + "`");
     cell(text, variable.type().xmlName());

@@ -4,6 +4,7 @@ import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.spi.LoggingEvent;
+import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -31,13 +32,26 @@ public final class LogFile implements AutoCloseable {
    * @param clock clock of the run, whose time stands in front of each line
    */
   public LogFile(Path file, String serviceName, LogLevelEnum lowest, Clock clock) {
-    this(file, serviceName, lowest, clock, System.err);
+    // An interrupt would close a channel; a plain stream writes on.
+    this(
+        file,
+        serviceName,
+        lowest,
+        clock,
+        System.err,
+        path -> new FileOutputStream(path.toFile(), true));
   }
 
-  LogFile(Path file, String serviceName, LogLevelEnum lowest, Clock clock, PrintStream complaints) {
+  LogFile(
+      Path file,
+      String serviceName,
+      LogLevelEnum lowest,
+      Clock clock,
+      PrintStream complaints,
+      LogLineAppender.Opener opener) {
     this.lowest = lowest;
     this.clock = clock;
-    appender = new LogLineAppender(file, serviceName, complaints);
+    appender = new LogLineAppender(file, serviceName, complaints, opener);
     appender.setContext(context);
     appender.start();
     logger = context.getLogger(serviceName.isEmpty() ? "service" : serviceName);

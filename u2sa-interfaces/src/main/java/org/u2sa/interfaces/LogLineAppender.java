@@ -3,8 +3,8 @@ package org.u2sa.interfaces;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.classic.spi.ThrowableProxyUtil;
 import ch.qos.logback.core.AppenderBase;
-import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -22,16 +22,23 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
   private static final String SEPARATOR = " | ";
   private static final String NEXT_LINE = "\n    ";
 
+  /** Opens a file for writing at its end, unbuffered; makes it if it is not there. */
+  interface Opener {
+    OutputStream append(Path file) throws IOException;
+  }
+
   private final Path file;
   private final String serviceName;
   private final PrintStream complaints;
-  private FileOutputStream out;
+  private final Opener opener;
+  private OutputStream out;
   private boolean lineBroken; // the last write failed, perhaps in the middle of its line
   private long lost; // lines since the last one that was written
   private long failures;
   private boolean said;
 
-  LogLineAppender(Path file, String serviceName, PrintStream complaints) {
+  LogLineAppender(Path file, String serviceName, PrintStream complaints, Opener opener) {
+    this.opener = opener;
     this.complaints = complaints;
     this.file = file;
     this.serviceName = serviceName;
@@ -57,7 +64,11 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
       }
       StringBuilder text = new StringBuilder(lineBroken ? "\n" : "");
       if (lost > 0) {
-        line(text, event, "WARN", lost + " lines before this one could not be written");
+        line(
+            text,
+            event,
+            "WARN",
+            lost + (lost == 1 ? " line" : " lines") + " before this one could not be written");
       }
       line(text, event, event.getLevel().toString(), message(event));
       out.write(text.toString().getBytes(StandardCharsets.UTF_8));
@@ -97,7 +108,7 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
     if (folder != null) {
       Files.createDirectories(folder);
     }
-    out = new FileOutputStream(file.toFile(), true);
+    out = opener.append(file);
   }
 
   private void line(StringBuilder text, ILoggingEvent event, String level, String message) {

@@ -32,8 +32,6 @@ final class WholeFile {
     Path target = file.toRealPath();
     Path directory = target.getParent();
     String prefix = "." + target.getFileName() + ".";
-    // An interrupt would close channels half-way; the service gets it back afterwards.
-    boolean interrupted = Thread.interrupted();
     Path temporary = Files.createTempFile(directory, prefix, SUFFIX);
     try {
       copyPermissions(target, temporary);
@@ -47,9 +45,6 @@ final class WholeFile {
       sync(directory);
     } finally {
       Files.deleteIfExists(temporary);
-      if (interrupted) {
-        Thread.currentThread().interrupt();
-      }
     }
   }
 
@@ -63,10 +58,15 @@ final class WholeFile {
   // The rename itself must reach the disk. Not every system can open a directory (Windows cannot);
   // there the file is whole all the same, only the newest change may be lost with the power.
   private static void sync(Path directory) {
+    boolean interrupted = Thread.interrupted(); // would close the channel; given back below
     try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
       channel.force(true);
     } catch (IOException e) {
       return;
+    } finally {
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
     }
   }
 

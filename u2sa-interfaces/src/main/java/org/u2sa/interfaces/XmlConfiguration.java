@@ -129,6 +129,11 @@ public final class XmlConfiguration implements Configurator {
     }
   }
 
+  /** What has been declared so far, in that order; the list is the caller's own. */
+  public synchronized List<Variable<?>> declared() {
+    return new ArrayList<>(declared.values());
+  }
+
   @Override
   public boolean setVariable(String variableName, Object value) {
     return !change(variableName, value).isPresent();

@@ -3,12 +3,16 @@ package org.u2sa.interfaces;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
+import java.io.FileOutputStream;
+import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -40,7 +44,13 @@ class LogFileFailureTest {
   }
 
   private LogFile log(Path file, LogLevelEnum lowest) throws IOException {
-    return new LogFile(file, "Control", lowest, CLOCK, new PrintStream(complaints, true, "UTF-8"));
+    return new LogFile(
+        file,
+        "Control",
+        lowest,
+        CLOCK,
+        new PrintStream(complaints, true, "UTF-8"),
+        path -> new FileOutputStream(path.toFile(), true));
   }
 
   private String complaints() throws IOException {
@@ -93,5 +103,56 @@ class LogFileFailureTest {
             line("WARN", "2 lines before this one could not be written")
                 + line("INFO", "c")
                 + line("INFO", "d"));
+  }
+
+  /** A file on a disk that takes only so many more bytes. */
+  private static final class FillingDisk extends FilterOutputStream {
+    private int free;
+
+    FillingDisk(OutputStream out, int free) {
+      super(out);
+      this.free = free;
+    }
+
+    @Override
+    public void write(byte[] bytes) throws IOException {
+      int taken = Math.min(free, bytes.length);
+      out.write(bytes, 0, taken);
+      free -= taken;
+      if (taken < bytes.length) {
+        throw new IOException("No space left on device");
+      }
+    }
+  }
+
+  @Test
+  void log_diskFullsInTheMiddleOfALine_nextLineStartsAfresh() throws IOException {
+    Path file = folder.resolve("Control.log");
+    AtomicReference<FillingDisk> disk = new AtomicReference<>();
+    LogLineAppender.Opener opener =
+        path -> {
+          disk.set(new FillingDisk(new FileOutputStream(path.toFile(), true), 10));
+          return disk.get();
+        };
+    try (LogFile log =
+        new LogFile(
+            file,
+            "Control",
+            LogLevelEnum.INFO,
+            CLOCK,
+            new PrintStream(complaints, true, "UTF-8"),
+            opener)) {
+      log.log(LogLevelEnum.INFO, "a");
+      assertThat(log.failures()).isEqualTo(1);
+
+      disk.get().free = 1000;
+      log.log(LogLevelEnum.INFO, "b");
+    }
+
+    assertThat(text(file))
+        .isEqualTo(
+            "2017-07-14\n"
+                + line("WARN", "1 line before this one could not be written")
+                + line("INFO", "b"));
   }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
 import java.io.ByteArrayOutputStream;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -43,7 +44,13 @@ class LogFileTest {
   }
 
   private LogFile log(Path file, LogLevelEnum lowest) throws IOException {
-    return new LogFile(file, "Control", lowest, CLOCK, new PrintStream(complaints, true, "UTF-8"));
+    return new LogFile(
+        file,
+        "Control",
+        lowest,
+        CLOCK,
+        new PrintStream(complaints, true, "UTF-8"),
+        path -> new FileOutputStream(path.toFile(), true));
   }
 
   private String complaints() throws IOException {

@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Kills a process that changes its configuration without pause: the file is old or new, whole. */
 class PowerCutTest {
   private static final int KILLS = 6;
+  private static final int LOOKS = 40;
   private static final int PADDING = 400_000; // makes a write last, so that kills fall into it
 
   @TempDir Path folder;
@@ -29,7 +32,8 @@ class PowerCutTest {
       XmlConfiguration configuration = XmlConfiguration.load(Paths.get(arguments[0]));
       for (int i = (Integer) configuration.getVariable("N") + 1; true; i++) {
         String problem = configuration.change("N", i).orElse("");
-        System.out.println(problem.isEmpty() ? String.valueOf(i) : problem);
+        System.out.print((problem.isEmpty() ? String.valueOf(i) : problem) + "\n");
+        System.out.flush();
       }
     }
   }
@@ -52,19 +56,28 @@ class PowerCutTest {
     Path file = folder.resolve("X.xml");
     Files.write(file, text(0, padding.toString()).getBytes(StandardCharsets.UTF_8));
     for (int kill = 1; kill <= KILLS; kill++) {
-      int last = writeAndKill(file, 3 + kill);
+      int last = writeAndKill(file, 3 + kill, padding.toString());
 
-      String after = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
-      int n = (Integer) XmlConfiguration.load(file).getVariable("N");
+      int n = assertWhole(file, padding.toString());
       assertThat(n).as("kill %d", kill).isBetween(last, last + 1);
-      assertThat(after.equals(text(n, padding.toString()))).as("kill %d: whole", kill).isTrue();
+      assertThat(XmlConfiguration.load(file).getVariable("N")).isEqualTo(n);
     }
+  }
+
+  private static int assertWhole(Path file, String padding) throws IOException {
+    String content = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+    Matcher number = Pattern.compile("value=\"(\\d+)\"").matcher(content);
+    assertThat(number.find()).as("whole: %d characters", content.length()).isTrue();
+    int n = Integer.parseInt(number.group(1));
+    assertThat(content.equals(text(n, padding))).as("whole: %d", content.length()).isTrue();
+    return n;
   }
 
   /**
    * Runs the writer until it has reported some changes, kills it, and gives the last reported one.
    */
-  private static int writeAndKill(Path file, int changes) throws IOException, InterruptedException {
+  private static int writeAndKill(Path file, int changes, String padding)
+      throws IOException, InterruptedException {
     Process process =
         new ProcessBuilder(
                 Paths.get(System.getProperty("java.home"), "bin", "java").toString(),
@@ -83,8 +96,12 @@ class PowerCutTest {
       for (int i = 0; i < changes; i++) {
         last = Integer.parseInt(lines.readLine());
       }
-      process.destroyForcibly(); // SIGKILL: no finally, no shutdown hook
-      for (String line = next(lines); line != null; line = next(lines)) {
+      // A reader sees what a kill at that moment would leave.
+      for (int i = 0; i < LOOKS; i++) {
+        assertWhole(file, padding);
+      }
+      process.toHandle().destroyForcibly(); // SIGKILL; what it had said can still be read
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
         last = Integer.parseInt(line);
       }
     } finally {
@@ -92,14 +109,5 @@ class PowerCutTest {
     }
     assertThat(process.waitFor(10, TimeUnit.SECONDS)).isTrue();
     return last;
-  }
-
-  // What the process said before it died; Java closes the stream of a killed process under us.
-  private static String next(BufferedReader lines) {
-    try {
-      return lines.readLine();
-    } catch (IOException e) {
-      return null;
-    }
   }
 }
