@@ -95,8 +95,11 @@ final class GoalElement {
       texts.add(each.text());
     }
     try {
-      if (first.optionalAttribute("unit").isPresent()) {
-        field.set(message, converted(first, field, frame));
+      if (field.kind() == Kind.DOUBLE) {
+        String unit = field.unitIn(frame);
+        field.set(message, Numbers.converted(first, unit, unit));
+      } else if (first.optionalAttribute("unit").isPresent()) {
+        throw first.error("has a unit, but " + field.name() + " is not a number");
       } else {
         field.setTexts(message, texts);
       }
@@ -110,13 +113,6 @@ final class GoalElement {
     return field.kind() == Kind.DOUBLE
         ? "a number" + (unit.isEmpty() ? "" : " of " + unit)
         : "a value";
-  }
-
-  private static double converted(XmlElement element, MessageField<?> field, ReferenceFrame frame) {
-    if (field.kind() != Kind.DOUBLE) {
-      throw element.error("has a unit, but " + field.name() + " is not a number");
-    }
-    return Numbers.converted(element, "", field.unitIn(frame));
   }
 
   /** The goal's element. */

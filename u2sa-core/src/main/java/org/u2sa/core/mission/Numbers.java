@@ -1,37 +1,37 @@
 package org.u2sa.core.mission;
 
+import java.util.regex.Pattern;
 import org.u2sa.interfaces.Units;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /** Numbers with units in mission files. */
 final class Numbers {
+  private static final Pattern NUMBER =
+      Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
   private Numbers() {}
 
   /**
    * The number in an element, converted from its attribute {@code unit}.
    *
-   * @param ifUnset unit if there is no such attribute; may be empty if there is
+   * @param ifUnset unit if there is no such attribute
    * @param to unit of the answer
    */
   static double converted(XmlElement element, String ifUnset, String to) {
-    double value = number(element);
+    String unit = element.optionalAttribute("unit").orElse(ifUnset);
+    if (!NUMBER.matcher(element.text()).matches()) {
+      throw element.error(
+          "\"" + element.text() + "\" is not a number" + (unit.isEmpty() ? "" : " of " + unit));
+    }
+    double value = Double.parseDouble(element.text());
+    if (!Double.isFinite(value)) {
+      throw element.error("\"" + element.text() + "\" is too large");
+    }
     try {
-      return Units.convert(value, element.optionalAttribute("unit").orElse(ifUnset), to);
+      return Units.convert(value, unit, to);
     } catch (IllegalArgumentException e) {
       throw element.error(e.getMessage(), e);
     }
-  }
-
-  private static double number(XmlElement element) {
-    try {
-      double value = Double.parseDouble(element.text());
-      if (Double.isFinite(value)) {
-        return value;
-      }
-    } catch (NumberFormatException e) {
-      throw element.error("\"" + element.text() + "\" is not a number", e);
-    }
-    throw element.error("\"" + element.text() + "\" is not a finite number");
   }
 
   /** Refuses a number outside a range. */

@@ -1,0 +1,137 @@
+package org.u2sa.core.mission;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.testkit.ServiceKit;
+
+class MissionManagerTest {
+  private final ServiceKit kit = new ServiceKit();
+  @TempDir private Path directory;
+  private Path file;
+
+  @BeforeEach
+  void writeMission() throws IOException {
+    file = directory.resolve("three.xml");
+    Files.writeString(
+        file,
+        "<mission><waypoint><x>1</x></waypoint><waypoint><x>2</x></waypoint><waypoint><x>3</x></waypoint></mission>");
+    kit.with("MISSION", file.toString());
+  }
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  private GoalList goals() {
+    return kit.latest(Channels.GOALS).orElseThrow();
+  }
+
+  private static Waypoint report(String uid) {
+    return new Waypoint().uid(uid).x(1.0).horizontalThreshold(5.0);
+  }
+
+  private boolean logged(String what) {
+    return kit.log("MissionManager").stream().anyMatch(line -> line.contains(what));
+  }
+
+  @Test
+  void start_publishesTheFirstGoalAndWhatComesNext() {
+    kit.with("DEFAULT THRESHOLD", 12.0).start(MissionManager::new);
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("1");
+    assertThat(goals().upcoming()).extracting(GoalInformation::uid).containsExactly("2");
+    assertThat(((Waypoint) goals().goals().get(0)).horizontalThreshold()).isEqualTo(12.0);
+  }
+
+  @Test
+  void start_wrongMission_failsBeforeAnyThreadRuns() throws IOException {
+    Files.writeString(file, "<mission/>");
+
+    assertThatThrownBy(() -> new MissionManager(kit.context()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageStartingWith(file + ", line 1, <mission>: holds no goals");
+  }
+
+  @Test
+  void callback_completedGoal_goesOnToTheNext() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("2");
+    assertThat(logged("goal \"1\" completed")).isTrue();
+  }
+
+  @Test
+  void callback_allFinished_emptyListSaysTheMissionIsOver() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+    Waypoint lost = report("2");
+    lost.abandoned(true);
+    kit.publish(Channels.GOAL_REPORTS, lost);
+    kit.publish(Channels.GOAL_REPORTS, report("3").completed(true));
+
+    assertThat(goals().goals()).isEmpty();
+    assertThat(logged("mission is over: completed [1, 3], given up [2]")).isTrue();
+  }
+
+  @Test
+  void callback_reportRepeated_isLeftOut() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("2");
+    assertThat(logged("report of goal \"1\" left out: it is not current")).isTrue();
+  }
+
+  @Test
+  void callback_command_changesTheGoalNow() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("3"));
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("3");
+    assertThat(logged("changes to goal \"3\" on command")).isTrue();
+  }
+
+  @Test
+  void callback_commandOfUnknownGoal_isRefused() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("home"));
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("1");
+    assertThat(logged("command to change to goal \"home\" refused: it is not known")).isTrue();
+  }
+
+  @Test
+  void callback_updateOfTheCurrentGoal_isPublished() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_UPDATES, report("1").y(44.0));
+
+    assertThat(((Waypoint) goals().goals().get(0)).y()).hasValue(44.0);
+  }
+
+  @Test
+  void callback_newGoal_isAddedWithAWarning() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_UPDATES, report("4"));
+
+    assertThat(logged("goal \"4\" added; until another goal's next names it")).isTrue();
+    kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("4"));
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("4");
+  }
+}
