@@ -32,6 +32,7 @@ public final class Cessna172 {
   private static final double FLAP_TRAVEL_S = 7.0; // for the whole 30°
   private static final double FLYING_MPS = 10.0; // slower air makes no stall
   private static final double STALL_MIDDLE = 0.5;
+  private static final double HALTS_RAD_PER_S = 2.0; // a dead engine turning slower stands
 
   private final Terrain terrain;
   private final WindField wind;
@@ -153,14 +154,9 @@ public final class Cessna172 {
     double lat = Math.toDegrees(s[LAT]);
     double elevation = terrain.elevationM(lon, lat);
     if (!Double.isFinite(elevation)) {
+      String place = lat + "°, " + lon + "°: " + elevation;
       throw new IllegalStateException(
-          "terrain elevation at "
-              + lat
-              + "°, "
-              + lon
-              + "°: "
-              + elevation
-              + " is not a number of metres");
+          "terrain elevation at " + place + " is not a number of metres");
     }
     return elevation;
   }
@@ -188,8 +184,8 @@ public final class Cessna172 {
     } else if (s[LON] < -Math.PI) {
       s[LON] += 2.0 * Math.PI;
     }
-    boolean halted = !dynamics.engine.running() && s[SHAFT] < 2.0;
-    s[SHAFT] = halted ? 0.0 : Math.max(0.0, s[SHAFT]);
+    double slowest = dynamics.engine.running() ? 0.0 : HALTS_RAD_PER_S;
+    s[SHAFT] = s[SHAFT] < slowest ? 0.0 : Math.max(0.0, s[SHAFT]);
     for (int i = 0; i < LandingGear.WHEELS; i++) {
       Wheel wheel = dynamics.gear.wheels[i];
       int tyre = TYRES + 2 * i;
