@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -80,6 +81,29 @@ public record SystemFile(
     Optional<Path> manager =
         communication.isEmpty() ? Optional.empty() : configuration(file, communication.get(0));
     return new SystemFile(file, id, manager, services);
+  }
+
+  /**
+   * The same system with one of its services only.
+   *
+   * @param simpleName of the service's class
+   * @throws BadInputException if the file lists no such service
+   */
+  public SystemFile only(String simpleName) {
+    for (Entry entry : services) {
+      if (entry.simpleName().equals(simpleName)) {
+        return new SystemFile(file, systemId, communication, List.of(entry));
+      }
+    }
+    List<String> known = new ArrayList<>();
+    services.forEach(entry -> known.add(entry.simpleName()));
+    throw new BadInputException(
+        file + ": lists no service \"" + simpleName + "\"; expected one of " + known);
+  }
+
+  /** The same system with its Communication Manager only. */
+  public SystemFile withoutServices() {
+    return new SystemFile(file, systemId, communication, List.of());
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

@@ -1,0 +1,146 @@
+package org.u2sa.gcs.run;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.RunningSystem;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.service.U2SAService;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa run <system.xml>}: starts any system and runs it until it ends or is interrupted. */
+@Command(
+    name = "run",
+    description = {
+      "Run the system that a file describes, in real time.",
+      "",
+      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has",
+      "its configuration file and writes its log file. Ctrl-C, or a stop command, ends all of them."
+    })
+public final class RunCommand implements Callable<Integer> {
+  private static final String MANAGER = "CommunicationManager";
+
+  @Spec private CommandSpec command;
+
+  @Parameters(paramLabel = "SYSTEM", description = "System file (XML).")
+  private Path file;
+
+  @Option(
+      names = "--logs",
+      paramLabel = "DIR",
+      defaultValue = "out/logs",
+      description = "Where log files go. Default: ${DEFAULT-VALUE}.")
+  private Path logs;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Seed of whatever is random. Default: ${DEFAULT-VALUE}.")
+  private long seed;
+
+  @Option(
+      names = "--set",
+      paramLabel = "SERVICE:VARIABLE=VALUE",
+      description =
+          "Set a configuration variable for this run, for example --set \"PathPlanner:RATE=50.0\". May be given several times.")
+  private List<String> settings = List.of();
+
+  @Option(
+      names = "--separate",
+      description = "Run each service in a process of its own; they talk over MQTT.")
+  private boolean separate;
+
+  @Option(
+      names = "--only",
+      paramLabel = "SERVICE",
+      description =
+          "Run one service of the file, by its class's simple name, and find the Communication Manager at its configured address.")
+  private String only;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    SystemFile system = SystemFile.read(file);
+    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
+    LaunchOptions options =
+        new LaunchOptions()
+            .logDirectory(logs)
+            .seed(seed)
+            .console(
+                line -> {
+                  terminal.out().println(line);
+                  terminal.out().flush();
+                });
+    settings.forEach(setting -> set(options, setting));
+    if (only != null) {
+      options.override(MANAGER, "BROKER", "external");
+      system = system.only(only);
+    }
+    return separate ? runSeparately(system, options, terminal) : run(system, options, terminal);
+  }
+
+  private void set(LaunchOptions options, String setting) {
+    Setting parsed;
+    try {
+      parsed = Setting.parse(setting);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
+    }
+    options.override(parsed.service(), parsed.variable(), parsed.value());
+  }
+
+  @SuppressWarnings("try") // the hook is there to be closed, not called
+  private static Integer run(SystemFile file, LaunchOptions options, Terminal terminal)
+      throws InterruptedException {
+    try (RunningSystem system = RunningSystem.start(file, options);
+        EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
+      say(
+          terminal,
+          "System " + file.systemId() + " runs: " + names(system.services()) + ". Ctrl-C ends it.");
+      system.awaitEnd();
+      for (U2SAService failed : system.failed()) {
+        say(terminal, "Service " + failed.getServiceName() + " failed; see its log file.");
+      }
+      return system.failed().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  @SuppressWarnings("try") // the hook is there to be closed, not called
+  private Integer runSeparately(SystemFile file, LaunchOptions options, Terminal terminal)
+      throws InterruptedException {
+    try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
+        ServiceProcesses processes = new ServiceProcesses(file, logs, seed, settings);
+        EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
+      processes.start();
+      say(
+          terminal,
+          "System "
+              + file.systemId()
+              + " runs in processes: "
+              + processes.names()
+              + ". Ctrl-C ends it.");
+      Map<String, Integer> failed = processes.awaitEnd();
+      failed.forEach(
+          (name, code) -> say(terminal, "Service " + name + " ended with exit code " + code + "."));
+      return failed.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  private static String names(List<U2SAService> services) {
+    return String.join(", ", services.stream().map(U2SAService::getServiceName).toList());
+  }
+
+  private static void say(Terminal terminal, String line) {
+    terminal.out().println(line);
+    terminal.out().flush();
+  }
+}
