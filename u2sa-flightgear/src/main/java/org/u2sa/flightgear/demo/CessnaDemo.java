@@ -1,0 +1,102 @@
+package org.u2sa.flightgear.demo;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.gcs.DemoOptions;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.report.RunReport;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.SystemClock;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa demo cessna}: take-off and ten waypoints in the embedded simulator. */
+@Command(
+    name = "cessna",
+    description = {
+      "Fly a Cessna 172 over ten waypoints, take-off included.",
+      "",
+      "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded",
+      "simulator, and shows what happens. Wind and gusts follow from the seed. Other MQTT clients can",
+      "listen meanwhile, for example: mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
+    })
+final class CessnaDemo implements Callable<Integer> {
+  @Mixin private DemoOptions options;
+  @Spec private CommandSpec command;
+
+  @Option(
+      names = "--wind",
+      paramLabel = "WIND",
+      description =
+          "calm, or m/s@degrees it blows from, such as 5@270. Default: by the seed, up to 8 m/s.")
+  private String wind;
+
+  @Override
+  public Integer call() throws InterruptedException, IOException {
+    Path home = CessnaFiles.root();
+    Path missionFile = options.mission().orElse(home.resolve("missions/cessna/mission.xml"));
+    Mission mission = Mission.load(missionFile);
+    SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
+    Path directory = options.outDirectory("cessna", new SystemClock().micros());
+    boolean allCaptured = true;
+    for (int k = 0; k < options.runs(); k++) {
+      Path runDirectory = options.runDirectory(directory, k);
+      RunReport.prepare(runDirectory);
+      RunReport report =
+          fly(
+              new FlightRun(system, mission, runDirectory, options.terminal()),
+              mission,
+              options.seed() + k);
+      report.write(runDirectory);
+      FlightWords.end(options, command, report, runDirectory);
+      allCaptured &= report.score().success();
+    }
+    return allCaptured ? ExitCode.DONE : ExitCode.FAILED;
+  }
+
+  private RunReport fly(FlightRun run, Mission mission, long seed) throws InterruptedException {
+    Terminal terminal = options.terminal();
+    DemoWind demoWind = windOf(seed);
+    terminal
+        .out()
+        .printf(
+            Locale.ROOT,
+            "Seed %d, wind %.1f m/s from %.0f degrees%n",
+            seed,
+            demoWind.speedMps(),
+            Math.toDegrees(demoWind.fromRad()));
+    LaunchOptions launch =
+        new LaunchOptions()
+            .console(line -> terminal.out().println(line))
+            .override("MissionManager", "MISSION", mission.origin())
+            .override("Simulator", "MISSION", mission.origin());
+    demoWind.applyTo(launch);
+    if (options.realtime()) {
+      StandInSimulation standIn = new StandInSimulation(mission, demoWind.wind(seed));
+      standIn.configure(launch);
+      return run.inRealTime(launch, seed, standIn);
+    }
+    launch.override("Simulator", "LINK", "embedded");
+    return run.inLockstep(launch, seed, Simulation.embedded());
+  }
+
+  private DemoWind windOf(long seed) {
+    if (wind == null) {
+      return DemoWind.ofSeed(seed);
+    }
+    try {
+      return DemoWind.parse(wind);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--wind: " + e.getMessage());
+    }
+  }
+}

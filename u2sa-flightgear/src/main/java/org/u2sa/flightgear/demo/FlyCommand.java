@@ -1,0 +1,97 @@
+package org.u2sa.flightgear.demo;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.flightgear.protocol.ProtocolFiles;
+import org.u2sa.gcs.DemoOptions;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.report.RunReport;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.SystemClock;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa fly --flightgear [host]}: the demo's mission in the real FlightGear. */
+@Command(
+    name = "fly",
+    description = {
+      "Fly the mission in FlightGear.",
+      "",
+      "Without a host, FlightGear is started here without a window (scripts/flightgear/install gets it)",
+      "and stopped after the flight. With a host, start FlightGear there yourself, after this command",
+      "says that it listens; --protocol writes the two files that it needs."
+    })
+final class FlyCommand implements Callable<Integer> {
+  private static final String HERE = "127.0.0.1";
+
+  @Mixin private DemoOptions options;
+  @Mixin private FlightGearPorts ports;
+  @Spec private CommandSpec command;
+
+  @Option(
+      names = "--flightgear",
+      arity = "0..1",
+      fallbackValue = "",
+      paramLabel = "HOST",
+      required = true,
+      description = "Fly in FlightGear, started here, or running on HOST.")
+  private String host;
+
+  @Option(
+      names = "--no-start",
+      description = "Do not start FlightGear: it is started by hand on this machine.")
+  private boolean noStart;
+
+  @Option(
+      names = "--protocol",
+      paramLabel = "DIR",
+      description =
+          "Only write FlightGear's two protocol files to DIR/Protocol (for its option --data=DIR).")
+  private Path protocol;
+
+  @Override
+  public Integer call() throws InterruptedException, IOException {
+    if (protocol != null) {
+      ProtocolFiles.writeTo(protocol);
+      return ExitCode.DONE;
+    }
+    Path root = CessnaFiles.root();
+    Mission mission =
+        Mission.load(options.mission().orElse(root.resolve("missions/cessna/mission.xml")));
+    SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
+    Path directory = options.outDirectory("flightgear", new SystemClock().micros());
+    boolean allCaptured = true;
+    for (int k = 0; k < options.runs(); k++) {
+      Path runDirectory = options.runDirectory(directory, k);
+      RunReport.prepare(runDirectory);
+      RunReport report = fly(root, system, mission, runDirectory, options.seed() + k);
+      report.write(runDirectory);
+      FlightWords.end(options, command, report, runDirectory);
+      allCaptured &= report.score().success();
+    }
+    return allCaptured ? ExitCode.DONE : ExitCode.FAILED;
+  }
+
+  private RunReport fly(Path root, SystemFile system, Mission mission, Path directory, long seed)
+      throws InterruptedException {
+    Terminal terminal = options.terminal();
+    LaunchOptions launch =
+        new LaunchOptions()
+            .console(line -> terminal.out().println(line))
+            .override("MissionManager", "MISSION", mission.origin());
+    boolean elsewhere = !host.isEmpty();
+    ports.configure(launch, elsewhere ? host : HERE);
+    Simulation simulation =
+        elsewhere || noStart
+            ? new AwaitedFlightGear(terminal, ports)
+            : new FlightGearSimulation(root, directory, mission, ports);
+    return new FlightRun(system, mission, directory, terminal).inRealTime(launch, seed, simulation);
+  }
+}

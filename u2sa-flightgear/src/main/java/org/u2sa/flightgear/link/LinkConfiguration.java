@@ -1,0 +1,95 @@
+package org.u2sa.flightgear.link;
+
+import java.nio.file.Paths;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.sim.aircraft.Cessna172;
+import org.u2sa.sim.atmosphere.Wind;
+
+/** Opens the link to the aircraft that the Simulator's variables describe. */
+final class LinkConfiguration {
+  static final Variable<String> LINK =
+      Variable.text("LINK")
+          .oneOf("embedded", "flightgear")
+          .ifAbsent("embedded")
+          .describedAs(
+              "embedded: the Cessna 172 of u2sa-sim, in lockstep; flightgear: FlightGear's generic protocol over TCP.");
+
+  static final Variable<String> MISSION =
+      Variable.text("MISSION")
+          .ifAbsent("")
+          .describedAs("Mission file whose home is where the embedded aircraft stands.");
+
+  static final Variable<Double> WIND_SPEED =
+      Variable.number("WIND SPEED", "m/s")
+          .range(Range.of(0.0, 30.0))
+          .ifAbsent(0.0)
+          .describedAs("Wind near the ground, for the embedded aircraft.");
+
+  static final Variable<Double> WIND_FROM =
+      Variable.number("WIND FROM", "rad")
+          .range(Range.of(0.0, 2.0 * Math.PI))
+          .ifAbsent(0.0)
+          .describedAs(
+              "Where the wind blows from, true, clockwise from north, for the embedded aircraft.");
+
+  static final Variable<Boolean> GUSTS =
+      Variable.flag("GUSTS")
+          .ifAbsent(true)
+          .describedAs(
+              "Whether the wind has Dryden gusts, seeded by the run, for the embedded aircraft.");
+
+  static final Variable<String> HOST =
+      Variable.text("FLIGHTGEAR HOST").ifAbsent("127.0.0.1").describedAs("Where FlightGear runs.");
+
+  static final Variable<Integer> OUT_PORT =
+      Variable.integer("FLIGHTGEAR OUT PORT")
+          .range(Range.of(1, 65_535))
+          .ifAbsent(5501)
+          .describedAs("TCP port on which this service awaits FlightGear's readings.");
+
+  static final Variable<Integer> IN_PORT =
+      Variable.integer("FLIGHTGEAR IN PORT")
+          .range(Range.of(1, 65_535))
+          .ifAbsent(5502)
+          .describedAs("TCP port on which FlightGear awaits controls.");
+
+  static final Variable<Integer> PROPERTY_PORT =
+      Variable.integer("FLIGHTGEAR PROPERTY PORT")
+          .range(Range.of(0, 65_535))
+          .ifAbsent(5503)
+          .describedAs(
+              "TCP port of FlightGear's property server, which repairs a cut link; 0: none.");
+
+  private final Configurator variables;
+  private final ServiceContext context;
+
+  LinkConfiguration(Configurator variables, ServiceContext context) {
+    this.variables = variables;
+    this.context = context;
+  }
+
+  AircraftLink open() {
+    String link = variables.getVariable(LINK);
+    String mission = variables.getVariable(MISSION);
+    double windSpeedMps = variables.getVariable(WIND_SPEED);
+    double windFromRad = variables.getVariable(WIND_FROM);
+    boolean gusts = variables.getVariable(GUSTS);
+    String host = variables.getVariable(HOST);
+    int outPort = variables.getVariable(OUT_PORT);
+    int inPort = variables.getVariable(IN_PORT);
+    int propertyPort = variables.getVariable(PROPERTY_PORT);
+    if (link.equals("flightgear")) {
+      return new FlightGearLink(host, outPort, inPort, propertyPort, context.clock());
+    }
+    Wind wind =
+        gusts
+            ? Wind.turbulent(windFromRad, windSpeedMps, context.seed())
+            : Wind.constant(windFromRad, windSpeedMps);
+    return new EmbeddedAircraft(
+        Cessna172.onRunway(EmbeddedStart.of(Mission.load(Paths.get(mission))), wind, true));
+  }
+}
