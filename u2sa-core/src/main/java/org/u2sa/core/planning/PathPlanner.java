@@ -97,7 +97,6 @@ public final class PathPlanner extends EventDrivenService {
     try {
       Optional<GoalInformation> chosen = choose(state);
       publish(chosen.isPresent() ? pursue(chosen.get(), state) : atEnd(state), state);
-      complaint = "";
     } catch (IllegalArgumentException e) {
       complain(e.getMessage() + ": no navigation points", e.getMessage());
     }
@@ -132,6 +131,7 @@ public final class PathPlanner extends EventDrivenService {
           chosen.uid());
       return atEnd(state);
     }
+    complaint = "";
     end.leave();
     Optional<GoalInformation> after =
         new GoalChoice(goals.get()).after(chosen, foreseen, option -> distanceM(option, state));

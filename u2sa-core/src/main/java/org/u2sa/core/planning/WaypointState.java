@@ -96,7 +96,7 @@ final class WaypointState implements PlannerState {
     boolean within = distance <= waypoint.horizontalThreshold();
     nearestM = Math.min(nearestM, distance);
     if (!armed) {
-      armed = !within;
+      armed = Math.hypot(to.x(), to.y()) > waypoint.horizontalThreshold();
     } else if (within) {
       reached |= Math.abs(downM) <= waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
     }

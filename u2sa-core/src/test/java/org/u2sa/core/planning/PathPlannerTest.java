@@ -1,0 +1,279 @@
+package org.u2sa.core.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.testkit.ServiceKit;
+
+class PathPlannerTest {
+  private final ServiceKit kit = new ServiceKit();
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  private static Waypoint waypoint(String name, double north, double east) {
+    return new Waypoint()
+        .uid(name)
+        .referenceFrame(ReferenceFrame.LOCAL_NED)
+        .x(north)
+        .y(east)
+        .horizontalThreshold(2.0);
+  }
+
+  private static StateInformation state(double north, double east, double heading) {
+    return new StateInformation()
+        .referenceFrame(ReferenceFrame.LOCAL_NED)
+        .x(north)
+        .y(east)
+        .psi(heading);
+  }
+
+  private void goals(GoalInformation... goals) {
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(goals)).upcoming(List.of()));
+  }
+
+  private Point point() {
+    return kit.latest(Channels.NAVIGATION).orElseThrow().point();
+  }
+
+  private long logged(String what) {
+    return kit.log("PathPlanner").stream().filter(line -> line.contains(what)).count();
+  }
+
+  @Test
+  void state_withoutMission_givesNoNavigationPoint() {
+    kit.start(PathPlanner::new);
+    kit.publish(Channels.STATE, state(0, 0, 0));
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+  }
+
+  @Test
+  void state_waypointToTheRight_pointIsInBodyWithTheStatesTime() {
+    kit.with("LOOK AHEAD", 5.0).start(PathPlanner::new);
+    goals(waypoint("1", 0, 100).speed(3.0));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(0, 0, 0));
+
+    NavigationPoint point = kit.latest(Channels.NAVIGATION).orElseThrow();
+    assertThat(point.referenceFrame()).isEqualTo(ReferenceFrame.BODY);
+    assertThat(point.subsystem()).isEqualTo("VEHICLE");
+    assertThat(point.timestamp()).hasValue(100_000L);
+    assertThat(point.speed()).hasValue(3.0);
+    assertThat(point.point().x()).isCloseTo(0.0, within(1.0e-9));
+    assertThat(point.point().y()).isCloseTo(-5.0, within(1.0e-9)); // BODY: y is to the left
+    assertThat(point.point().z()).isZero(); // no z: no difference of altitude (thesis 4.6.2.3)
+  }
+
+  @Test
+  void state_rolledAndPitched_pointConvertsBackToWhereItIs() {
+    kit.with("LOOK AHEAD", 50.0).start(PathPlanner::new);
+    Waypoint goal = waypoint("1", 1000, 0).z(-200.0);
+    goals(goal);
+    StateInformation rolled = state(10, 0, 1.0).z(-100.0).phi(0.5).theta(0.2);
+    kit.publish(Channels.STATE, rolled);
+
+    Point ned =
+        kit.latest(Channels.NAVIGATION).orElseThrow().in(ReferenceFrame.LOCAL_NED, rolled).point();
+    assertThat(ned.x()).isCloseTo(60.0, within(1.0e-6));
+    assertThat(ned.y()).isCloseTo(0.0, within(1.0e-6));
+    assertThat(ned.z()).isCloseTo(-200.0, within(1.0e-6));
+  }
+
+  @Test
+  void state_localEnu_isPlannedFromAsWell() {
+    kit.with("LOOK AHEAD", 5.0).start(PathPlanner::new);
+    goals(waypoint("1", 100, 0));
+    kit.publish(
+        Channels.STATE,
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.LOCAL_ENU)
+            .x(0.0)
+            .y(0.0)
+            .psi(Math.PI / 2.0));
+
+    assertThat(point().x())
+        .isCloseTo(5.0, within(1.0e-9)); // ENU: psi counts from east, so it heads north
+    assertThat(point().y()).isCloseTo(0.0, within(1.0e-9));
+  }
+
+  @Test
+  void state_utmWaypoint_isFoundOnTheEarth() {
+    kit.with("LOOK AHEAD", 5.0).start(PathPlanner::new);
+    Geodetic here = new Geodetic(9.0, 50.0, 0.0); // zone 32's central meridian: easting 500 km
+    StateInformation utm =
+        new StateInformation()
+            .x(here.longitudeDeg())
+            .y(here.latitudeDeg())
+            .in(ReferenceFrame.utm(32, true));
+    goals(
+        new Waypoint()
+            .uid("1")
+            .referenceFrame(ReferenceFrame.utm(32, true))
+            .x(utm.x().orElseThrow() + 100.0)
+            .y(utm.y().orElseThrow())
+            .horizontalThreshold(2.0));
+    kit.publish(Channels.STATE, new StateInformation().x(9.0).y(50.0).psi(Math.PI / 2.0));
+
+    assertThat(point().x()).isCloseTo(5.0, within(1.0e-3));
+    assertThat(point().y()).isCloseTo(0.0, within(1.0e-3));
+  }
+
+  @Test
+  void state_tooOld_givesNoNavigationPointAndSaysSoOnce() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 100, 0));
+    kit.advance(5.0);
+    for (int i = 0; i < 3; i++) {
+      StateInformation old = state(i, 0, 0);
+      old.timestamp(3_000_000L + i);
+      kit.publish(Channels.STATE, old);
+    }
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+    assertThat(logged("s old: not planned from")).isEqualTo(1);
+  }
+
+  @Test
+  void state_withoutHeading_givesNoNavigationPoint() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 100, 0));
+    kit.publish(Channels.STATE, new StateInformation().x(1.0).y(2.0));
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+    assertThat(logged("state lacks x, y or psi")).isEqualTo(1);
+  }
+
+  @Test
+  void state_onEarthButWaypointLocal_saysThatTheyDoNotFit() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 100, 0));
+    kit.publish(Channels.STATE, new StateInformation().x(8.0).y(50.0).psi(0.0));
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+    assertThat(
+            logged(
+                "a place on a local plane (LOCAL_ENU, LOCAL_NED) cannot be navigated to by a state on the earth (GLOBAL, UTM)"))
+        .isEqualTo(1);
+  }
+
+  @Test
+  void state_withinThreshold_reportsOnceUntilTheIntervalIsOver() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 0, 1));
+    for (int i = 0; i < 12; i++) {
+      kit.publish(Channels.STATE, state(0, 0, 0));
+      kit.advance(0.1);
+    }
+
+    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(2);
+    assertThat(kit.published(Channels.GOAL_REPORTS))
+        .allMatch(report -> report.completed() && !report.abandoned());
+  }
+
+  @Test
+  void state_fastVehicleCrossesThresholdBetweenTwoStates_isReached() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 50, 1));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    kit.advance(1.0);
+    kit.publish(Channels.STATE, state(100, 0, 0));
+
+    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(1);
+  }
+
+  @Test
+  void goals_several_nearestIsPursued() {
+    kit.with("LOOK AHEAD", 5.0).start(PathPlanner::new);
+    goals(waypoint("far", 100, 0), waypoint("near", -50, 0));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+
+    assertThat(point().x()).isCloseTo(-5.0, within(1.0e-9));
+    assertThat(logged("goal \"near\" begins")).isEqualTo(1);
+  }
+
+  @Test
+  void goals_sameSingleGoalAgainAfterItWasReached_mustBeLeftFirst() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 0, 0));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    goals(waypoint("1", 0, 0));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(0, 0.5, 0));
+    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(1);
+
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(0, 9, 0));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(0, 1, 0));
+    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(2);
+  }
+
+  @Test
+  void goals_ofAClassWithoutState_saidOnceAndHeldWhereItIs() {
+    kit.with("AT END", "HOLD").start(PathPlanner::new);
+    goals(new Dance().uid("waltz"));
+    kit.publish(Channels.STATE, state(7, 0, 0));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(9, 0, 0));
+
+    assertThat(logged("goal \"waltz\" is a [GoalInformation, Dance]: no planner state for that"))
+        .isEqualTo(1);
+    assertThat(point().x()).isCloseTo(-2.0, within(1.0e-9)); // back to where it was
+  }
+
+  @Test
+  void goals_emptyAndStopAtEnd_givesNoNavigationPoint() {
+    kit.with("AT END", "STOP").start(PathPlanner::new);
+    goals();
+    kit.publish(Channels.STATE, state(0, 0, 0));
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+  }
+
+  @Test
+  void altitudeProfileLinear_pointIsOnTheSlope() {
+    kit.with("ALTITUDE PROFILE", "LINEAR").with("LOOK AHEAD", 10.0).start(PathPlanner::new);
+    goals(waypoint("1", 100, 0).z(-100.0));
+    kit.publish(Channels.STATE, state(0, 0, 0).z(0.0));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(40, 0, 0).z(-30.0));
+
+    assertThat(point().x()).isCloseTo(10.0, within(1.0e-9));
+    assertThat(point().z())
+        .isCloseTo(-20.0, within(1.0e-9)); // half way: 50 m up, of which 30 are done
+  }
+
+  /** A goal that no planner state knows. */
+  static final class Dance extends GoalInformation {
+    private static final MessageType<Dance> TYPE =
+        Schema.of("Dance", Dance.class, Dance::new, GoalInformation.TYPE).build();
+
+    @Override
+    public MessageType<Dance> type() {
+      return TYPE;
+    }
+
+    @Override
+    public Dance uid(String uid) {
+      super.uid(uid);
+      return this;
+    }
+  }
+}
