@@ -18,7 +18,11 @@ final class AnyValue {
     }
     switch (in.token()) {
       case VALUE_NUMBER_FLOAT:
-        return in.number();
+        double number = in.number();
+        if (!Double.isFinite(number)) {
+          throw in.malformed("expected a finite number, not " + number);
+        }
+        return number;
       case VALUE_NUMBER_INT:
         return in.count();
       case VALUE_TRUE:

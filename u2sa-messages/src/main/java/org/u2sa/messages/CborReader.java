@@ -65,7 +65,7 @@ final class CborReader {
       in.nextToken();
       U2SAData message = map(nearest, chain);
       where = outermost;
-      if (in.currentLocation().getByteOffset() < length || in.nextToken() != null) {
+      if (in.currentLocation().getByteOffset() < length) {
         throw malformed("expected the end of the message, not more bytes");
       }
       return message;
@@ -226,7 +226,7 @@ final class CborReader {
     return malformed("expected " + what + ", not " + (token == null ? "the end" : token));
   }
 
-  private MalformedMessageException malformed(String what) {
+  MalformedMessageException malformed(String what) {
     return new MalformedMessageException(where, offset(), what);
   }
 

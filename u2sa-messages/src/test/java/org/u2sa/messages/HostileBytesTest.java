@@ -64,10 +64,17 @@ class HostileBytesTest {
     }
     bytes.write(0xff);
 
-    assertThatThrownBy(
-            () -> codec.decode(List.of("GoalInformation", "Waypoint"), bytes.toByteArray()))
-        .isInstanceOf(MalformedMessageException.class)
-        .hasMessageContaining("expected at most 100000 elements");
+    for (List<String> chain :
+        List.of(List.of("GoalInformation", "Waypoint"), List.of("NobodyKnows"))) {
+      assertThatThrownBy(() -> codec.decode(chain, bytes.toByteArray()))
+          .isInstanceOf(MalformedMessageException.class)
+          .hasMessageContaining("expected at most 100000 elements");
+    }
+  }
+
+  @Test
+  void decode_unknownTypeWithNaN_isRefused() {
+    assertRefused("NobodyKnows", "a16171f97e00", "NobodyKnows.q, byte 6: expected a finite number");
   }
 
   @Test
