@@ -14,12 +14,16 @@ import org.u2sa.messages.frame.UtmGrid;
 final class PointConversion {
   private final ReferenceFrame source;
   private final ReferenceFrame target;
+  private final UtmGrid sourceGrid; // null unless the source is UTM
+  private final UtmGrid targetGrid; // null unless the target is UTM
   private final StateInformation vehicle; // in GLOBAL or LOCAL_NED; null: none needed or none given
 
   private PointConversion(ReferenceFrame source, ReferenceFrame target, StateInformation vehicle) {
     this.source = source;
     this.target = target;
     this.vehicle = vehicle;
+    sourceGrid = source.isUtm() ? new UtmGrid(source) : null;
+    targetGrid = target.isUtm() ? new UtmGrid(target) : null;
   }
 
   /**
@@ -122,11 +126,11 @@ final class PointConversion {
   }
 
   private Geodetic toPlace(Point point) {
-    return source.isUtm() ? new UtmGrid(source).place(point) : Geodetic.of(point);
+    return sourceGrid == null ? Geodetic.of(point) : sourceGrid.place(point);
   }
 
   private Point toGrid(Geodetic place) {
-    return target.isUtm() ? new UtmGrid(target).grid(place) : place.point();
+    return targetGrid == null ? place.point() : targetGrid.grid(place);
   }
 
   private static Point swapped(Point point) {

@@ -121,17 +121,12 @@ public abstract class U2SAData {
 
   /** A message with the same values that is not frozen. */
   public U2SAData copy() {
-    U2SAData copy = blank();
+    U2SAData copy = type().createCarrier().get();
     for (MessageField<U2SAData> field : fields()) {
       field.copy(this, copy);
     }
     copy.unknown = unknown;
     return copy;
-  }
-
-  /** An empty message of the same type. */
-  U2SAData blank() {
-    return type().createCarrier().get();
   }
 
   private void requireComplete() {
