@@ -12,7 +12,7 @@ final class EnergyVariables {
           "s",
           1.0,
           30.0,
-          5.0,
+          4.0,
           "In which an altitude error is taken out.");
   static final Variable<Double> SPEED_TIME =
       number(
@@ -43,7 +43,7 @@ final class EnergyVariables {
           "s",
           0.05,
           20.0,
-          2.0,
+          1.0,
           "Time constant of the low pass on airspeed: longer is calmer in gusts.");
   static final Variable<Double> THROTTLE_TRIM =
       number(
@@ -55,16 +55,16 @@ final class EnergyVariables {
           "Throttle of level cruise, where the integral begins.");
   static final Variable<Double> THROTTLE_FORWARD =
       number(
-          "THROTTLE FORWARD GAIN", "1/rad", 0.0, 20.0, 4.0, "Throttle per demanded energy rate.");
+          "THROTTLE FORWARD GAIN", "1/rad", 0.0, 20.0, 2.5, "Throttle per demanded energy rate.");
   static final Variable<Double> THROTTLE_DAMPING =
-      number("THROTTLE DAMPING", "1/rad", 0.0, 20.0, 1.5, "Throttle per energy rate error.");
+      number("THROTTLE DAMPING", "1/rad", 0.0, 20.0, 0.7, "Throttle per energy rate error.");
   static final Variable<Double> THROTTLE_INTEGRAL =
       number(
           "THROTTLE INTEGRAL GAIN",
           "1/rad/s",
           0.0,
           20.0,
-          1.0,
+          0.4,
           "Throttle per integrated energy rate error.");
   static final Variable<Double> THROTTLE_LOWER_LIMIT =
       number("THROTTLE LOWER LIMIT", "", 0.0, 1.0, 0.0, "Least throttle in flight.");
@@ -82,7 +82,7 @@ final class EnergyVariables {
           0.037,
           "Induced drag over weight in level flight; grows in turns with the square of the load factor.");
   static final Variable<Double> PITCH_DAMPING =
-      number("ENERGY BALANCE GAIN", "", 0.0, 5.0, 0.6, "Pitch per energy balance error.");
+      number("ENERGY BALANCE GAIN", "", 0.0, 5.0, 0.8, "Pitch per energy balance error.");
   static final Variable<Double> PITCH_INTEGRAL =
       number(
           "ENERGY BALANCE INTEGRAL GAIN",

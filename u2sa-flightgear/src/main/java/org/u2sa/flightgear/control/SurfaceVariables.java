@@ -15,13 +15,13 @@ final class SurfaceVariables {
           46.0,
           "Calibrated airspeed at which the surface gains hold; they are scaled from there.");
   static final Variable<Double> BANK_TIME =
-      number("BANK TIME CONSTANT", "s", 0.2, 5.0, 0.8, "In which a bank error is taken out.");
+      number("BANK TIME CONSTANT", "s", 0.2, 5.0, 0.65, "In which a bank error is taken out.");
   static final Variable<Double> ROLL_RATE_LIMIT =
       number("ROLL RATE LIMIT", "deg/s", 2.0, 60.0, 20.0, "Most roll rate demanded.");
   static final Variable<Double> ROLL_FORWARD =
       number("ROLL RATE FORWARD GAIN", "s/rad", 0.0, 5.0, 0.9, "Aileron per demanded roll rate.");
   static final Variable<Double> ROLL_GAIN =
-      number("ROLL RATE GAIN", "s/rad", 0.0, 5.0, 0.15, "Aileron per roll rate error.");
+      number("ROLL RATE GAIN", "s/rad", 0.0, 5.0, 0.2, "Aileron per roll rate error.");
   static final Variable<Double> ROLL_INTEGRAL =
       number(
           "ROLL RATE INTEGRAL GAIN",
@@ -39,7 +39,7 @@ final class SurfaceVariables {
           0.4,
           "Most of the aileron that the integral may hold.");
   static final Variable<Double> PITCH_TIME =
-      number("PITCH TIME CONSTANT", "s", 0.2, 5.0, 0.7, "In which a pitch error is taken out.");
+      number("PITCH TIME CONSTANT", "s", 0.2, 5.0, 0.8, "In which a pitch error is taken out.");
   static final Variable<Double> PITCH_RATE_LIMIT =
       number(
           "PITCH RATE LIMIT",
@@ -52,14 +52,14 @@ final class SurfaceVariables {
       number(
           "PITCH RATE FORWARD GAIN", "s/rad", 0.0, 5.0, 0.5, "Elevator per demanded pitch rate.");
   static final Variable<Double> PITCH_GAIN =
-      number("PITCH RATE GAIN", "s/rad", 0.0, 5.0, 0.25, "Elevator per pitch rate error.");
+      number("PITCH RATE GAIN", "s/rad", 0.0, 5.0, 0.18, "Elevator per pitch rate error.");
   static final Variable<Double> PITCH_INTEGRAL =
       number(
           "PITCH RATE INTEGRAL GAIN",
           "1/rad",
           0.0,
           5.0,
-          0.8,
+          0.7,
           "Elevator per integrated pitch rate error.");
   static final Variable<Double> ELEVATOR_TRIM =
       number(

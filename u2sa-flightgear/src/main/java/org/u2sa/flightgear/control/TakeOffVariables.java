@@ -109,7 +109,7 @@ final class TakeOffVariables {
           "s/rad",
           0.0,
           5.0,
-          0.3,
+          0.4,
           "Rudder per yaw rate error at 10 m/s, nose wheel down.");
   static final Variable<Double> STEERING_INTEGRAL =
       number(
@@ -117,7 +117,7 @@ final class TakeOffVariables {
           "1/rad",
           0.0,
           5.0,
-          0.3,
+          0.8,
           "Rudder per integrated yaw rate error at 10 m/s, nose wheel down.");
   static final Variable<Double> ROTATION_DAMPING =
       number(

@@ -35,7 +35,7 @@ final class FlightScore {
   double endS;
   private int lastLeg = -1;
   private double legSinceS;
-  private boolean wasClimbing;
+  private Surfaces last;
 
   FlightScore(Course course) {
     this.course = course;
@@ -43,7 +43,9 @@ final class FlightScore {
     java.util.Arrays.fill(missM, Double.POSITIVE_INFINITY);
   }
 
-  void note(AircraftState truth, FlightState state, Autopilot autopilot, LegFollower planner) {
+  void note(AircraftState truth, FlightState state, Autopilot autopilot, LegFollower planner,
+      Surfaces surfaces) {
+    travel(surfaces);
     endS = truth.timeS();
     legs = planner.leg();
     crashed |= truth.crashed();
@@ -102,6 +104,15 @@ final class FlightScore {
     }
   }
 
+  private void travel(Surfaces now) {
+    if (last != null) {
+      aileronTravel += Math.abs(now.aileron() - last.aileron());
+      elevatorTravel += Math.abs(now.elevator() - last.elevator());
+      throttleTravel += Math.abs(now.throttle() - last.throttle());
+    }
+    last = now;
+  }
+
   double worstMissM() {
     double worst = 0.0;
     for (double m : missM) {
@@ -122,7 +133,7 @@ final class FlightScore {
   public String toString() {
     return String.format(
         java.util.Locale.ROOT,
-        "miss %5.1f xt %5.1f/%5.1f alt %4.1f/%4.1f bank %4.1f vmin %4.1f aoa %4.1f rwy %4.1f co %5.1f liftoff %4.1fs %4.1fkt %3.0fm bounce %.0f pitch≥%.1f beta %.2f legs %d end %.0fs%s%s",
+        "miss %5.1f xt %5.1f/%5.1f alt %4.1f/%4.1f bank %4.1f vmin %4.1f aoa %4.1f rwy %4.1f co %5.1f liftoff %4.1fs %4.1fkt %3.0fm bounce %.0f pitch≥%.1f beta %.2f travel/min ail %.1f ele %.1f thr %.1f legs %d end %.0fs%s%s",
         worstMissM(),
         crossRmsM(),
         worstCrossM,
@@ -139,6 +150,9 @@ final class FlightScore {
         rejoinedGround,
         climbOutLowestPitchDeg,
         Math.toDegrees(Math.sqrt(betaSquares / Math.max(1, flown))),
+        aileronTravel * 60.0 / endS,
+        elevatorTravel * 60.0 / endS,
+        throttleTravel * 60.0 / endS,
         legs,
         endS,
         crashed ? " CRASHED" : "",

@@ -67,7 +67,7 @@ final class SimulatedFlight {
       if (planner.finished()) {
         break;
       }
-      score.note(truth, state, autopilot, planner);
+      score.note(truth, state, autopilot, planner, surfaces);
       if (trace != null) {
         trace.append(
             String.format(
