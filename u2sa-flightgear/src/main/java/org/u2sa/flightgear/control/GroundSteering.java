@@ -93,7 +93,7 @@ final class GroundSteering {
     double speed = Math.max(SLOWEST_MPS, ground);
     double look = Math.max(parameters.shortestM(), parameters.lookAheadS() * ground);
     double wanted = headingRad - StrictMath.atan2(offsetM(state), look);
-    double rate = parameters.headingGain() * Limit.angle(wanted - course(state));
+    double rate = parameters.headingGain() * Limit.angle(wanted - state.headingRad());
     double error = rate - state.yawRate();
     double perSpeed = REFERENCE_MPS / speed;
     double damping = noseDown ? parameters.damping() * perSpeed : parameters.airDamping();
@@ -108,14 +108,6 @@ final class GroundSteering {
       integral = Limit.symmetric(next, 1.0);
     }
     return Limit.symmetric(direct + integral, 1.0);
-  }
-
-  /** Where the aircraft rolls to: crosswind makes tyres drift, so the track, once there is one. */
-  private static double course(FlightState state) {
-    double speed = state.groundSpeedMps();
-    double share = Limit.within(0.0, speed / SLOWEST_MPS - 1.0, 1.0);
-    double drift = StrictMath.atan2(state.eastMps(), state.northMps()) - state.headingRad();
-    return state.headingRad() + share * Limit.angle(drift);
   }
 
   /** Aileron into the wind, −1…1: much when slow, less as the ailerons gain effect. */

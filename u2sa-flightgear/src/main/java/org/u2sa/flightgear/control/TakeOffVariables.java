@@ -77,7 +77,7 @@ final class TakeOffVariables {
           "s",
           0.5,
           10.0,
-          2.0,
+          2.5,
           "To the point steered for on the runway, at the present speed.");
   static final Variable<Double> LOOK_AHEAD_LEAST =
       number(
@@ -93,7 +93,7 @@ final class TakeOffVariables {
           "1/s",
           0.1,
           5.0,
-          1.2,
+          1.8,
           "Yaw rate per heading error on the runway.");
   static final Variable<Double> STEERING_LENGTH =
       number(
@@ -109,7 +109,7 @@ final class TakeOffVariables {
           "s/rad",
           0.0,
           5.0,
-          0.4,
+          1.6,
           "Rudder per yaw rate error at 10 m/s, nose wheel down.");
   static final Variable<Double> STEERING_INTEGRAL =
       number(
@@ -117,7 +117,7 @@ final class TakeOffVariables {
           "1/rad",
           0.0,
           5.0,
-          0.8,
+          1.2,
           "Rudder per integrated yaw rate error at 10 m/s, nose wheel down.");
   static final Variable<Double> ROTATION_DAMPING =
       number(

@@ -43,7 +43,11 @@ final class FlightScore {
     java.util.Arrays.fill(missM, Double.POSITIVE_INFINITY);
   }
 
-  void note(AircraftState truth, FlightState state, Autopilot autopilot, LegFollower planner,
+  void note(
+      AircraftState truth,
+      FlightState state,
+      Autopilot autopilot,
+      LegFollower planner,
       Surfaces surfaces) {
     travel(surfaces);
     endS = truth.timeS();
