@@ -25,7 +25,11 @@ import org.gradle.external.javadoc.StandardJavadocDocletOptions;
 public class JavaConventionsPlugin implements Plugin<Project> {
   private static final int JAVA_RELEASE = 17;
   private static final List<String> COMPILER_ARGUMENTS =
-      List.of("-Xlint:all,-processing,-classfile", "-Werror", "-parameters");
+      List.of(
+          "-Xlint:all,-processing,-classfile",
+          "-Xdoclint:all/protected,-missing",
+          "-Werror",
+          "-parameters");
   private static final String EXCLUDED_TAGS = "long,flightgear";
 
   @Override
