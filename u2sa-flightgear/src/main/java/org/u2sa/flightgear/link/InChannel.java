@@ -162,8 +162,9 @@ final class InChannel {
     pauseMicros = Math.min(LONGEST_PAUSE_MICROS, 2 * pauseMicros);
   }
 
-  /** Closes the connection; {@link #connect} makes another one. */
+  /** Closes the connection; {@link #connect} makes another one when asked. */
   void drop() {
+    retryMicros = 0;
     if (channel != null) {
       Closing.quietly(channel, troubles);
     }

@@ -16,10 +16,10 @@ import org.u2sa.sim.aircraft.ControlInputs;
 final class LinkThread extends Thread {
   private static final long TURN_MS = 50;
   private static final long RESEND_MICROS = 250_000;
-  private static final long DEAF_MICROS = 2 * Clock.MICROS_PER_SECOND;
+  private static final long DEAF_MICROS = 1_500_000;
   private static final long LAST_LINE_MICROS = 500_000;
   private static final long GONE_MICROS = 300_000;
-  private static final long NEVER_CAME_MICROS = 1_500_000;
+  private static final long NEVER_CAME_MICROS = 1_500_000; // FlightGear comes 1.4 s after its start
   private static final long MUTE_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final Clock clock;
@@ -31,6 +31,7 @@ final class LinkThread extends Thread {
   private final AtomicReference<ControlInputs> wanted = new AtomicReference<>();
   private volatile Seen seen = new Seen(AircraftReading.none(), false, 0);
   private volatile boolean closing;
+  private volatile boolean there; // somebody is connected and not mute
   private ControlInputs latest;
   private long sentMicros;
   private long heardCount;
@@ -191,12 +192,12 @@ final class LinkThread extends Thread {
   }
 
   private void callFlightGear(long now) {
-    boolean there = out.hasPeer() && now - out.lastLineMicros() < MUTE_MICROS;
+    there = out.hasPeer() && (!out.everConnected() || now - out.lastLineMicros() < MUTE_MICROS);
     if (there) {
       peerMicros = now;
     } else if (now - peerMicros > (out.everConnected() ? GONE_MICROS : NEVER_CAME_MICROS)
         && !closing) {
-      repair.out(out.port(), out.everConnected(), now);
+      repair.out(out.port(), out.everConnected(), now, () -> !there);
     }
   }
 }

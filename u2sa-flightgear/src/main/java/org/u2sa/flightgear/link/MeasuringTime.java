@@ -11,9 +11,9 @@ import org.u2sa.interfaces.Clock;
  *   <li>Never later than the arrival. A line that comes sooner than expected (less delay than the
  *       anchor's, or FlightGear runs faster than the run's clock) becomes the anchor.
  *   <li>A line that comes late keeps its early time: after a stall of the network the lines that
- *       had piled up are as old as they are. Only if all lines stay late by more than {@link
- *       #LATE_MICROS} for {@link #PATIENCE_MICROS} has FlightGear itself lost time, and a new
- *       anchor is set.
+ *       had piled up are as old as they are. Only if all lines of {@link #WINDOW_MICROS} were late
+ *       by more than {@link #LATE_MICROS} has FlightGear itself lost time, and the anchor moves by
+ *       what the least late one was late.
  *   <li>A line with FlightGear's time unchanged is no new measurement (FlightGear is paused); the
  *       anchor moves along.
  * </ul>
@@ -22,15 +22,16 @@ import org.u2sa.interfaces.Clock;
  * readings is n seconds of flight. Belongs to one thread.
  */
 final class MeasuringTime {
-  static final long LATE_MICROS = 250_000;
-  static final long PATIENCE_MICROS = 200_000;
+  static final long LATE_MICROS = 30_000;
+  static final long WINDOW_MICROS = 400_000;
 
   private boolean anchored;
   private long anchorMicros;
   private double anchorS;
   private double lastS;
   private long lastMicros = Long.MIN_VALUE;
-  private long lateSinceMicros = Clock.NEVER;
+  private long windowMicros; // arrival of the window's first line
+  private long leastLateMicros; // of the window's lines
 
   /**
    * Takes a line.
@@ -57,25 +58,27 @@ final class MeasuringTime {
   }
 
   private long measured(double elapsedS, long arrivalMicros) {
+    if (arrivalMicros - windowMicros > WINDOW_MICROS) {
+      if (leastLateMicros > LATE_MICROS) {
+        anchorMicros += leastLateMicros;
+      }
+      windowMicros = arrivalMicros;
+      leastLateMicros = Long.MAX_VALUE;
+    }
     long expected = anchorMicros + Clock.micros(elapsedS - anchorS);
     if (expected > arrivalMicros) {
-      return anchor(elapsedS, arrivalMicros);
+      anchor(elapsedS, arrivalMicros);
+      return arrivalMicros;
     }
-    if (arrivalMicros - expected <= LATE_MICROS) {
-      lateSinceMicros = Clock.NEVER;
-    } else if (lateSinceMicros == Clock.NEVER) {
-      lateSinceMicros = arrivalMicros;
-    } else if (arrivalMicros - lateSinceMicros > PATIENCE_MICROS) {
-      return anchor(elapsedS, arrivalMicros);
-    }
+    leastLateMicros = Math.min(leastLateMicros, arrivalMicros - expected);
     return expected;
   }
 
-  private long anchor(double elapsedS, long arrivalMicros) {
+  private void anchor(double elapsedS, long arrivalMicros) {
     anchored = true;
     anchorS = elapsedS;
     anchorMicros = arrivalMicros;
-    lateSinceMicros = Clock.NEVER;
-    return arrivalMicros;
+    windowMicros = arrivalMicros;
+    leastLateMicros = 0;
   }
 }

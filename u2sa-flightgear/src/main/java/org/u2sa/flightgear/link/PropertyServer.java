@@ -40,19 +40,33 @@ final class PropertyServer implements AutoCloseable {
   }
 
   /**
+   * A property's value; empty if there is none.
+   *
+   * @throws IOException if FlightGear says nothing
+   */
+  String get(String path) throws IOException {
+    say("get " + path);
+    for (int i = 0; i < MOST_LINES; i++) {
+      String answer = hear("get " + path);
+      int at = answer.indexOf(path + " = '");
+      if (at >= 0) {
+        String value = answer.substring(at + path.length() + " = '".length());
+        return value.substring(0, Math.max(0, value.lastIndexOf('\'')));
+      }
+    }
+    throw new IOException("property server did not answer \"get " + path + "\"");
+  }
+
+  /**
    * Runs a command.
    *
    * @return whether FlightGear says that it was done
    * @throws IOException if it says nothing
    */
   boolean run(String command) throws IOException {
-    out.write(("run " + command + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
-    out.flush();
+    say("run " + command);
     for (int i = 0; i < MOST_LINES; i++) {
-      String answer = in.readLine();
-      if (answer == null) {
-        throw new IOException("property server closed after \"run " + command + "\"");
-      }
+      String answer = hear("run " + command);
       if (answer.contains("<completed>")) {
         return true;
       }
@@ -61,6 +75,19 @@ final class PropertyServer implements AutoCloseable {
       }
     }
     throw new IOException("property server did not answer \"run " + command + "\"");
+  }
+
+  private void say(String line) throws IOException {
+    out.write((line + "\r\n").getBytes(StandardCharsets.ISO_8859_1));
+    out.flush();
+  }
+
+  private String hear(String asked) throws IOException {
+    String answer = in.readLine();
+    if (answer == null) {
+      throw new IOException("property server closed after \"" + asked + "\"");
+    }
+    return answer;
   }
 
   @Override

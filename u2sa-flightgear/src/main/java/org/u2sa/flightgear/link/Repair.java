@@ -1,7 +1,9 @@
 package org.u2sa.flightgear.link;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.interfaces.Clock;
 
@@ -13,6 +15,7 @@ import org.u2sa.interfaces.Clock;
 final class Repair {
   private static final long SHORTEST_PAUSE_MICROS = Clock.MICROS_PER_SECOND;
   private static final long LONGEST_PAUSE_MICROS = 10 * Clock.MICROS_PER_SECOND;
+  private static final String NOT_NEEDED = "not needed any more";
 
   private final FlightGearAddress address;
   private final Troubles troubles;
@@ -23,6 +26,7 @@ final class Repair {
   private long nextMicros;
   private long pauseMicros = SHORTEST_PAUSE_MICROS;
   private boolean failing;
+  private int attempts;
 
   Repair(FlightGearAddress address, Troubles troubles) {
     this.address = address;
@@ -30,67 +34,67 @@ final class Repair {
   }
 
   /**
-   * Asks FlightGear to connect to us; before the first connection no channel is taken away, since
+   * Asks FlightGear to connect to us. Before the first connection no channel is taken away, since
    * it may be another program's.
+   *
+   * @param needed asked, by another thread, when FlightGear answers: it may have connected
+   *     meanwhile
    */
-  void out(int port, boolean hadOne, long nowMicros) {
-    start(out, hadOne, port, nowMicros);
-  }
-
-  /** Asks FlightGear to listen to us again. @return whether that was begun */
-  boolean in(long nowMicros) {
-    return start(in, true, address.inPort(), nowMicros);
-  }
-
-  private boolean start(Channel channel, boolean remove, int port, long nowMicros) {
-    if (address.propertyPort().isEmpty() || work != null || nowMicros < nextMicros) {
-      return false;
+  void out(int port, boolean hadOne, long nowMicros, BooleanSupplier needed) {
+    if (isDue(nowMicros)) {
+      start(out, port, hadOne, nowMicros, needed);
     }
+  }
+
+  /** Asks FlightGear to listen to us again. */
+  void in(long nowMicros) {
+    if (isDue(nowMicros)) {
+      start(in, address.inPort(), true, nowMicros, () -> true);
+    }
+  }
+
+  private boolean isDue(long nowMicros) {
+    return address.propertyPort().isPresent() && work == null && nowMicros >= nextMicros;
+  }
+
+  private void start(
+      Channel channel, int port, boolean remove, long nowMicros, BooleanSupplier needed) {
     String newName =
         "u2sa-" + channel.direction + "-" + nowMicros; // a name that no run before has left behind
+    boolean oursFirst = !remove || attempts % 2 == 1;
     CompletableFuture<String> begun = new CompletableFuture<>();
     work = begun;
-    Thread thread =
-        new Thread(() -> run(channel, remove, port, newName, begun), "flightgear-repair");
+    attempts++;
+    Runnable repair =
+        () -> {
+          try (PropertyServer server =
+              new PropertyServer(address.host(), address.propertyPort().getAsInt())) {
+            String known = channel.askConfig(server);
+            if (!needed.getAsBoolean()) {
+              begun.complete(NOT_NEEDED);
+              return;
+            }
+            if (remove) {
+              server.run("remove-io-channel name=" + channel.name); // refused if it is gone already
+            }
+            String ours = channel.config(address.rateHz(), peerOf(channel, server), port, known);
+            channel.add(server, newName, oursFirst ? List.of(ours, known) : List.of(known, ours));
+            begun.complete("");
+          } catch (IOException e) {
+            begun.complete(e.getMessage());
+          } finally {
+            begun.complete("an error in this program"); // without effect if it is complete
+          }
+        };
+    Thread thread = new Thread(repair, "flightgear-repair");
     thread.setDaemon(true);
     thread.start();
-    return true;
   }
 
-  private void run(
-      Channel channel, boolean remove, int port, String newName, CompletableFuture<String> done) {
-    int propertyPort = address.propertyPort().getAsInt();
-    try (PropertyServer server = new PropertyServer(address.host(), propertyPort)) {
-      if (remove) {
-        server.run(
-            "remove-io-channel name="
-                + channel.name); // refused if FlightGear has dropped it already: as good
-      }
-      String host = channel == in ? address.host() : reachable(server);
-      String config =
-          String.join(
-              ",",
-              "generic",
-              "socket",
-              channel.direction,
-              String.valueOf(address.rateHz()),
-              host,
-              String.valueOf(port),
-              "tcp",
-              channel.protocol);
-      if (!server.run("add-io-channel name=" + newName + " config=" + config)) {
-        throw new IOException("FlightGear refused to add the channel " + config);
-      }
-      channel.name = newName;
-      done.complete("");
-    } catch (IOException e) {
-      done.complete(e.getMessage());
-    } finally {
-      done.complete("interrupted by an error"); // without effect if it is complete
+  private String peerOf(Channel channel, PropertyServer server) {
+    if (channel == in) {
+      return address.host();
     }
-  }
-
-  private String reachable(PropertyServer server) {
     boolean everywhere = address.bindHost().equals("0.0.0.0") || address.bindHost().equals("::");
     return everywhere ? server.ownAddress() : address.bindHost();
   }
@@ -107,7 +111,9 @@ final class Repair {
     }
     String problem = work.join();
     work = null;
-    nextMicros = nowMicros + pauseMicros;
+    if (problem.equals(NOT_NEEDED)) {
+      return;
+    }
     if (problem.isEmpty()) {
       troubles.event("asked FlightGear to restore the link");
       pauseMicros = SHORTEST_PAUSE_MICROS;
@@ -119,18 +125,52 @@ final class Repair {
       pauseMicros = Math.min(LONGEST_PAUSE_MICROS, 2 * pauseMicros);
     }
     failing = !problem.isEmpty();
+    nextMicros = nowMicros + pauseMicros;
   }
 
-  /** One of FlightGear's channels. */
+  /**
+   * One of FlightGear's channels; touched by one repair at a time, and repairs happen one after the
+   * other.
+   */
   private static final class Channel {
+    private static final int RATE = 3; // place in a configuration
+
     private final String direction;
     private final String protocol;
-    private volatile String name;
+    private String name;
+    private String knownConfig = "";
 
     private Channel(String direction, String name, String protocol) {
       this.direction = direction;
       this.name = name;
       this.protocol = protocol;
+    }
+
+    /** What FlightGear has this channel for: as it was started, or as we added it last. */
+    private String askConfig(PropertyServer server) throws IOException {
+      String config = server.get("/io/channels/" + name + "/config");
+      if (config.startsWith("generic,socket," + direction + ",")) {
+        knownConfig = config;
+      }
+      return knownConfig;
+    }
+
+    private String config(int usualRateHz, String host, int port, String known) {
+      String rate = known.isEmpty() ? String.valueOf(usualRateHz) : known.split(",")[RATE];
+      return String.join(
+          ",", "generic", "socket", direction, rate, host, String.valueOf(port), "tcp", protocol);
+    }
+
+    private void add(PropertyServer server, String newName, List<String> configs)
+        throws IOException {
+      for (String config : configs) {
+        if (!config.isEmpty()
+            && server.run("add-io-channel name=" + newName + " config=" + config)) {
+          name = newName;
+          return;
+        }
+      }
+      throw new IOException("FlightGear refused to add " + String.join(" and ", configs));
     }
   }
 }

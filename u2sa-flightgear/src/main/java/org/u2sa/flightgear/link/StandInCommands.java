@@ -16,9 +16,17 @@ final class StandInCommands implements StandInProperties.Simulator {
   private static final int CONFIG_PARTS = 8; // generic,socket,out,20,127.0.0.1,5501,tcp,u2sa-out
 
   private final StandInFlightGear standIn;
+  private final Map<String, String> configs = new HashMap<>(); // of channels by path
 
   StandInCommands(StandInFlightGear standIn) {
     this.standIn = standIn;
+  }
+
+  /** Notes how a channel was opened, to be asked for. */
+  void noteConfig(String name, String direction, String host, int port, String protocol) {
+    configs.put(
+        "/io/channels/" + name + "/config",
+        "generic,socket," + direction + ",20," + host + "," + port + ",tcp," + protocol);
   }
 
   @Override
@@ -29,7 +37,9 @@ final class StandInCommands implements StandInProperties.Simulator {
         return said.format().split(",", -1)[field.ordinal()];
       }
     }
-    return path.equals(SPEED_UP) ? String.valueOf(standIn.speedUp()) : "";
+    return path.equals(SPEED_UP)
+        ? String.valueOf(standIn.speedUp())
+        : configs.getOrDefault(path, "");
   }
 
   @Override
@@ -65,6 +75,7 @@ final class StandInCommands implements StandInProperties.Simulator {
       return false;
     }
     int port = Integer.parseInt(config[5]);
+    noteConfig(name, config[2], config[4], port, config[7]);
     if (config[2].equals("out") && config[7].equals(ProtocolFiles.OUT)) {
       return standIn.add(name, () -> new StandInOutput(config[4], port));
     }

@@ -7,6 +7,7 @@ import java.util.Map;
 import org.u2sa.flightgear.protocol.InLine;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
+import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
@@ -100,6 +101,8 @@ public final class StandInFlightGear implements AutoCloseable {
   public void start(String peerHost, int outPort) {
     thread = new Thread(() -> run(peerHost, outPort), "stand-in-flightgear");
     thread.setDaemon(true);
+    commands.noteConfig("generic-1", "out", peerHost, outPort, ProtocolFiles.OUT);
+    commands.noteConfig("generic-2", "in", host, inPort(), ProtocolFiles.IN);
     thread.start();
   }
 

@@ -104,7 +104,7 @@ final class StandInProperties implements Closeable {
       case "run" -> {
         boolean done =
             words.size() > 1 && simulator.run(words.get(1), words.subList(2, words.size()));
-        return (done ? "<completed>" : "<failed>") + "\r\n" + prompt;
+        return (done ? "<completed>" : "*failed*") + "\r\n" + prompt;
       }
       default -> {
         return client.bare ? "" : "-ERR unknown command\r\n" + prompt;

@@ -48,10 +48,31 @@ final class MeasuringTimeTest {
     line(FRAME, FRAME);
     line(FRAME, 5_000_000);
     assertThat(arrival - time.micros()).isGreaterThan(4_000_000);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 11; i++) {
       line(FRAME, FRAME);
     }
     assertThat(arrival - time.micros()).isBetween(0L, FRAME);
+  }
+
+  @Test
+  void take_flightGearLostAFewFrames_isNotSaidToBeOldForEver() {
+    line(FRAME, FRAME);
+    line(FRAME, 4 * FRAME);
+    assertThat(arrival - time.micros()).isEqualTo(3 * FRAME);
+    for (int i = 0; i < 30; i++) {
+      line(FRAME, FRAME);
+    }
+    assertThat(arrival - time.micros()).isZero();
+  }
+
+  @Test
+  void take_networkJitterBelowTheThreshold_neverMovesTheAnchor() {
+    line(FRAME, FRAME);
+    long before = time.micros();
+    for (int i = 1; i <= 100; i++) {
+      line(FRAME, i % 2 == 0 ? FRAME + 20_000 : FRAME - 20_000 + (i == 1 ? 40_000 : 0));
+    }
+    assertThat(time.micros() - before).isEqualTo(100 * FRAME);
   }
 
   @Test

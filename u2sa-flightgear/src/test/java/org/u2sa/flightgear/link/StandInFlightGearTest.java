@@ -119,7 +119,7 @@ final class StandInFlightGearTest {
       say(socket, "data\r\nget /gear/gear[1]/wow\r\n");
       assertThat(answers.readLine()).isEqualTo("1.000000000");
       say(socket, "run nonsense\r\n");
-      assertThat(answers.readLine()).isEqualTo("<failed>");
+      assertThat(answers.readLine()).isEqualTo("*failed*");
       say(socket, "run exit\r\n");
       assertThat(answers.readLine()).isEqualTo("<completed>");
       assertThat(answers.readLine()).isNull();
