@@ -39,12 +39,13 @@ final class CborReader {
 
   private final MessageTypes types;
   private final CBORParser in;
-  private String where; // type and field being read, for errors
+  private String path; // type and fields around what is being read, for errors
+  private String key; // the field being read; null between fields
 
-  private CborReader(MessageTypes types, CBORParser in, String where) {
+  private CborReader(MessageTypes types, CBORParser in, String path) {
     this.types = types;
     this.in = in;
-    this.where = where;
+    this.path = path;
   }
 
   static U2SAData message(MessageTypes types, List<String> chain, byte[] bytes)
@@ -60,11 +61,9 @@ final class CborReader {
 
   private U2SAData whole(MessageType<?> nearest, List<String> chain, int length)
       throws MalformedMessageException {
-    String outermost = where;
     try {
       in.nextToken();
       U2SAData message = map(nearest, chain);
-      where = outermost;
       if (in.currentLocation().getByteOffset() < length) {
         throw malformed("expected the end of the message, not more bytes");
       }
@@ -72,7 +71,7 @@ final class CborReader {
     } catch (IOException | RuntimeException e) {
       // RuntimeException: a setter's refusal, or the parser's own on bytes that its authors did not
       // foresee.
-      throw new MalformedMessageException(where, offset(), reason(e), e);
+      throw new MalformedMessageException(where(), offset(), reason(e), e);
     }
   }
 
@@ -105,25 +104,27 @@ final class CborReader {
 
   private void fields(U2SAData message, Map<String, Object> unknown)
       throws IOException, MalformedMessageException {
-    String outer = where;
-    Set<String> seen = new HashSet<>();
-    for (String name = in.nextFieldName(); name != null; name = in.nextFieldName()) {
-      where = outer + "." + name;
-      if (!seen.add(name)) {
+    String outerPath = path;
+    String outerKey = key;
+    path = where();
+    Set<String> skipped = new HashSet<>();
+    for (key = in.nextFieldName(); key != null; key = in.nextFieldName()) {
+      MessageField<U2SAData> field = message.ownType().fieldOrNull(key);
+      if (field == null ? !skipped.add(key) : field.isSet(message)) {
         throw malformed("the key comes twice");
       }
-      MessageField<U2SAData> field = message.ownType().fieldOrNull(name);
       in.nextToken();
       if (field != null) {
         field.read(this, message);
-      } else if (unknown != null && !name.equals(Schema.TYPE_KEY)) {
-        unknown.put(name, AnyValue.read(this));
+      } else if (unknown != null && !key.equals(Schema.TYPE_KEY)) {
+        unknown.put(key, AnyValue.read(this));
       } else {
         in.skipChildren();
       }
     }
-    where = outer;
     expect(JsonToken.END_OBJECT, "a text key or the end of the map");
+    path = outerPath;
+    key = outerKey;
   }
 
   private void requireComplete(U2SAData message) throws MalformedMessageException {
@@ -227,7 +228,12 @@ final class CborReader {
   }
 
   MalformedMessageException malformed(String what) {
-    return new MalformedMessageException(where, offset(), what);
+    return new MalformedMessageException(where(), offset(), what);
+  }
+
+  /** "GoalList.goals.uid". */
+  private String where() {
+    return key == null ? path : path + "." + key;
   }
 
   private long offset() {

@@ -25,6 +25,7 @@ class HostileBytesTest {
         "a1617861 79 | expected a number, not VALUE_STRING",
         "a16178f6 | expected a number, not VALUE_NULL",
         "a26178fb00000000000000006178fb0000000000000000 | StateInformation.x, byte 14: the key comes twice",
+        "a2617100617100 | StateInformation.q, byte 6: the key comes twice",
         "a0a0 | expected the end of the message, not more bytes",
         "a000 | expected the end of the message, not more bytes",
         "80 | expected a map, not START_ARRAY",
@@ -112,6 +113,15 @@ class HostileBytesTest {
             .replace(
                 "6f4f626a6563744465736372697074696f6e", "714f626a6563744465736372697074696f6e"),
         "expected a kind of GoalInformation, not [ObjectDescription]");
+  }
+
+  @Test
+  void decode_brokenWithinAList_namesTheWholeWay() {
+    // {"goals": [{"type": ["GoalInformation"], "uid": 7}]}
+    assertRefused(
+        "GoalList",
+        "a165676f616c7381a26474797065816f476f616c496e666f726d6174696f6e6375696407",
+        "GoalList.goals.uid, byte 36: expected text, not VALUE_NUMBER_INT");
   }
 
   @Test
