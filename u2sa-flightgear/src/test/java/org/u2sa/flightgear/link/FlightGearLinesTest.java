@@ -2,47 +2,16 @@ package org.u2sa.flightgear.link;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.awaitility.Awaitility.await;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
-import java.time.Duration;
-import java.util.concurrent.Callable;
-import java.util.function.Predicate;
-import org.awaitility.core.ConditionFactory;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.flightgear.protocol.LineSplitter;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.communication.CommunicationException;
-import org.u2sa.sim.aircraft.ControlInputs;
 
-/** What can go wrong on the wire, without a simulator behind it. */
-final class FlightGearLinkTest {
-  private static final ControlInputs SOME =
-      new ControlInputs(0.1, -0.2, 0.3, 0.4, 1.0, 0.0, 0.0, 0.0);
-
-  private final Clock clock = new SystemClock();
-  private final StringBuilder troubles = new StringBuilder();
-  private RawFlightGear flightGear;
-  private FlightGearLink link;
-
-  @BeforeEach
-  void open() throws IOException {
-    flightGear = new RawFlightGear();
-    link = new FlightGearLink("127.0.0.1", 0, flightGear.inPort(), 0, clock);
-  }
-
-  @AfterEach
-  void close() throws IOException {
-    link.close();
-    flightGear.close();
-  }
-
+/** What FlightGear and others may do to the connection of lines. */
+final class FlightGearLinesTest extends RawLink {
   @Test
   void constructor_portTaken_saysWhichAndWhatToDo() throws IOException {
     try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
@@ -173,88 +142,5 @@ final class FlightGearLinkTest {
       flightGear.send(RawFlightGear.line(5.0, 1.0));
       readUntil(AircraftReading::connected);
     }
-  }
-
-  @Test
-  void write_beforeAnyLine_doesNotConnectThenSendsTheNewestFirst() throws IOException {
-    link.write(SOME.withThrottle(0.9));
-    link.write(SOME);
-    flightGear.connect(link.outPort());
-    flightGear.send(RawFlightGear.line(5.0, 1.0));
-    assertThat(flightGear.acceptControls().readLine())
-        .isEqualTo("0.100000,-0.200000,0.300000,0.000000,0.400000,1.000000,0.000000,0.000000,1");
-  }
-
-  @Test
-  void write_controlConnectionClosed_connectsAgainAndSaysSo() throws IOException {
-    flightGear.connect(link.outPort());
-    flightGear.send(RawFlightGear.line(5.0, 1.0));
-    link.write(SOME);
-    flightGear.acceptControls().readLine();
-    flightGear.closeControls();
-    awaitTrouble("controls do not reach FlightGear at 127.0.0.1:" + flightGear.inPort());
-    assertThat(flightGear.acceptControls().readLine()).startsWith("0.100000,-0.200000");
-    awaitTrouble("controls go to FlightGear again");
-  }
-
-  @Test
-  void write_nobodyTakesControls_saysSoOnceAndReadingGoesOn() throws IOException {
-    flightGear.stopListening();
-    flightGear.connect(link.outPort());
-    flightGear.send(RawFlightGear.line(5.0, 1.0));
-    link.write(SOME);
-    awaitTrouble("controls do not reach FlightGear");
-    for (int i = 0; i < 20; i++) {
-      flightGear.send(RawFlightGear.line(5.1 + i, 1.0));
-      link.write(SOME);
-    }
-    readUntil(each -> each.connected() && each.sequence() == 21);
-    troubles.append(link.trouble());
-    assertThat(troubles.toString()).containsOnlyOnce("controls do not reach FlightGear");
-  }
-
-  @Test
-  void write_flightGearThatDoesNotRead_neverBlocks() throws IOException {
-    flightGear.connect(link.outPort());
-    flightGear.send(RawFlightGear.line(5.0, 1.0));
-    link.write(SOME);
-    flightGear.acceptControls();
-    long before = clock.micros();
-    for (int i = 0; i < 200_000; i++) {
-      link.write(SOME);
-    }
-    assertThat(clock.micros() - before).isLessThan(5 * Clock.MICROS_PER_SECOND);
-  }
-
-  @Test
-  void close_afterWrite_sendsTheLastControlsAndAWholeLine() throws IOException {
-    flightGear.connect(link.outPort());
-    flightGear.send(RawFlightGear.line(5.0, 1.0));
-    link.write(SOME);
-    BufferedReader controls = flightGear.acceptControls();
-    assertThat(controls.readLine()).startsWith("0.100000,");
-    link.write(SOME.withThrottle(0.9));
-    link.write(ControlInputs.neutral());
-    link.close();
-    String last = controls.lines().reduce("", (one, next) -> next);
-    assertThat(last).startsWith("0.000000,0.000000,0.000000,0.000000,0.000000,1.000000,");
-    assertThat(link.read(clock.micros()).connected()).isFalse();
-    assertThat(flightGear.isRefused()).isTrue();
-  }
-
-  private AircraftReading readUntil(Predicate<AircraftReading> condition) {
-    return quickly("a reading").until(() -> link.read(clock.micros()), condition);
-  }
-
-  private void awaitTrouble(String part) {
-    Callable<Boolean> said = () -> troubles.append(link.trouble()).indexOf(part) >= 0;
-    quickly(part + " in " + troubles).until(said);
-  }
-
-  private static ConditionFactory quickly(String what) {
-    return await(what)
-        .pollDelay(Duration.ZERO)
-        .pollInterval(Duration.ofMillis(2))
-        .atMost(Duration.ofSeconds(5));
   }
 }
