@@ -26,7 +26,7 @@ import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.aircraft.ControlInputs;
 
-/** The link against the installed FlightGear: {@code mvn -Dgroups=flightgear …}, about a minute. */
+/** The link against the installed FlightGear: {@code mvn verify -Pflightgear}, half a minute. */
 @Tag("flightgear")
 final class RealFlightGearTest {
   private static final ControlInputs FULL_THROTTLE = ControlInputs.neutral().withThrottle(1.0);
