@@ -44,7 +44,7 @@ public abstract class ControlSystem extends EventDrivenService {
           .ifAbsent(0.5)
           .describedAs("How long an actuator obeys a command that is not renewed.");
 
-  private final double commandExpiryS;
+  private double commandExpiryS;
   private final StateHistory states;
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private double stepS;
@@ -55,7 +55,8 @@ public abstract class ControlSystem extends EventDrivenService {
   protected ControlSystem(ServiceContext context, String serviceName) {
     super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
     commandExpiryS = getVariable(COMMAND_EXPIRY);
-    states = new StateHistory(Clock.micros(getVariable(STALE_AFTER)));
+    states = new StateHistory();
+    states.span(Clock.micros(getVariable(STALE_AFTER)));
     registerSubscriber(Channels.NAVIGATION);
     registerSubscriber(Channels.STATE);
     registerPublisher(Channels.ACTUATION);

@@ -8,15 +8,13 @@ import org.u2sa.messages.U2SAData;
 
 /** The states of the last moments by their timestamps. */
 final class StateHistory {
-  private final long spanMicros;
+  private long spanMicros;
   private final TreeMap<Long, StateInformation> states = new TreeMap<>();
   private long lastStepMicros;
 
-  /**
-   * @param spanMicros how long a state is remembered, and how old a message may be to be fresh [µs]
-   */
-  StateHistory(long spanMicros) {
-    this.spanMicros = spanMicros;
+  /** Sets how long a state is remembered, and how old a message may be to be fresh [µs]. */
+  void span(long newSpanMicros) {
+    spanMicros = newSpanMicros;
   }
 
   /**

@@ -36,8 +36,8 @@ final class GoalSequence {
       new LinkedHashSet<>(); // ALL: what follows once current is empty
   private final Set<String> finished = new LinkedHashSet<>(); // in this lap
   private final String first;
-  private final boolean loop;
-  private final Options options;
+  private boolean loop;
+  private Options options;
 
   /**
    * @param goals at least one, with unique names; the first is where the mission begins
@@ -63,6 +63,12 @@ final class GoalSequence {
     first = other.first;
     loop = other.loop;
     options = other.options;
+  }
+
+  /** Changes how the mission goes on from here. */
+  void rules(boolean newLoop, Options newOptions) {
+    loop = newLoop;
+    options = newOptions;
   }
 
   /** The goals to be pursued now; none if the mission is over. */

@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
@@ -27,7 +28,8 @@ import org.u2sa.service.ServiceRole;
 public final class MissionManager extends EventDrivenService {
   static final Variable<String> MISSION =
       Variable.text("MISSION")
-          .describedAs("The mission's XML file; relative to the working directory.");
+          .describedAs(
+              "The mission's XML file, relative to the working directory. Changed while running: the new mission begins.");
 
   static final Variable<Boolean> LOOP =
       Variable.flag("LOOP")
@@ -48,7 +50,7 @@ public final class MissionManager extends EventDrivenService {
           .ifAbsent(Mission.DEFAULT_THRESHOLD_M)
           .describedAs("Horizontal threshold of waypoints that give none.");
 
-  private final GoalSequence sequence;
+  private GoalSequence sequence;
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
 
@@ -59,20 +61,48 @@ public final class MissionManager extends EventDrivenService {
    */
   public MissionManager(ServiceContext context) {
     super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
-    Mission mission =
-        Mission.load(
-            Paths.get(getVariable(MISSION)),
-            context.messageTypes(),
-            getVariable(DEFAULT_THRESHOLD));
-    sequence =
-        new GoalSequence(
-            mission.goals(), getVariable(LOOP), GoalSequence.Options.valueOf(getVariable(OPTIONS)));
-    log("mission " + mission.origin() + " with goals " + names(mission.goals()));
-    mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
+    sequence = load();
     registerPublisher(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.GOAL_UPDATES);
     registerSubscriber(Channels.GOAL_COMMANDS);
+  }
+
+  private GoalSequence load() {
+    Mission mission =
+        Mission.load(
+            Paths.get(getVariable(MISSION)),
+            context().messageTypes(),
+            getVariable(DEFAULT_THRESHOLD));
+    log("mission " + mission.origin() + " with goals " + names(mission.goals()));
+    mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
+    return new GoalSequence(mission.goals(), getVariable(LOOP), options());
+  }
+
+  private GoalSequence.Options options() {
+    return GoalSequence.Options.valueOf(getVariable(OPTIONS));
+  }
+
+  @Override
+  protected void configurationChanged(String variableName) {
+    if (variableName.equals(MISSION.name()) || variableName.equals(DEFAULT_THRESHOLD.name())) {
+      beginAnew();
+    } else {
+      sequence.rules(getVariable(LOOP), options());
+      publishGoals();
+    }
+  }
+
+  private void beginAnew() {
+    try {
+      sequence = load();
+    } catch (BadInputException e) {
+      log(LogLevelEnum.ERROR, e.getMessage() + ": goes on with the mission before");
+      return;
+    }
+    completed.clear();
+    abandoned.clear();
+    publishGoals();
   }
 
   @Override

@@ -2,26 +2,21 @@ package org.u2sa.core.planning;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Point;
 
 /** What a planner does while it has no goal to pursue: hold at a place, or nothing. */
 final class EndOfMission {
-  private final boolean holds;
-  private final double radiusM;
-  private final LineSettings settings;
+  private final Supplier<PlanningSettings> settings;
   private final WaypointGuidance guidance;
   private Optional<LoiterCircle> circle = Optional.empty();
 
   /**
-   * @param holds whether to hold at all
-   * @param radiusM of the circle on which to hold; 0 for the place itself [m]
-   * @param settings for the look-ahead
+   * @param settings whether to hold, and on what circle
    * @param guidance for the form of the point handed to control
    */
-  EndOfMission(boolean holds, double radiusM, LineSettings settings, WaypointGuidance guidance) {
-    this.holds = holds;
-    this.radiusM = radiusM;
+  EndOfMission(Supplier<PlanningSettings> settings, WaypointGuidance guidance) {
     this.settings = settings;
     this.guidance = guidance;
   }
@@ -38,14 +33,15 @@ final class EndOfMission {
    *     began
    */
   List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
-    if (!holds) {
+    PlanningSettings now = settings.get();
+    if (!now.holdsAtEnd()) {
       return List.of();
     }
     if (circle.isEmpty()) {
       Place centre = place.filter(Place::isHorizontal).orElse(vehicle.place());
-      circle = Optional.of(new LoiterCircle(centre, radiusM, vehicle));
+      circle = Optional.of(new LoiterCircle(centre, now.loiterRadiusM(), vehicle));
     }
-    Point ahead = circle.get().ahead(vehicle, settings.lookAheadM(vehicle.speedMps()));
+    Point ahead = circle.get().ahead(vehicle, now.lines().lookAheadM(vehicle.speedMps()));
     return List.of(NavigationPoint.at(guidance.bodyPoint(vehicle, ahead)));
   }
 }

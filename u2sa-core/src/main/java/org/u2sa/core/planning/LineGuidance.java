@@ -1,6 +1,7 @@
 package org.u2sa.core.planning;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -39,7 +40,7 @@ final class LineGuidance implements WaypointGuidance {
    */
   private static final double GROWN_M = 1.0;
 
-  private final LineSettings settings;
+  private final Supplier<LineSettings> settings;
   private Optional<Place> start = Optional.empty();
   private boolean leaving; // flies away from a waypoint inside its turning circle
   private boolean turning; // already follows the next leg
@@ -47,7 +48,7 @@ final class LineGuidance implements WaypointGuidance {
   private double distanceM; // to the target
   private boolean passed;
 
-  LineGuidance(LineSettings settings) {
+  LineGuidance(Supplier<LineSettings> settings) {
     this.settings = settings;
   }
 
@@ -72,7 +73,7 @@ final class LineGuidance implements WaypointGuidance {
   }
 
   private boolean turnsOnTheSpot() {
-    return settings.turns().accelerationMps2() == 0.0;
+    return settings.get().turns().accelerationMps2() == 0.0;
   }
 
   @Override
@@ -103,11 +104,11 @@ final class LineGuidance implements WaypointGuidance {
               ? ahead(
                   vehicle,
                   next.get(),
-                  settings.altitudes().along(target, after.get(), vehicle, to.z()))
+                  settings.get().altitudes().along(target, after.get(), vehicle, to.z()))
               : ahead(
                   vehicle,
                   leg.get(),
-                  settings.altitudes().along(start.get(), target, vehicle, to.z()));
+                  settings.get().altitudes().along(start.get(), target, vehicle, to.z()));
     }
     return bodyPoint(vehicle, ned);
   }
@@ -126,7 +127,7 @@ final class LineGuidance implements WaypointGuidance {
    * Without a leg: to the target, or straight on while the target lies inside the turning circle.
    */
   private Point straightTo(Vehicle vehicle, Point to) {
-    double radius = settings.turns().radiusM(vehicle.speedMps());
+    double radius = settings.get().turns().radiusM(vehicle.speedMps());
     double course = vehicle.courseRad();
     double right = to.y() * Math.cos(course) - to.x() * Math.sin(course);
     double along = to.x() * Math.cos(course) + to.y() * Math.sin(course);
@@ -135,7 +136,7 @@ final class LineGuidance implements WaypointGuidance {
         fromCentre < (leaving ? OUTSIDE_CIRCLE : INSIDE_CIRCLE) * radius
             && Math.abs(Math.atan2(right, along)) > ALIGNED_RAD;
     double bearing = leaving || distanceM == 0.0 ? course : Math.atan2(to.y(), to.x());
-    double ahead = settings.lookAheadM(vehicle.speedMps());
+    double ahead = settings.get().lookAheadM(vehicle.speedMps());
     if (turnsOnTheSpot()) {
       ahead = Math.min(ahead, distanceM);
     }
@@ -149,7 +150,7 @@ final class LineGuidance implements WaypointGuidance {
     double turn = leg.turnToRad(next.get());
     double inside = Math.signum(turn) * leg.acrossM(0.0, 0.0);
     double remaining = leg.remainingM(0.0, 0.0);
-    double distance = settings.turns().distanceM(vehicle.speedMps(), turn, inside, threshold);
+    double distance = settings.get().turns().distanceM(vehicle.speedMps(), turn, inside, threshold);
     if (remaining <= distance && Math.abs(inside) <= threshold) {
       turning = true;
     }
@@ -164,7 +165,7 @@ final class LineGuidance implements WaypointGuidance {
    * end.
    */
   private Point ahead(Vehicle vehicle, Leg leg, AltitudeProfile.Slope altitudes) {
-    double along = leg.alongM(0.0, 0.0) + settings.lookAheadM(vehicle.speedMps());
+    double along = leg.alongM(0.0, 0.0) + settings.get().lookAheadM(vehicle.speedMps());
     if (turnsOnTheSpot()) {
       along = Math.min(along, leg.lengthM());
     }

@@ -24,10 +24,9 @@ import org.u2sa.service.ServiceRole;
  * 4.6.2.3).
  */
 public final class PathPlanner extends EventDrivenService {
-  private final long staleAfterMicros;
-  private final long reportIntervalMicros;
   private final PlannerStates states;
   private final EndOfMission end;
+  private PlanningSettings settings;
   private Optional<GoalList> goals = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
   private Optional<GoalInformation> finished =
@@ -40,24 +39,21 @@ public final class PathPlanner extends EventDrivenService {
   /** Called by the launcher. */
   public PathPlanner(ServiceContext context) {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
-    LineSettings settings = PlanningVariables.lineSettings(this);
-    WaypointGuidance guidance = PlanningVariables.guidance(this, settings);
-    states =
-        new PlannerStates(
-            List.of(new WaypointState(guidance, getVariable(PlanningVariables.ATTEMPTS))));
+    settings = PlanningSettings.of(this);
+    WaypointGuidance guidance = new ChosenGuidance(() -> settings);
+    states = new PlannerStates(List.of(new WaypointState(guidance, () -> settings)));
     states.discover(this);
-    end =
-        new EndOfMission(
-            PlanningVariables.holdsAtEnd(this),
-            getVariable(PlanningVariables.LOITER_RADIUS),
-            settings,
-            guidance);
-    staleAfterMicros = Clock.micros(getVariable(PlanningVariables.STALE_AFTER));
-    reportIntervalMicros = Clock.micros(getVariable(PlanningVariables.REPORT_INTERVAL));
+    end = new EndOfMission(() -> settings, guidance);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.STATE);
+  }
+
+  @Override
+  protected void configurationChanged(String variableName) {
+    settings = PlanningSettings.of(this);
+    end.leave(); // a circle of the new radius
   }
 
   @Override
@@ -78,7 +74,7 @@ public final class PathPlanner extends EventDrivenService {
 
   private boolean isUsable(StateInformation state) {
     long ageMicros = clock().micros() - state.timestamp().orElse(0L);
-    if (state.timestamp().isEmpty() || ageMicros > staleAfterMicros) {
+    if (state.timestamp().isEmpty() || ageMicros > settings.staleAfterMicros()) {
       complain(
           "state is " + Clock.seconds(ageMicros) + " s old: not planned from", "state too old");
       return false;
@@ -163,7 +159,7 @@ public final class PathPlanner extends EventDrivenService {
   /** Tells the Mission Manager, and again after a while if it does not react. */
   private void report(GoalInformation done, Plan.Progress progress) {
     long now = clock().micros();
-    if (isFinished(done.uid()) && now - reportedMicros < reportIntervalMicros) {
+    if (isFinished(done.uid()) && now - reportedMicros < settings.reportIntervalMicros()) {
       return;
     }
     GoalInformation report = done.copy();

@@ -1,6 +1,5 @@
 package org.u2sa.core.planning;
 
-import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 
@@ -9,9 +8,9 @@ import org.u2sa.interfaces.Variable;
  * vehicle.
  */
 final class PlanningVariables {
-  private static final String LINE = "LINE";
+  static final String LINE = "LINE";
   private static final String DIRECT = "DIRECT";
-  private static final String HOLD = "HOLD";
+  static final String HOLD = "HOLD";
   private static final String STOP = "STOP";
 
   static final Variable<String> GUIDANCE =
@@ -97,24 +96,4 @@ final class PlanningVariables {
               "Time after which a report of a finished goal is repeated if the Mission Manager did not react.");
 
   private PlanningVariables() {}
-
-  static LineSettings lineSettings(Configurator configuration) {
-    return new LineSettings(
-        configuration.getVariable(LOOK_AHEAD),
-        configuration.getVariable(LOOK_AHEAD_TIME),
-        new TurnAnticipation(
-            configuration.getVariable(TURN_ACCELERATION),
-            configuration.getVariable(TURN_LAG),
-            configuration.getVariable(CORNER_LIMIT)),
-        AltitudeProfile.valueOf(configuration.getVariable(ALTITUDE_PROFILE)));
-  }
-
-  static WaypointGuidance guidance(Configurator configuration, LineSettings settings) {
-    boolean line = configuration.getVariable(GUIDANCE).equals(LINE);
-    return line ? new LineGuidance(settings) : new DirectGuidance();
-  }
-
-  static boolean holdsAtEnd(Configurator configuration) {
-    return configuration.getVariable(AT_END).equals(HOLD);
-  }
 }

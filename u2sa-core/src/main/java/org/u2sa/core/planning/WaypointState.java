@@ -3,6 +3,7 @@ package org.u2sa.core.planning;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
@@ -23,7 +24,7 @@ final class WaypointState implements PlannerState {
   private static final long LONGEST_STEP_MICROS = 2 * Clock.MICROS_PER_SECOND;
 
   private final WaypointGuidance guidance;
-  private final int attemptsAllowed;
+  private final Supplier<PlanningSettings> settings;
   private int attempts;
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
@@ -31,9 +32,9 @@ final class WaypointState implements PlannerState {
   private double nearestM;
   private Optional<StateInformation> last = Optional.empty();
 
-  WaypointState(WaypointGuidance guidance, int attemptsAllowed) {
+  WaypointState(WaypointGuidance guidance, Supplier<PlanningSettings> settings) {
     this.guidance = guidance;
-    this.attemptsAllowed = attemptsAllowed;
+    this.settings = settings;
   }
 
   @Override
@@ -108,8 +109,9 @@ final class WaypointState implements PlannerState {
   }
 
   private Plan missed(List<NavigationPoint> points, String passing) {
+    int attemptsAllowed = settings.get().attempts();
     String remark = "missed, " + passing + ", attempt " + attempts + " of " + attemptsAllowed;
-    if (attempts == attemptsAllowed) {
+    if (attempts >= attemptsAllowed) {
       return new Plan(points, Plan.Progress.ABANDONED, remark + ": given up");
     }
     attempts++;

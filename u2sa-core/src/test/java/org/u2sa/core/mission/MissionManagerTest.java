@@ -15,6 +15,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.testkit.ServiceKit;
 
@@ -133,5 +134,46 @@ class MissionManagerTest {
     assertThat(logged("goal \"4\" added; until another goal's next names it")).isTrue();
     kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("4"));
     assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("4");
+  }
+
+  private void change(String variable, String value) {
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .serviceName("MissionManager")
+            .variableName(variable)
+            .value(value));
+  }
+
+  @Test
+  void configurationChange_ofTheMission_beginsTheNewOne() throws IOException {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+    Path other = directory.resolve("other.xml");
+    Files.writeString(other, "<mission><waypoint><name>dock</name><x>1</x></waypoint></mission>");
+    change("MISSION", other.toString());
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("dock");
+  }
+
+  @Test
+  void configurationChange_toAWrongMission_goesOnWithTheOneBefore() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+    change("MISSION", "no/such.xml");
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("2");
+    assertThat(logged("goes on with the mission before")).isTrue();
+  }
+
+  @Test
+  void configurationChange_ofLoop_countsFromNowOn() {
+    kit.start(MissionManager::new);
+    change("LOOP", "true");
+    for (String uid : new String[] {"1", "2", "3"}) {
+      kit.publish(Channels.GOAL_REPORTS, report(uid).completed(true));
+    }
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("1");
   }
 }

@@ -14,6 +14,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.Schema;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -258,6 +259,28 @@ class PathPlannerTest {
     assertThat(point().x()).isCloseTo(10.0, within(1.0e-9));
     assertThat(point().z())
         .isCloseTo(-20.0, within(1.0e-9)); // half way: 50 m up, of which 30 are done
+  }
+
+  @Test
+  void configurationChange_ofLookAheadAndGuidance_countsFromTheNextState() {
+    kit.with("LOOK AHEAD", 5.0).start(PathPlanner::new);
+    goals(waypoint("1", 100, 0));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    change("LOOK AHEAD", "8");
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    assertThat(point().x()).isCloseTo(8.0, within(1.0e-9));
+
+    change("GUIDANCE", "DIRECT");
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    assertThat(point().x()).isCloseTo(1.0, within(1.0e-9));
+  }
+
+  private void change(String variable, String value) {
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange().serviceName("PathPlanner").variableName(variable).value(value));
   }
 
   /** A goal that no planner state knows. */

@@ -1,0 +1,48 @@
+package org.u2sa.core.planning;
+
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.Configurator;
+
+/**
+ * The planner's configuration at one moment.
+ *
+ * @param followsLines false: heads straight for waypoints, as the thesis's planner did
+ * @param lines how lines are followed
+ * @param attempts passes at a waypoint before it is given up, at least 1
+ * @param holdsAtEnd whether the vehicle holds where it has no goal to pursue
+ * @param loiterRadiusM of the circle on which it holds [m]; 0 for the place itself
+ * @param staleAfterMicros age at which a state is too old to plan from [µs]
+ * @param reportIntervalMicros time after which a report is repeated [µs]
+ */
+record PlanningSettings(
+    boolean followsLines,
+    LineSettings lines,
+    int attempts,
+    boolean holdsAtEnd,
+    double loiterRadiusM,
+    long staleAfterMicros,
+    long reportIntervalMicros) {
+
+  /** Declares and reads the variables. */
+  static PlanningSettings of(Configurator configuration) {
+    TurnAnticipation turns =
+        new TurnAnticipation(
+            configuration.getVariable(PlanningVariables.TURN_ACCELERATION),
+            configuration.getVariable(PlanningVariables.TURN_LAG),
+            configuration.getVariable(PlanningVariables.CORNER_LIMIT));
+    LineSettings lines =
+        new LineSettings(
+            configuration.getVariable(PlanningVariables.LOOK_AHEAD),
+            configuration.getVariable(PlanningVariables.LOOK_AHEAD_TIME),
+            turns,
+            AltitudeProfile.valueOf(configuration.getVariable(PlanningVariables.ALTITUDE_PROFILE)));
+    return new PlanningSettings(
+        configuration.getVariable(PlanningVariables.GUIDANCE).equals(PlanningVariables.LINE),
+        lines,
+        configuration.getVariable(PlanningVariables.ATTEMPTS),
+        configuration.getVariable(PlanningVariables.AT_END).equals(PlanningVariables.HOLD),
+        configuration.getVariable(PlanningVariables.LOITER_RADIUS),
+        Clock.micros(configuration.getVariable(PlanningVariables.STALE_AFTER)),
+        Clock.micros(configuration.getVariable(PlanningVariables.REPORT_INTERVAL)));
+  }
+}
