@@ -2,6 +2,7 @@ package org.u2sa.core.mission;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
 
@@ -29,5 +30,18 @@ public record Home(
     return referenceFrame.equals(ReferenceFrame.GLOBAL)
         ? Optional.of(new Geodetic(x, y, z.orElse(0.0)))
         : Optional.empty();
+  }
+
+  /**
+   * A waypoint over this place, at whatever altitude the vehicle has: an aircraft is not to descend
+   * to its runway.
+   */
+  Waypoint waypoint(String name, double thresholdM) {
+    return new Waypoint()
+        .uid(name)
+        .referenceFrame(referenceFrame)
+        .x(x)
+        .y(y)
+        .horizontalThreshold(thresholdM);
   }
 }

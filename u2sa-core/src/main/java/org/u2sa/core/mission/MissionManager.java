@@ -22,8 +22,9 @@ import org.u2sa.service.ServiceRole;
  * Keeps the goals of the mission and says which are current (thesis 3.2.3.2). In: goal-reports,
  * goal-updates, goal-commands. Out: goals, at the start and at each change.
  *
- * <p>A goal that comes in completed or abandoned is a report, any other an update. A list without
- * goals says that the mission is over.
+ * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A goal
+ * that comes in completed or abandoned is a report, any other an update. A list without goals says
+ * that the mission is over.
  */
 public final class MissionManager extends EventDrivenService {
   static final Variable<String> MISSION =
@@ -49,6 +50,9 @@ public final class MissionManager extends EventDrivenService {
           .range(Range.positive())
           .ifAbsent(Mission.DEFAULT_THRESHOLD_M)
           .describedAs("Horizontal threshold of waypoints that give none.");
+
+  /** The goal to which a vehicle returns on command. */
+  private static final String HOME = "home";
 
   private GoalSequence sequence;
   private final Set<String> completed = new LinkedHashSet<>();
@@ -76,7 +80,11 @@ public final class MissionManager extends EventDrivenService {
             getVariable(DEFAULT_THRESHOLD));
     log("mission " + mission.origin() + " with goals " + names(mission.goals()));
     mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
-    return new GoalSequence(mission.goals(), getVariable(LOOP), options());
+    GoalSequence loaded = new GoalSequence(mission.goals(), getVariable(LOOP), options());
+    if (mission.home().isPresent() && !loaded.knows(HOME)) {
+      loaded.update(mission.home().get().waypoint(HOME, getVariable(DEFAULT_THRESHOLD)));
+    }
+    return loaded;
   }
 
   private GoalSequence.Options options() {

@@ -20,8 +20,10 @@ import org.u2sa.messages.frame.Point;
  * waypoint is given up, which the report says.
  */
 final class WaypointState implements PlannerState {
-  /** Between states farther apart in time the way of the vehicle is not known [µs]. */
-  private static final long LONGEST_STEP_MICROS = 2 * Clock.MICROS_PER_SECOND;
+  /**
+   * Between states farther apart in time, as after a lost link, the way between is not known [µs].
+   */
+  private static final long LONGEST_STEP_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final WaypointGuidance guidance;
   private final Supplier<PlanningSettings> settings;

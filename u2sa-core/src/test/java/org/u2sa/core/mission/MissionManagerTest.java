@@ -119,6 +119,26 @@ class MissionManagerTest {
   }
 
   @Test
+  void callback_commandToGoHome_homeIsAWaypointWithoutAltitude() throws IOException {
+    Files.writeString(
+        file,
+        "<mission><home><x>8</x><y>50</y><z>3</z></home><waypoint><x>1</x></waypoint></mission>");
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("home"));
+
+    assertThat(goals().goals())
+        .singleElement()
+        .isEqualTo(
+            new Waypoint()
+                .uid("home")
+                .x(8.0)
+                .y(50.0)
+                .horizontalThreshold(Mission.DEFAULT_THRESHOLD_M));
+    kit.publish(Channels.GOAL_REPORTS, report("home").completed(true));
+    assertThat(goals().goals()).isEmpty();
+  }
+
+  @Test
   void callback_updateOfTheCurrentGoal_isPublished() {
     kit.start(MissionManager::new);
     kit.publish(Channels.GOAL_UPDATES, report("1").y(44.0));
