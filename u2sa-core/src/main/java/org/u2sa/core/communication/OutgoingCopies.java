@@ -5,6 +5,7 @@ import io.moquette.broker.Server;
 import io.netty.buffer.Unpooled;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttQoS;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
@@ -15,7 +16,6 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.MessageType;
 import org.u2sa.messages.U2SAData;
 
 /**
@@ -41,7 +41,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final String systemId;
   private final RemoteSubscriptions subscriptions;
   private final Consumer<String> log;
-  private final Map<String, Map<MessageType<?>, Interest>> interests = new ConcurrentHashMap<>();
+  private final Map<String, Map<List<String>, Interest>> interests = new ConcurrentHashMap<>();
   private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
   private final Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
   private final AtomicLong dropped = new AtomicLong();
@@ -63,22 +63,23 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
-    Interest interest = interest(channel, message.type());
+    Interest interest = interest(channel, message.typeChain());
     boolean wanted = interest.wanted || channel.isRetained();
     if (wanted && !waiting.offer(new Copy(channel, interest.topic, message))) {
       drop("the broker is too slow");
     }
   }
 
-  private Interest interest(Channel<?> channel, MessageType<?> type) {
-    Map<MessageType<?>, Interest> ofChannel =
+  private Interest interest(Channel<?> channel, List<String> typeChain) {
+    Map<List<String>, Interest> ofChannel =
         interests.computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>());
-    Interest known = ofChannel.get(type);
+    Interest known = ofChannel.get(typeChain);
     int version = subscriptions.version();
     if (known == null || known.version != version) {
-      String topic = known != null ? known.topic : Topic.of(systemId, channel, type).toString();
+      String topic =
+          known != null ? known.topic : new Topic(systemId, channel.name(), typeChain).toString();
       known = new Interest(topic, subscriptions.wants(topic), version);
-      ofChannel.put(type, known);
+      ofChannel.put(typeChain, known);
     }
     return known;
   }

@@ -9,7 +9,7 @@ import org.u2sa.sim.atmosphere.Wind;
 /**
  * The wind of a demo flight.
  *
- * @param speedMps near the ground [m/s]
+ * @param speedMps at every height [m/s]
  * @param fromRad where it blows from, true, clockwise from north [rad]
  */
 record DemoWind(double speedMps, double fromRad) {
@@ -51,7 +51,7 @@ record DemoWind(double speedMps, double fromRad) {
 
   /** The same for an aircraft that is stepped here, with gusts by the seed. */
   Wind wind(long seed) {
-    return Wind.turbulent(fromRad, speedMps, seed);
+    return Wind.gusty(fromRad, speedMps, seed);
   }
 
   void applyTo(LaunchOptions options) {

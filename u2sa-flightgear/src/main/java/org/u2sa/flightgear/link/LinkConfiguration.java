@@ -27,7 +27,7 @@ final class LinkConfiguration {
       Variable.number("WIND SPEED", "m/s")
           .range(Range.of(0.0, 30.0))
           .ifAbsent(0.0)
-          .describedAs("Wind near the ground, for the embedded aircraft.");
+          .describedAs("Wind at every height, for the embedded aircraft.");
 
   static final Variable<Double> WIND_FROM =
       Variable.number("WIND FROM", "rad")
@@ -87,7 +87,7 @@ final class LinkConfiguration {
     }
     Wind wind =
         gusts
-            ? Wind.turbulent(windFromRad, windSpeedMps, context.seed())
+            ? Wind.gusty(windFromRad, windSpeedMps, context.seed())
             : Wind.constant(windFromRad, windSpeedMps);
     return new EmbeddedAircraft(
         Cessna172.onRunway(EmbeddedStart.of(Mission.load(Paths.get(mission))), wind, true));

@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
@@ -13,7 +14,6 @@ import org.eclipse.paho.client.mqttv3.MqttMessage;
 import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
 import org.u2sa.messages.MalformedMessageException;
 import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageType;
 import org.u2sa.messages.U2SAData;
 
 /** One service's MQTT client. Reconnects by itself and then renews its subscriptions. */
@@ -31,7 +31,7 @@ final class MqttConnection implements Connection {
   private final Receiver receiver;
   private final MqttAsyncClient client;
   private final Map<String, Channel<?>> subscribed = new ConcurrentHashMap<>();
-  private final Map<String, Map<MessageType<?>, String>> topics = new ConcurrentHashMap<>();
+  private final Map<String, Map<List<String>, String>> topics = new ConcurrentHashMap<>();
   private final AtomicLong refused = new AtomicLong();
   private volatile boolean closed;
 
@@ -84,7 +84,7 @@ final class MqttConnection implements Connection {
     boolean eachMatters = channel.deliversEvery() || channel.isRetained();
     try {
       client.publish(
-          topic(channel, message.type()),
+          topic(channel, message),
           message.serialize(),
           eachMatters ? AT_LEAST_ONCE : AT_MOST_ONCE,
           channel.isRetained());
@@ -95,10 +95,11 @@ final class MqttConnection implements Connection {
     }
   }
 
-  private String topic(Channel<?> channel, MessageType<?> type) {
+  private String topic(Channel<?> channel, U2SAData message) {
     return topics
         .computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>())
-        .computeIfAbsent(type, of -> Topic.of(systemId, channel, of).toString());
+        .computeIfAbsent(
+            message.typeChain(), chain -> new Topic(systemId, channel.name(), chain).toString());
   }
 
   @Override

@@ -44,6 +44,11 @@ public record Wind(
     return new Wind(fromRad, speedAt6MetresMps, true, SIGMA_PER_WIND * speedAt6MetresMps, seed);
   }
 
+  /** The same wind at every height, with the gusts that MIL-F-8785C expects with it. */
+  public static Wind gusty(double fromRad, double speedMps, long seed) {
+    return constant(fromRad, speedMps).withGusts(SIGMA_PER_WIND * speedMps, seed);
+  }
+
   /** This wind with other gusts. */
   public Wind withGusts(double sigmaMps, long gustSeed) {
     return new Wind(fromRad, speedMps, heightProfile, sigmaMps, gustSeed);
