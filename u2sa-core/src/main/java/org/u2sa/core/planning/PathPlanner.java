@@ -10,7 +10,6 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.Waypoint;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -31,6 +30,7 @@ public final class PathPlanner extends EventDrivenService {
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
   private Optional<GoalInformation> finished =
       Optional.empty(); // reported, and still the newest such
+  private Optional<Place> holdAt = Optional.empty(); // the last place reached or given up
   private String foreseen = ""; // UID of the goal that the pursuit expects next
   private long reportedMicros;
   private String complaint =
@@ -129,6 +129,7 @@ public final class PathPlanner extends EventDrivenService {
     }
     complaint = "";
     end.leave();
+    holdAt = Optional.empty();
     Optional<GoalInformation> after =
         new GoalChoice(goals.get()).after(chosen, foreseen, option -> distanceM(option, state));
     boolean begins = goal.filter(current -> current.uid().equals(chosen.uid())).isEmpty();
@@ -172,10 +173,12 @@ public final class PathPlanner extends EventDrivenService {
   }
 
   private List<NavigationPoint> atEnd(StateInformation state) {
+    if (finished.isPresent()) {
+      holdAt = WaypointState.placeOf(finished);
+      finished = Optional.empty(); // whatever comes next does not begin there
+    }
     goal = Optional.empty();
-    Optional<Place> last =
-        finished.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
-    return end.plan(Vehicle.of(state).orElseThrow(), last);
+    return end.plan(Vehicle.of(state).orElseThrow(), holdAt);
   }
 
   private void publish(List<NavigationPoint> points, StateInformation state) {

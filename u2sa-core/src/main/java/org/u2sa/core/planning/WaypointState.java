@@ -60,7 +60,8 @@ final class WaypointState implements PlannerState {
     last = Optional.empty();
   }
 
-  private static Optional<Place> placeOf(Optional<GoalInformation> goal) {
+  /** Where a goal is, if it is a waypoint. */
+  static Optional<Place> placeOf(Optional<GoalInformation> goal) {
     return goal.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
   }
 

@@ -77,6 +77,15 @@ class GoalSequenceTest {
   }
 
   @Test
+  void finish_nextNamesFinishedGoals_theseAreNotOfferedAgain() {
+    GoalSequence any = sequence("a→b,c b→c,d c→b,d d", false, Options.ANY);
+    GoalSequence all = sequence("a→b b→a,c c", false, Options.ALL);
+
+    assertThat(run(any, "a", "b", "c", "d")).isEqualTo("a b,c c,d d ");
+    assertThat(run(all, "a", "b", "c")).isEqualTo("a b c ");
+  }
+
+  @Test
   void finish_graphEndsAndLoop_beginsWithTheFirst() {
     assertThat(run(sequence("a→b b", true, Options.ALL), "a", "b", "a")).isEqualTo("a b a b");
   }

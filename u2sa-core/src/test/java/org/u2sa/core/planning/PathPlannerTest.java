@@ -240,6 +240,23 @@ class PathPlannerTest {
   }
 
   @Test
+  void goals_newOnesAfterHolding_legBeginsWhereTheVehicleIs() {
+    kit.with("LOOK AHEAD", 5.0).with("AT END", "HOLD").start(PathPlanner::new);
+    goals(waypoint("1", 0, 0));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    goals();
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(50, 0, 0));
+    assertThat(point().x()).isCloseTo(-50.0, within(1.0e-9)); // back to the last waypoint
+
+    goals(waypoint("2", 50, 100));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(50, 0, 0));
+    assertThat(point().x()).isCloseTo(0.0, within(1.0e-9));
+    assertThat(point().y()).isCloseTo(-5.0, within(1.0e-9));
+  }
+
+  @Test
   void goals_emptyAndStopAtEnd_givesNoNavigationPoint() {
     kit.with("AT END", "STOP").start(PathPlanner::new);
     goals();

@@ -30,11 +30,12 @@ class TurnAnticipationProperties {
   @Property
   void distanceM_onTheLeg_theArcPassesWithinTheCorner(
       @ForAll @DoubleRange(min = 5.0, max = 80.0) double speed,
-      @ForAll @DoubleRange(min = 0.05, max = 3.1) double turn) {
-    double distance = turns.distanceM(speed, turn, 0.0, THRESHOLD_M);
+      @ForAll @DoubleRange(min = 0.05, max = 3.1) double turn,
+      @ForAll @DoubleRange(min = 1.0, max = 500.0) double threshold) {
+    double distance = turns.distanceM(speed, turn, 0.0, threshold);
 
     assertThat(passingM(distance, 0.0, turns.radiusM(speed), turn))
-        .isLessThanOrEqualTo(60.0 + 1.0e-6);
+        .isLessThanOrEqualTo(Math.min(0.6 * threshold, 60.0) + 1.0e-6);
   }
 
   @Property
