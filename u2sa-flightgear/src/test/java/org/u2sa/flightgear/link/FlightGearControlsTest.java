@@ -11,6 +11,15 @@ import org.u2sa.sim.aircraft.ControlInputs;
 /** What may happen to controls on their way, and that nothing of it reaches the service. */
 final class FlightGearControlsTest extends RawLink {
   @Test
+  void write_whileTheEngineStarts_sendsThrottleAndMixtureThatItSurvives() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send(RawFlightGear.lineOfStartingEngine());
+    link.write(SOME.withThrottle(1.0).withMixture(0.0));
+    assertThat(flightGear.acceptControls().readLine())
+        .startsWith("0.100000,-0.200000,0.300000,0.000000,0.480000,1.000000,");
+  }
+
+  @Test
   void write_beforeAnyLine_doesNotConnectThenSendsTheNewestFirst() throws IOException {
     link.write(SOME.withThrottle(0.9));
     link.write(SOME);

@@ -72,6 +72,11 @@ final class RawFlightGear implements AutoCloseable {
     return OutLine.of(values).format() + "\n";
   }
 
+  /** A good line of an aircraft whose engine is being started, with its end. */
+  static String lineOfStartingEngine() {
+    return OutLine.of(Map.of(OutField.ELAPSED, 1.0, OutField.PRIMER, 1.0)).format() + "\n";
+  }
+
   @Override
   public void close() throws IOException {
     controls.close();
