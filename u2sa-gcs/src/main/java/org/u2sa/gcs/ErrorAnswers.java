@@ -3,7 +3,9 @@ package org.u2sa.gcs;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.u2sa.gcs.report.ReportException;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.CommunicationException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -46,7 +48,11 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
   /** Tells {@code thrown} on {@code err} and returns the exit code. */
   int answer(Throwable thrown, PrintWriter err) {
     boolean badInput = thrown instanceof BadInputException;
-    boolean told = badInput || thrown instanceof RunFailedException;
+    boolean told =
+        badInput
+            || thrown instanceof RunFailedException
+            || thrown instanceof ReportException
+            || thrown instanceof CommunicationException;
     if (told) {
       err.println(PREFIX + thrown.getMessage());
     } else {

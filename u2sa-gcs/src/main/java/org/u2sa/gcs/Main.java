@@ -18,6 +18,18 @@ public final class Main {
   }
 
   /**
+   * Runs one command in this virtual machine, which goes on afterwards: for programs and tests that
+   * use the command line.
+   *
+   * @param out takes what the command prints, without colours
+   * @param err takes errors
+   * @return exit code, see {@link ExitCode}
+   */
+  public static int run(PrintWriter out, PrintWriter err, String... args) {
+    return run(CommandTree.discover(err), out, err, Help.Ansi.OFF, args);
+  }
+
+  /**
    * Runs one command.
    *
    * @return exit code, see {@link ExitCode}

@@ -24,14 +24,16 @@ import org.u2sa.messages.U2SAData;
  * external} all services use another MQTT broker, and with {@code none} nothing leaves the process.
  */
 public final class CommunicationManager implements AutoCloseable {
-  static final Variable<String> BROKER =
+  /** Which broker carries the messages. */
+  public static final Variable<String> BROKER =
       Variable.text("BROKER")
           .oneOf("embedded", "external", "none")
           .ifAbsent("embedded")
           .describedAs(
               "embedded: a broker in this process; external: another MQTT broker; none: this process only.");
 
-  static final Variable<String> BIND_ADDRESS =
+  /** Address on which the embedded broker listens. */
+  public static final Variable<String> BIND_ADDRESS =
       Variable.text("BIND ADDRESS")
           .ifAbsent("127.0.0.1")
           .describedAs(
@@ -42,7 +44,8 @@ public final class CommunicationManager implements AutoCloseable {
           .ifAbsent("localhost")
           .describedAs("Host of the external broker.");
 
-  static final Variable<Integer> PORT =
+  /** TCP port of the broker. */
+  public static final Variable<Integer> PORT =
       Variable.integer("COMMUNICATION MANAGER PORT")
           .range(Range.of(1, 65_535))
           .ifAbsent(1883)

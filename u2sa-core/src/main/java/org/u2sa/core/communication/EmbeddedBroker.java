@@ -13,6 +13,7 @@ import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufUtil;
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.net.ServerSocket;
 import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.atomic.AtomicLong;
@@ -64,22 +65,36 @@ final class EmbeddedBroker implements AutoCloseable {
     properties.setProperty(IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(LARGEST_PACKET));
     properties.setProperty(
         IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush at once: latency counts
+    broker.refuseTakenPort();
     try {
       broker.server.startServer(new MemoryConfig(properties), List.of(broker.new Listener()));
     } catch (IOException | RuntimeException e) {
-      throw new CommunicationException(
-          "the Communication Manager cannot listen on "
-              + host
-              + ":"
-              + port
-              + ": "
-              + e.getMessage()
-              + "; is the port taken by another one? COMMUNICATION MANAGER PORT sets another",
-          e);
+      throw broker.cannotListen(e);
     }
     broker.copies.start();
     bus.attach(broker.copies);
     return broker;
+  }
+
+  /** Tries the port first: Moquette tells a taken one in a log of its own, with a stack trace. */
+  private void refuseTakenPort() {
+    try (ServerSocket probe = new ServerSocket()) {
+      probe.bind(address);
+    } catch (IOException | IllegalArgumentException e) {
+      throw cannotListen(e);
+    }
+  }
+
+  private CommunicationException cannotListen(Exception e) {
+    return new CommunicationException(
+        "the Communication Manager cannot listen on "
+            + address.getHostString()
+            + ":"
+            + address.getPort()
+            + ": "
+            + e.getMessage()
+            + "; is the port taken by another system or broker? COMMUNICATION MANAGER PORT sets another",
+        e);
   }
 
   InetSocketAddress address() {

@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
     })
 final class CessnaDemo implements Callable<Integer> {
   @Mixin private DemoOptions options;
+  @Mixin private BrokerPort broker;
   @Spec private CommandSpec command;
 
   @Option(
@@ -51,11 +52,7 @@ final class CessnaDemo implements Callable<Integer> {
     for (int k = 0; k < options.runs(); k++) {
       Path runDirectory = options.runDirectory(directory, k);
       RunReport.prepare(runDirectory);
-      RunReport report =
-          fly(
-              new FlightRun(system, mission, runDirectory, options.terminal()),
-              mission,
-              options.seed() + k);
+      RunReport report = fly(system, mission, runDirectory, options.seed() + k);
       report.write(runDirectory);
       FlightWords.end(options, command, report, runDirectory);
       allCaptured &= report.score().success();
@@ -63,8 +60,10 @@ final class CessnaDemo implements Callable<Integer> {
     return allCaptured ? ExitCode.DONE : ExitCode.FAILED;
   }
 
-  private RunReport fly(FlightRun run, Mission mission, long seed) throws InterruptedException {
+  private RunReport fly(SystemFile system, Mission mission, Path directory, long seed)
+      throws InterruptedException {
     Terminal terminal = options.terminal();
+    FlightRun run = new FlightRun(system, mission, directory, terminal);
     DemoWind demoWind = windOf(seed);
     terminal
         .out()
@@ -80,6 +79,7 @@ final class CessnaDemo implements Callable<Integer> {
             .override("MissionManager", "MISSION", mission.origin())
             .override("Simulator", "MISSION", mission.origin());
     demoWind.applyTo(launch);
+    broker.configure(system, launch, terminal);
     if (options.realtime()) {
       StandInSimulation standIn = new StandInSimulation(mission, demoWind.wind(seed));
       standIn.configure(launch);

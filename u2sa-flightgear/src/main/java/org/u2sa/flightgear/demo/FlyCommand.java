@@ -33,6 +33,7 @@ final class FlyCommand implements Callable<Integer> {
 
   @Mixin private DemoOptions options;
   @Mixin private FlightGearPorts ports;
+  @Mixin private BrokerPort broker;
   @Spec private CommandSpec command;
 
   @Option(
@@ -87,6 +88,7 @@ final class FlyCommand implements Callable<Integer> {
             .console(line -> terminal.out().println(line))
             .override("MissionManager", "MISSION", mission.origin());
     boolean elsewhere = !host.isEmpty();
+    broker.configure(system, launch, terminal);
     ports.configure(launch, elsewhere ? host : HERE);
     Simulation simulation =
         elsewhere || noStart
