@@ -64,7 +64,7 @@ final class FlightRun {
   /**
    * Flies in real time.
    *
-   * @param simulation started once the services listen, ended before them
+   * @param simulation started once the services listen, ended after them
    */
   RunReport inRealTime(LaunchOptions options, long seed, Simulation simulation)
       throws InterruptedException {
@@ -100,8 +100,8 @@ final class FlightRun {
     options.seed(seed).logDirectory(directory.resolve("logs"));
     long began = stopwatch.micros();
     try (FlightScreen screen = new FlightScreen(plan, terminal, stopwatch);
-        RunningSystem running = RunningSystem.start(system, options);
-        Simulation simulated = simulation) {
+        Simulation simulated = simulation; // ended last, so that the neutral controls still reach it
+        RunningSystem running = RunningSystem.start(system, options)) {
       FlightObserver observer =
           new FlightObserver(
               running.contextFor(XmlConfiguration.inMemory("FlightObserver", Map.of())),

@@ -1,0 +1,161 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * What every way to the Communication Manager does alike, so that a service cannot tell which it
+ * uses.
+ */
+@Timeout(60)
+abstract class TransportContract {
+  private final Inbox inbox = new Inbox();
+  private Connection publisher;
+  private Connection subscriber;
+
+  /** The transport under test, for system "cessna". */
+  abstract Transport transport();
+
+  /** Ends what {@link #transport} needed. */
+  abstract void close();
+
+  private static final class Inbox implements Receiver {
+    private final List<U2SAData> messages = new CopyOnWriteArrayList<>();
+    private final List<String> troubles = new CopyOnWriteArrayList<>();
+
+    @Override
+    public void receive(Channel<?> channel, U2SAData message) {
+      messages.add(message);
+    }
+
+    @Override
+    public void trouble(String what) {
+      troubles.add(what);
+    }
+  }
+
+  @BeforeEach
+  void connect() {
+    Transport transport = transport();
+    publisher = transport.connect("Publisher", new Inbox());
+    subscriber = transport.connect("Subscriber", inbox);
+  }
+
+  @AfterEach
+  void disconnect() {
+    subscriber.close();
+    publisher.close();
+    close();
+  }
+
+  private static <T extends U2SAData> T frozen(T message) {
+    message.systemId("cessna");
+    message.timestamp(1);
+    message.freeze();
+    return message;
+  }
+
+  @Test
+  void publish_subclass_arrivesWholeAndFrozen() {
+    subscriber.subscribe(Channels.ACTUATION);
+    PercentageCommand command = frozen(PercentageCommand.of("RUDDER", 5.0));
+
+    assertThat(publisher.publish(Channels.ACTUATION, command)).isTrue();
+
+    await().until(() -> inbox.messages.size() == 1);
+    assertThat(inbox.messages.get(0)).isEqualTo(command).isInstanceOf(PercentageCommand.class);
+    assertThat(inbox.messages.get(0).isFrozen()).isTrue();
+  }
+
+  @Test
+  void publish_many_arriveInOrderAndNoneTwice() {
+    subscriber.subscribe(Channels.GOAL_COMMANDS);
+    subscriber.subscribe(Channels.ACTUATION);
+    List<U2SAData> sent = new CopyOnWriteArrayList<>();
+    for (int i = 0; i < 200; i++) {
+      PercentageCommand command = frozen(PercentageCommand.of("RUDDER", i / 2.0));
+      sent.add(command);
+      publisher.publish(Channels.ACTUATION, command);
+    }
+
+    await().until(() -> inbox.messages.size() >= sent.size());
+    assertThat(inbox.messages).containsExactlyElementsOf(sent);
+  }
+
+  @Test
+  void publish_onAnotherChannel_doesNotArrive() {
+    subscriber.subscribe(Channels.ACTUATION);
+    ActuatorCommand command = frozen(PercentageCommand.of("RUDDER", 5.0));
+
+    publisher.publish(Channels.STATE, frozen(new StateInformation().sensorName("a").x(1.0)));
+    publisher.publish(Channels.ACTUATION, command);
+
+    await().until(() -> inbox.messages.contains(command));
+    assertThat(inbox.messages).containsExactly(command);
+  }
+
+  @Test
+  void publish_notOfTheChannelsType_isRefusedAndCounted() {
+    assertThat(publisher.publish(Channels.STATE, frozen(PercentageCommand.of("RUDDER", 5.0))))
+        .isFalse();
+    assertThat(publisher.refused()).isEqualTo(1);
+  }
+
+  @Test
+  void unsubscribe_thenPublish_nothingArrives() {
+    subscriber.subscribe(Channels.ACTUATION);
+    subscriber.subscribe(Channels.STATE);
+    subscriber.unsubscribe(Channels.ACTUATION);
+    StateInformation last = frozen(new StateInformation().sensorName("a").x(1.0));
+
+    publisher.publish(Channels.ACTUATION, frozen(PercentageCommand.of("RUDDER", 5.0)));
+    publisher.publish(Channels.STATE, last);
+
+    await().until(() -> inbox.messages.contains(last));
+    assertThat(inbox.messages).containsExactly(last);
+  }
+
+  @Test
+  void subscribe_late_getsWhatIsRetained() {
+    GoalList goals = frozen(new GoalList());
+    publisher.publish(Channels.GOALS, goals);
+
+    await()
+        .until(
+            () -> {
+              subscriber.subscribe(Channels.GOALS);
+              return inbox.messages.contains(goals);
+            });
+  }
+
+  @Test
+  void close_thenPublish_isRefused() {
+    publisher.close();
+    publisher.close();
+
+    assertThat(publisher.publish(Channels.ACTUATION, frozen(PercentageCommand.of("RUDDER", 5.0))))
+        .isFalse();
+  }
+
+  @Test
+  void systemId_isTheOneAskedFor() {
+    assertThat(transport().systemId()).isEqualTo("cessna");
+  }
+}
