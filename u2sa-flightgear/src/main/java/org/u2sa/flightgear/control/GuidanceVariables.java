@@ -17,9 +17,9 @@ final class GuidanceVariables {
   static final Variable<Double> FASTEST_SPEED =
       number("FASTEST SPEED", "m/s", 35.0, 82.0, 60.0, "Most calibrated airspeed demanded.");
   static final Variable<Double> BANK_LIMIT =
-      number("BANK LIMIT", "deg", 5.0, 30.0, 28.5, "Most bank demanded.");
+      number("BANK LIMIT", "deg", 5.0, 30.0, 27.5, "Most bank demanded.");
   static final Variable<Double> BANK_RATE =
-      number("BANK RATE LIMIT", "deg/s", 2.0, 60.0, 20.0, "How fast the demanded bank may move.");
+      number("BANK RATE LIMIT", "deg/s", 2.0, 60.0, 15.0, "How fast the demanded bank may move.");
   static final Variable<Double> SHORTEST_LOOK_AHEAD =
       number(
           "SHORTEST LOOK AHEAD",

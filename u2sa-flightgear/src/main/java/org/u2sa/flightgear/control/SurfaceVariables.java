@@ -19,7 +19,7 @@ final class SurfaceVariables {
   static final Variable<Double> ROLL_RATE_LIMIT =
       number("ROLL RATE LIMIT", "deg/s", 2.0, 60.0, 20.0, "Most roll rate demanded.");
   static final Variable<Double> ROLL_FORWARD =
-      number("ROLL RATE FORWARD GAIN", "s/rad", 0.0, 5.0, 0.9, "Aileron per demanded roll rate.");
+      number("ROLL RATE FORWARD GAIN", "s/rad", 0.0, 5.0, 1.1, "Aileron per demanded roll rate.");
   static final Variable<Double> ROLL_GAIN =
       number("ROLL RATE GAIN", "s/rad", 0.0, 5.0, 0.2, "Aileron per roll rate error.");
   static final Variable<Double> ROLL_INTEGRAL =
@@ -28,7 +28,7 @@ final class SurfaceVariables {
           "1/rad",
           0.0,
           5.0,
-          0.2,
+          0.1,
           "Aileron per integrated roll rate error.");
   static final Variable<Double> AILERON_TRIM =
       number(

@@ -157,13 +157,13 @@ class CessnaControlTest {
     kit.publish(Channels.STATE, state.copy());
   }
 
-  /** Level at 43 m/s eastwards, 300 m up. */
+  /** Level at 40 m/s eastwards, 300 m up. */
   private static AircraftState flying() {
     AircraftState state = new AircraftState();
-    state.x(-157.9).y(21.3).z(300.0).xDot(43.0).yDot(0.0).zDot(0.0);
+    state.x(-157.9).y(21.3).z(300.0).xDot(40.0).yDot(0.0).zDot(0.0);
     state.phi(0.0).theta(0.05).psi(Math.PI / 2).phiDot(0.0).thetaDot(0.0).psiDot(0.0);
-    state.fluidxDot(43.0).fluidyDot(0.0).fluidzDot(2.15);
-    return state.heightAboveGround(295.0).calibratedAirspeed(42.4).engineRpm(2300.0);
+    state.fluidxDot(40.0).fluidyDot(0.0).fluidzDot(2.15);
+    return state.heightAboveGround(295.0).calibratedAirspeed(39.5).engineRpm(2300.0);
   }
 
   private static AircraftState standing() {
