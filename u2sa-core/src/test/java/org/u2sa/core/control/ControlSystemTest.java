@@ -42,6 +42,7 @@ class ControlSystemTest {
     StateInformation older = state();
     older.timestamp(900_000L);
     kit.publish(Channels.STATE, older);
+    kit.publish(Channels.STATE, state()); // of the same time
 
     assertThat(control.steps).hasSize(1);
   }
