@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
+import org.u2sa.messages.contract.HealthReport;
 
 /**
  * What a service knows of its own condition (thesis 3.5.3). Written by the service's thread, read
@@ -69,33 +70,26 @@ final class ServiceHealth {
     lastError = what;
   }
 
-  synchronized long exceptions() {
-    return exceptions;
-  }
-
   synchronized int exceptionsInRow() {
     return exceptionsInRow;
-  }
-
-  synchronized long overruns() {
-    return overruns;
   }
 
   synchronized Optional<String> lastError() {
     return Optional.ofNullable(lastError);
   }
 
-  /** Median time of the latest callbacks [s]; 0 before the first. */
-  double callbackP50() {
-    return percentile(MEDIAN);
+  /** Fills in what a health report says of the service's code, and returns the report. */
+  synchronized HealthReport addTo(HealthReport report) {
+    lastError().ifPresent(report::lastError);
+    return report
+        .overruns(overruns)
+        .exceptions(exceptions)
+        .callbackP50(percentile(MEDIAN))
+        .callbackP99(percentile(WORST_PERCENT));
   }
 
-  /** Time that 99 of 100 of the latest callbacks did not exceed [s]; 0 before the first. */
-  double callbackP99() {
-    return percentile(WORST_PERCENT);
-  }
-
-  private synchronized double percentile(double fraction) {
+  /** Time that this share of the latest callbacks did not exceed [s]; 0 before the first. */
+  private double percentile(double fraction) {
     int known = (int) Math.min(callbacks, REMEMBERED_CALLBACKS);
     if (known == 0) {
       return 0.0;

@@ -3,7 +3,6 @@ package org.u2sa.service;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Receiver;
@@ -193,6 +192,11 @@ public abstract class U2SAService extends CommunicatingService {
   /** Asks the loop to stop, without waiting for it. */
   final void askToStop() {
     running = false;
+    wake();
+  }
+
+  /** Ends the present wait of the service's thread. */
+  final void wake() {
     Clock.Waiter waiting = waiter;
     if (waiting != null) {
       waiting.signal();
@@ -248,41 +252,21 @@ public abstract class U2SAService extends CommunicatingService {
             .status(status)
             .inboxDepth(inbox.depth())
             .dropped(inbox.dropped())
-            .refused(wiring().refused())
-            .overruns(health.overruns())
-            .exceptions(health.exceptions())
-            .callbackP50(health.callbackP50())
-            .callbackP99(health.callbackP99());
-    health.lastError().ifPresent(report::lastError);
-    publish(Channels.HEALTH, report);
+            .refused(wiring().refused());
+    publish(Channels.HEALTH, health.addTo(report));
   }
 
   @Override
   final Receiver receiver() {
-    return new Incoming();
+    return new ServiceReceiver(this);
   }
 
-  /** Called by the transport, on its own or another service's thread. */
-  private final class Incoming implements Receiver {
-    @Override
-    public void receive(Channel<?> channel, U2SAData message) {
-      if (contract.isOrderToStop(message)) {
-        askToStop();
-      } else if (wiring().isSubscribed(channel) || contract.concerns(message)) {
-        if (!inbox.put(channel, message) && Long.bitCount(inbox.dropped()) == 1) {
-          log(LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
-        }
-        Clock.Waiter waiting = waiter;
-        if (waiting != null) {
-          waiting.signal();
-        }
-      }
-    }
+  final ContractResponder contract() {
+    return contract;
+  }
 
-    @Override
-    public void trouble(String what) {
-      log(LogLevelEnum.WARN, what);
-    }
+  final ServiceInbox inbox() {
+    return inbox;
   }
 
   /** Whether the service's loop goes on. */

@@ -20,12 +20,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.XmlConfiguration;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.MessageTypes;
@@ -38,27 +36,12 @@ class CommunicationManagerTest {
   private static final MessageTypes TYPES = MessageTypes.standard();
 
   private final List<String> log = new CopyOnWriteArrayList<>();
-  private final Inbox localInbox = new Inbox();
-  private final Inbox remoteInbox = new Inbox();
+  private final RecordingReceiver localInbox = new RecordingReceiver();
+  private final RecordingReceiver remoteInbox = new RecordingReceiver();
   private int port;
   private CommunicationManager manager;
   private Connection local;
   private Connection remote;
-
-  private static final class Inbox implements Receiver {
-    private final List<U2SAData> messages = new CopyOnWriteArrayList<>();
-    private final List<String> troubles = new CopyOnWriteArrayList<>();
-
-    @Override
-    public void receive(Channel<?> channel, U2SAData message) {
-      messages.add(message);
-    }
-
-    @Override
-    public void trouble(String what) {
-      troubles.add(what);
-    }
-  }
 
   @BeforeEach
   void start() throws IOException {
@@ -97,7 +80,8 @@ class CommunicationManagerTest {
    * Publishes until it arrives: the broker tells its listeners of a new subscription a moment after
    * it confirmed it.
    */
-  private static void publishUntilReceived(Connection from, Inbox to, U2SAData message) {
+  private static void publishUntilReceived(
+      Connection from, RecordingReceiver to, U2SAData message) {
     await()
         .until(
             () -> {
@@ -158,7 +142,7 @@ class CommunicationManagerTest {
     local.subscribe(Channels.STATE);
     Connection other =
         new MqttTransport("127.0.0.1", port, "boat", new MessageCodec(TYPES))
-            .connect("Remote", new Inbox());
+            .connect("Remote", new RecordingReceiver());
     StateInformation mine = frozen(new StateInformation().sensorName("a").x(1.0));
 
     other.publish(Channels.STATE, frozen(new StateInformation().sensorName("boat").x(2.0)));
@@ -204,7 +188,7 @@ class CommunicationManagerTest {
   @Test
   void start_externalBroker_servicesTalkThroughIt() {
     try (CommunicationManager external = start(Map.of("BROKER", "external"))) {
-      Inbox inbox = new Inbox();
+      RecordingReceiver inbox = new RecordingReceiver();
       Connection connection = external.transport().connect("External", inbox);
       connection.subscribe(Channels.ACTUATION);
       PercentageCommand command = frozen(PercentageCommand.of("RUDDER", 5.0));

@@ -9,10 +9,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.GoalList;
@@ -26,7 +24,7 @@ import org.u2sa.messages.U2SAData;
  */
 @Timeout(60)
 abstract class TransportContract {
-  private final Inbox inbox = new Inbox();
+  private final RecordingReceiver inbox = new RecordingReceiver();
   private Connection publisher;
   private Connection subscriber;
 
@@ -36,25 +34,10 @@ abstract class TransportContract {
   /** Ends what {@link #transport} needed. */
   abstract void close();
 
-  private static final class Inbox implements Receiver {
-    private final List<U2SAData> messages = new CopyOnWriteArrayList<>();
-    private final List<String> troubles = new CopyOnWriteArrayList<>();
-
-    @Override
-    public void receive(Channel<?> channel, U2SAData message) {
-      messages.add(message);
-    }
-
-    @Override
-    public void trouble(String what) {
-      troubles.add(what);
-    }
-  }
-
   @BeforeEach
   void connect() {
     Transport transport = transport();
-    publisher = transport.connect("Publisher", new Inbox());
+    publisher = transport.connect("Publisher", new RecordingReceiver());
     subscriber = transport.connect("Subscriber", inbox);
   }
 
