@@ -156,8 +156,19 @@ public abstract class ControlSystem extends EventDrivenService {
    * @throws IllegalArgumentException if the percentage is not a number
    */
   protected final void command(String actuator, double percentage) {
+    command(actuator, percentage, commandExpiryS);
+  }
+
+  /**
+   * Commands an actuator until the next command, or until the given time has passed.
+   *
+   * @param percentage bounded to −100…100 [%]
+   * @param expiryS how long it holds without another command [s]
+   * @throws IllegalArgumentException if a value is not a number
+   */
+  protected final void command(String actuator, double percentage, double expiryS) {
     double bounded = Math.max(-100.0, Math.min(100.0, percentage));
-    publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(commandExpiryS));
+    publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(expiryS));
   }
 
   /** Leaves the actuators neutral; subclasses that override it call it too. */

@@ -33,6 +33,14 @@ enum CessnaActuator {
     return share.applyAsDouble(surfaces);
   }
 
+  /**
+   * Whether it sets power or shape rather than attitude: what a short silence of control should not
+   * change, as an engine that idles for a few seconds costs more than it saves.
+   */
+  boolean holdsThroughSilence() {
+    return this == THROTTLE || this == MIXTURE || this == FLAPS;
+  }
+
   /** Surfaces centred, engine idling on a rich mixture, brakes off [%]. */
   static Map<String, Double> neutral() {
     Map<String, Double> neutral = new LinkedHashMap<>();

@@ -6,6 +6,8 @@ import java.util.Optional;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.flightgear.ControlStatus;
 import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -21,6 +23,12 @@ public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
 
+  private static final Variable<Double> POWER_EXPIRY =
+      Variable.number("POWER EXPIRY", "s")
+          .range(Range.of(0.02, 60.0))
+          .ifAbsent(10.0)
+          .describedAs("How long throttle, mixture and flaps obey a command that is not renewed.");
+
   private final FlightStateReader reader = new FlightStateReader();
   private final Autopilot autopilot;
   private FlightPhase loggedPhase;
@@ -31,6 +39,7 @@ public final class CessnaControl extends ControlSystem {
   /** Called by the launcher. */
   public CessnaControl(ServiceContext context) {
     super(context, "Control");
+    getVariable(POWER_EXPIRY); // a wrong value must fail before the flight
     autopilot = new Autopilot(GuidanceVariables.tuning(this));
     registerPublisher(ControlStatus.CHANNEL);
   }
@@ -47,7 +56,12 @@ public final class CessnaControl extends ControlSystem {
     Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
     Surfaces surfaces = autopilot.step(now, target);
     for (CessnaActuator actuator : CessnaActuator.values()) {
-      command(actuator.actuatorName(), FULL_PERCENT * actuator.of(surfaces));
+      double percentage = FULL_PERCENT * actuator.of(surfaces);
+      if (actuator.holdsThroughSilence()) {
+        command(actuator.actuatorName(), percentage, getVariable(POWER_EXPIRY));
+      } else {
+        command(actuator.actuatorName(), percentage);
+      }
     }
     report(now, target.isPresent());
   }

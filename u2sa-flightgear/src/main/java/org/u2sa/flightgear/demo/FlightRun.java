@@ -100,7 +100,8 @@ final class FlightRun {
     options.seed(seed).logDirectory(directory.resolve("logs"));
     long began = stopwatch.micros();
     try (FlightScreen screen = new FlightScreen(plan, terminal, stopwatch);
-        Simulation simulated = simulation; // ended last, so that the neutral controls still reach it
+        Simulation simulated =
+            simulation; // ended last, so that the neutral controls still reach it
         RunningSystem running = RunningSystem.start(system, options)) {
       FlightObserver observer =
           new FlightObserver(

@@ -38,6 +38,7 @@ class CessnaControlTest {
     GuidanceVariables.tuning(file);
     file.getVariable(org.u2sa.interfaces.Variable.number("STALE AFTER", "s"));
     file.getVariable(org.u2sa.interfaces.Variable.number("COMMAND EXPIRY", "s"));
+    file.getVariable(org.u2sa.interfaces.Variable.number("POWER EXPIRY", "s"));
     file.refuseUndeclared();
   }
 
@@ -57,7 +58,11 @@ class CessnaControlTest {
             "FLAPS",
             "LEFT BRAKE",
             "RIGHT BRAKE");
-    assertThat(commands).allSatisfy(c -> assertThat(c.expiry()).hasValue(0.5));
+    List<String> power =
+        List.of("THROTTLE", "MIXTURE", "FLAPS"); // a short silence is no reason to idle
+    assertThat(commands)
+        .allSatisfy(
+            c -> assertThat(c.expiry()).hasValue(power.contains(c.actuatorName()) ? 10.0 : 0.5));
   }
 
   @Test
