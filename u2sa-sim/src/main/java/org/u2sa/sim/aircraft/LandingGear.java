@@ -59,7 +59,7 @@ final class LandingGear {
     double reach = STANDING_M + share * WEIGHT_N / stiffness;
     double z =
         (reach + x * StrictMath.sin(STANDING_PITCH_RAD)) / StrictMath.cos(STANDING_PITCH_RAD);
-    return new Wheel(x, y, z, stiffness, damping, steerRad);
+    return new Wheel(x, y, z, stiffness, damping, share, steerRad);
   }
 
   void set(ControlInputs inputs) {

@@ -13,8 +13,11 @@ final class Wheel {
   /** Deepest travel of a leg before metal meets the runway [m]. */
   static final double DEEPEST_M = 0.30;
 
-  private static final double TYRE_STIFFNESS = 90_000.0; // both ways along the ground [N/m]
-  private static final double TYRE_DAMPING = 4_000.0; // [N s/m]
+  // A tyre's cornering stiffness grows about in proportion to its static load, so that an aircraft
+  // with alike tyres steers
+  // neutrally on its wheels (Pacejka, chapter 1); these are the sums over all wheels.
+  private static final double TYRE_STIFFNESS_OF_ALL = 270_000.0; // both ways along the ground [N/m]
+  private static final double TYRE_DAMPING_OF_ALL = 12_000.0; // [N s/m]
   private static final double DAMPED_BELOW_MPS = 1.0;
   private static final double RELAXATION_M = 0.3; // half to one wheel radius
   private static final double GRIP = 0.7; // dry asphalt, light aircraft tyre
@@ -27,6 +30,8 @@ final class Wheel {
   final double z;
   private final double stiffness;
   private final double legDamping;
+  private final double tyreStiffness;
+  private final double tyreDamping;
   private final double steerRad; // at full rudder, right positive
   private double cosSteer = 1.0;
   private double sinSteer;
@@ -49,13 +54,23 @@ final class Wheel {
    * @param z below the centre of gravity, leg unloaded [m]
    * @param stiffness [N/m]
    * @param damping [N s/m]
+   * @param share of the aircraft's weight that it carries, standing, 0…1
    */
-  Wheel(double x, double y, double z, double stiffness, double damping, double steerRad) {
+  Wheel(
+      double x,
+      double y,
+      double z,
+      double stiffness,
+      double damping,
+      double share,
+      double steerRad) {
     this.x = x;
     this.y = y;
     this.z = z;
     this.stiffness = stiffness;
     this.legDamping = damping;
+    this.tyreStiffness = TYRE_STIFFNESS_OF_ALL * share;
+    this.tyreDamping = TYRE_DAMPING_OF_ALL * share;
     this.steerRad = steerRad;
   }
 
@@ -99,14 +114,14 @@ final class Wheel {
     slipAlongMps = velN * rollN + velE * rollE;
     slipAcrossMps = velE * rollN - velN * rollE;
     alongLimit = (ROLLING + BRAKE_GRIP * brake) * load;
-    along = limit(-TYRE_STIFFNESS * deflectionAlong - TYRE_DAMPING * slipAlongMps, alongLimit);
+    along = limit(-tyreStiffness * deflectionAlong - tyreDamping * slipAlongMps, alongLimit);
     double grip = GRIP * load;
     acrossLimit =
         StrictMath.sqrt(
             Math.max(LEAST_SIDE * LEAST_SIDE * grip * grip, grip * grip - along * along));
     // Rolling, fresh tread enters the contact patch and what was damped leaves it.
-    double damping = TYRE_DAMPING / (1.0 + Math.abs(slipAlongMps) / DAMPED_BELOW_MPS);
-    across = limit(-TYRE_STIFFNESS * deflectionAcross - damping * slipAcrossMps, acrossLimit);
+    double damping = tyreDamping / (1.0 + Math.abs(slipAlongMps) / DAMPED_BELOW_MPS);
+    across = limit(-tyreStiffness * deflectionAcross - damping * slipAcrossMps, acrossLimit);
     forceN = along * rollN - across * rollE;
     forceE = along * rollE + across * rollN;
     forceD = -load;
@@ -122,11 +137,11 @@ final class Wheel {
 
   /** A tyre cannot be stretched further than its friction holds. */
   double boundedAlong(double deflection) {
-    return limit(deflection, alongLimit / TYRE_STIFFNESS);
+    return limit(deflection, alongLimit / tyreStiffness);
   }
 
   double boundedAcross(double deflection) {
-    return limit(deflection, acrossLimit / TYRE_STIFFNESS);
+    return limit(deflection, acrossLimit / tyreStiffness);
   }
 
   double compressionM() {
