@@ -25,9 +25,11 @@ import picocli.CommandLine.Spec;
     description = {
       "Fly a Cessna 172 over ten waypoints, take-off included.",
       "",
-      "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded",
-      "simulator, and shows what happens. Wind and gusts follow from the seed. Other MQTT clients can",
-      "listen meanwhile, for example: mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
+      "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded simulator, and shows what "
+          + "happens. Wind and gusts follow from the seed.",
+      "",
+      "Other MQTT clients can listen meanwhile, for example:",
+      "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
     })
 final class CessnaDemo implements Callable<Integer> {
   @Mixin private DemoOptions options;

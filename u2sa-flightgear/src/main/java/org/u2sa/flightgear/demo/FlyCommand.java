@@ -24,9 +24,9 @@ import picocli.CommandLine.Spec;
     description = {
       "Fly the mission in FlightGear.",
       "",
-      "Without a host, FlightGear is started here without a window (scripts/flightgear/install gets it)",
-      "and stopped after the flight. With a host, start FlightGear there yourself, after this command",
-      "says that it listens; --protocol writes the two files that it needs."
+      "Without a host, FlightGear is started here without a window and stopped after the flight (scripts/flightgear/install "
+          + "gets it). With a host, start FlightGear there yourself, after this command says that it listens; --protocol "
+          + "writes the two files that it needs."
     })
 final class FlyCommand implements Callable<Integer> {
   private static final String HERE = "127.0.0.1";

@@ -23,8 +23,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Run the system that a file describes, in real time.",
       "",
-      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has",
-      "its configuration file and writes its log file. Ctrl-C, or a stop command, ends all of them."
+      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has its configuration "
+          + "file and writes its log file. Ctrl-C, or a stop command, ends all of them."
     })
 public final class RunCommand implements Callable<Integer> {
   private static final String MANAGER = "CommunicationManager";
