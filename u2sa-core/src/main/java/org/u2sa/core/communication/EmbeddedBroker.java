@@ -1,5 +1,6 @@
 package org.u2sa.core.communication;
 
+import io.moquette.BrokerConstants;
 import io.moquette.broker.Server;
 import io.moquette.broker.config.IConfig;
 import io.moquette.broker.config.MemoryConfig;
@@ -60,6 +61,8 @@ final class EmbeddedBroker implements AutoCloseable {
     properties.setProperty(IConfig.HOST_PROPERTY_NAME, host);
     properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(port));
     properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "true");
+    properties.setProperty( // mosquitto_sub names itself so unless told otherwise
+        BrokerConstants.ALLOW_ZERO_BYTE_CLIENT_ID_PROPERTY_NAME, "true");
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
     properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
     properties.setProperty(IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(LARGEST_PACKET));

@@ -178,6 +178,15 @@ class CommunicationManagerTest {
   }
 
   @Test
+  void connect_foreignClientWithoutAName_isTaken() throws MqttException {
+    MqttClient client = new MqttClient("tcp://127.0.0.1:" + port, "", new MemoryPersistence());
+    client.connect(); // as mosquitto_sub does; throws if the broker refuses
+    assertThat(client.isConnected()).isTrue();
+    client.disconnect();
+    client.close();
+  }
+
+  @Test
   void start_portTaken_saysWhichAndWhatToDo() {
     assertThatThrownBy(() -> start(Map.of()))
         .isInstanceOf(CommunicationException.class)
