@@ -8,10 +8,8 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.gcs.DemoOptions;
-import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.report.RunReport;
 import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.interfaces.SystemClock;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -49,17 +47,8 @@ final class CessnaDemo implements Callable<Integer> {
     Path missionFile = options.mission().orElse(home.resolve("missions/cessna/mission.xml"));
     Mission mission = Mission.load(missionFile);
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
-    Path directory = options.outDirectory("cessna", new SystemClock().micros());
-    boolean allCaptured = true;
-    for (int k = 0; k < options.runs(); k++) {
-      Path runDirectory = options.runDirectory(directory, k);
-      RunReport.prepare(runDirectory);
-      RunReport report = fly(system, mission, runDirectory, options.seed() + k);
-      report.write(runDirectory);
-      FlightWords.end(options, command, report, runDirectory);
-      allCaptured &= report.score().success();
-    }
-    return allCaptured ? ExitCode.DONE : ExitCode.FAILED;
+    return new FlightSeries(options, command.commandLine().getOut())
+        .fly("cessna", (directory, seed) -> fly(system, mission, directory, seed));
   }
 
   private RunReport fly(SystemFile system, Mission mission, Path directory, long seed)

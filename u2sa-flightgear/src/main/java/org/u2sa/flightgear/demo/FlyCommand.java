@@ -11,7 +11,6 @@ import org.u2sa.gcs.DemoOptions;
 import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.report.RunReport;
 import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.interfaces.SystemClock;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -67,17 +66,8 @@ final class FlyCommand implements Callable<Integer> {
     Mission mission =
         Mission.load(options.mission().orElse(root.resolve("missions/cessna/mission.xml")));
     SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
-    Path directory = options.outDirectory("flightgear", new SystemClock().micros());
-    boolean allCaptured = true;
-    for (int k = 0; k < options.runs(); k++) {
-      Path runDirectory = options.runDirectory(directory, k);
-      RunReport.prepare(runDirectory);
-      RunReport report = fly(root, system, mission, runDirectory, options.seed() + k);
-      report.write(runDirectory);
-      FlightWords.end(options, command, report, runDirectory);
-      allCaptured &= report.score().success();
-    }
-    return allCaptured ? ExitCode.DONE : ExitCode.FAILED;
+    return new FlightSeries(options, command.commandLine().getOut())
+        .fly("flightgear", (directory, seed) -> fly(root, system, mission, directory, seed));
   }
 
   private RunReport fly(Path root, SystemFile system, Mission mission, Path directory, long seed)

@@ -1,0 +1,79 @@
+package org.u2sa.flightgear.demo;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.gcs.DemoOptions;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.report.RunReport;
+import org.u2sa.gcs.report.RunSeries;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.gcs.terminal.WaypointTable;
+import org.u2sa.interfaces.SystemClock;
+
+/** One flight, or several with seeds counting up, and what is said and written of them. */
+final class FlightSeries {
+  /** One flight. */
+  @FunctionalInterface
+  interface Flight {
+    /** Flies, with logs in the directory. */
+    RunReport fly(Path directory, long seed) throws InterruptedException;
+  }
+
+  private final DemoOptions options;
+  private final PrintWriter out;
+  private final Terminal terminal;
+
+  /**
+   * @param out takes {@code --json}, and nothing else
+   */
+  FlightSeries(DemoOptions options, PrintWriter out) {
+    this.options = options;
+    this.out = out;
+    terminal = options.terminal();
+  }
+
+  /** Flies as often as was asked for, and returns the exit code. */
+  Integer fly(String name, Flight flight) throws InterruptedException, IOException {
+    Path directory = options.outDirectory(name, new SystemClock().micros());
+    List<RunReport> reports = new ArrayList<>();
+    for (int k = 0; k < options.runs(); k++) {
+      Path runDirectory = options.runDirectory(directory, k);
+      RunReport.prepare(runDirectory);
+      RunReport report = flight.fly(runDirectory, options.seed() + k);
+      report.write(runDirectory).ifPresent(terminal.out()::println);
+      WaypointTable.print(terminal, report.score());
+      say("Files of the run: " + runDirectory);
+      reports.add(withoutTrack(report)); // tracks of many flights would fill the memory
+    }
+    RunSeries series = new RunSeries(reports);
+    if (reports.size() > 1) {
+      series.write(directory);
+      say(
+          reports.stream().filter(r -> r.score().success()).count()
+              + " of "
+              + reports.size()
+              + " runs captured all waypoints");
+    }
+    if (options.json()) {
+      if (reports.size() > 1) {
+        series.writeSummary(out);
+      } else {
+        reports.get(0).writeSummary(out);
+      }
+      out.flush();
+    }
+    return series.success() ? ExitCode.DONE : ExitCode.FAILED;
+  }
+
+  private static RunReport withoutTrack(RunReport report) {
+    return new RunReport(report.facts(), report.plan(), List.of(), report.score());
+  }
+
+  private void say(String line) {
+    terminal.out().println(line);
+    terminal.out().flush();
+  }
+}
