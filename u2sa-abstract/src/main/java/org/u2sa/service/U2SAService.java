@@ -238,7 +238,8 @@ public abstract class U2SAService extends CommunicatingService {
     }
   }
 
-  private void endAfter(Throwable error) {
+  /** Says why the thread dies, and ends as FAILED. */
+  final void endAfter(Throwable error) {
     health.error(error.toString());
     logFile().log(LogLevelEnum.ERROR, "the thread died", error);
     status = ServiceStatus.FAILED;

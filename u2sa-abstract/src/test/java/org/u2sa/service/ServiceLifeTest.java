@@ -27,7 +27,7 @@ class ServiceLifeTest {
   }
 
   /** Notes what it is handed, and fails when it is told to. */
-  private static final class Listener extends EventDrivenService {
+  private static class Listener extends EventDrivenService {
     private final List<U2SAData> received = new ArrayList<>();
     private final List<String> threads = new ArrayList<>();
     private int released;
@@ -130,6 +130,25 @@ class ServiceLifeTest {
     assertThat(kit.latest(Channels.HEALTH).orElseThrow().status()).isEqualTo(ServiceStatus.FAILED);
     assertThat(kit.log("Listener"))
         .anyMatch(line -> line.contains("kills itself after 3 exceptions in a row"));
+  }
+
+  @Test
+  void callback_error_serviceFailsAndSaysWhy() throws InterruptedException {
+    Listener listener =
+        kit.start(
+            context ->
+                new Listener(context) {
+                  @Override
+                  public void callback(U2SAData data) {
+                    throw new StackOverflowError("too deep");
+                  }
+                });
+    kit.publish(Channels.STATE, state("a"));
+    listener.join();
+
+    assertThat(listener.status()).isEqualTo(ServiceStatus.FAILED);
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().status()).isEqualTo(ServiceStatus.FAILED);
+    assertThat(kit.log("Listener")).anyMatch(line -> line.contains("the thread died"));
   }
 
   @Test
