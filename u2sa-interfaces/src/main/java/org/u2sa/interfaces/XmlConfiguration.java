@@ -2,6 +2,7 @@ package org.u2sa.interfaces;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -80,6 +81,14 @@ public final class XmlConfiguration implements Configurator {
     overridden.add(variableName);
     stated.put(variableName, statement);
     values.put(variableName, statement.value());
+  }
+
+  /**
+   * The file that a variable names: a relative path is relative to the configuration file, so that
+   * a system runs from any working directory; without a file, to the working directory.
+   */
+  public Path resolve(String path) {
+    return file.map(own -> own.resolveSibling(path).normalize()).orElseGet(() -> Paths.get(path));
   }
 
   /** The file, or the name of a configuration without one. */

@@ -106,4 +106,15 @@ class XmlConfigurationTest {
     assertThat(configuration.setVariable("BANK LIMIT", 0.25)).isTrue();
     assertThat(configuration.getVariable(BANK_LIMIT)).isEqualTo(0.25);
   }
+
+  @Test
+  void resolve_relativePath_isRelativeToTheFile() throws IOException {
+    Path file = file("<configuration/>");
+
+    assertThat(XmlConfiguration.load(file).resolve("missions/a.xml"))
+        .isEqualTo(folder.resolve("missions/a.xml"));
+    assertThat(XmlConfiguration.load(file).resolve("/a.xml")).isEqualTo(Path.of("/a.xml"));
+    assertThat(XmlConfiguration.inMemory("none", Map.of()).resolve("a.xml"))
+        .isEqualTo(Path.of("a.xml"));
+  }
 }

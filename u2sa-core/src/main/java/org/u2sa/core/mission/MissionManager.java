@@ -1,6 +1,5 @@
 package org.u2sa.core.mission;
 
-import java.nio.file.Paths;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -30,7 +29,7 @@ public final class MissionManager extends EventDrivenService {
   static final Variable<String> MISSION =
       Variable.text("MISSION")
           .describedAs(
-              "The mission's XML file, relative to the working directory. Changed while running: the new mission begins.");
+              "The mission's XML file, relative to the configuration file. Changed while running: the new mission begins.");
 
   static final Variable<Boolean> LOOP =
       Variable.flag("LOOP")
@@ -75,7 +74,7 @@ public final class MissionManager extends EventDrivenService {
   private GoalSequence load() {
     Mission mission =
         Mission.load(
-            Paths.get(getVariable(MISSION)),
+            context().configuration().resolve(getVariable(MISSION)),
             context().messageTypes(),
             getVariable(DEFAULT_THRESHOLD));
     log("mission " + mission.origin() + " with goals " + names(mission.goals()));

@@ -67,8 +67,8 @@ final class CessnaDemo implements Callable<Integer> {
     LaunchOptions launch =
         new LaunchOptions()
             .console(line -> terminal.out().println(line))
-            .override("MissionManager", "MISSION", mission.origin())
-            .override("Simulator", "MISSION", mission.origin());
+            .override("MissionManager", "MISSION", CessnaFiles.absolute(mission.origin()))
+            .override("Simulator", "MISSION", CessnaFiles.absolute(mission.origin()));
     demoWind.applyTo(launch);
     broker.configure(system, launch, terminal);
     if (options.realtime()) {

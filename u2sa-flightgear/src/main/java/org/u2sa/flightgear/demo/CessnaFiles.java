@@ -25,4 +25,9 @@ final class CessnaFiles {
     }
     return root;
   }
+
+  /** A file as the user named it, so that it is found from any directory. */
+  static String absolute(String file) {
+    return Path.of(file).toAbsolutePath().toString();
+  }
 }

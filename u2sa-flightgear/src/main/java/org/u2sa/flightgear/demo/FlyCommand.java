@@ -76,7 +76,7 @@ final class FlyCommand implements Callable<Integer> {
     LaunchOptions launch =
         new LaunchOptions()
             .console(line -> terminal.out().println(line))
-            .override("MissionManager", "MISSION", mission.origin());
+            .override("MissionManager", "MISSION", CessnaFiles.absolute(mission.origin()));
     boolean elsewhere = !host.isEmpty();
     broker.configure(system, launch, terminal);
     ports.configure(launch, elsewhere ? host : HERE);

@@ -1,6 +1,5 @@
 package org.u2sa.flightgear.link;
 
-import java.nio.file.Paths;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
@@ -21,7 +20,8 @@ final class LinkConfiguration {
   static final Variable<String> MISSION =
       Variable.text("MISSION")
           .ifAbsent("")
-          .describedAs("Mission file whose home is where the embedded aircraft stands.");
+          .describedAs(
+              "Mission file whose home is where the embedded aircraft stands, relative to the configuration file.");
 
   static final Variable<Double> WIND_SPEED =
       Variable.number("WIND SPEED", "m/s")
@@ -90,6 +90,7 @@ final class LinkConfiguration {
             ? Wind.gusty(windFromRad, windSpeedMps, context.seed())
             : Wind.constant(windFromRad, windSpeedMps);
     return new EmbeddedAircraft(
-        Cessna172.onRunway(EmbeddedStart.of(Mission.load(Paths.get(mission))), wind, true));
+        Cessna172.onRunway(
+            EmbeddedStart.of(Mission.load(context.configuration().resolve(mission))), wind, true));
   }
 }
