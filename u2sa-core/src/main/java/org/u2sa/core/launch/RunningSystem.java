@@ -22,6 +22,7 @@ public final class RunningSystem implements AutoCloseable {
   private final MessageTypes types = MessageTypes.discovered();
   private final List<U2SAService> services = new ArrayList<>();
   private CommunicationManager manager;
+  private RememberedConnections connections;
 
   private RunningSystem(SystemFile file, LaunchOptions options) {
     this.file = file;
@@ -52,6 +53,7 @@ public final class RunningSystem implements AutoCloseable {
     file.services().forEach(ServiceFactory::constructor);
     XmlConfiguration communication = configuration(MANAGER, file.communication());
     manager = CommunicationManager.start(file.systemId(), communication, types, options.console());
+    connections = new RememberedConnections(manager.transport());
     communication.refuseUndeclared();
     List<XmlConfiguration> configurations = new ArrayList<>();
     for (SystemFile.Entry entry : file.services()) {
@@ -73,7 +75,7 @@ public final class RunningSystem implements AutoCloseable {
   private ServiceContext context(XmlConfiguration configuration) {
     return ServiceContext.of(file.systemId(), configuration)
         .clock(options.clock())
-        .transport(manager.transport())
+        .transport(connections)
         .logDirectory(options.logDirectory())
         .messageTypes(types)
         .seed(options.seed())
@@ -121,11 +123,14 @@ public final class RunningSystem implements AutoCloseable {
    * Ends all services, last started first, and then the Communication Manager. Safe to call twice.
    */
   @Override
-  public void close() {
+  public synchronized void close() {
     // Last started, first ended: control says its neutral commands while the services that carry
     // them out still run.
     for (int i = services.size() - 1; i >= 0; i--) {
       services.get(i).kill();
+    }
+    if (connections != null) {
+      connections.close();
     }
     if (manager != null) {
       manager.close();

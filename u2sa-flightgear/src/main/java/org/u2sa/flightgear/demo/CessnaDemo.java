@@ -3,10 +3,12 @@ package org.u2sa.flightgear.demo;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.gcs.DemoOptions;
 import org.u2sa.gcs.report.RunReport;
 import org.u2sa.gcs.terminal.Terminal;
@@ -47,14 +49,22 @@ final class CessnaDemo implements Callable<Integer> {
     Path missionFile = options.mission().orElse(home.resolve("missions/cessna/mission.xml"));
     Mission mission = Mission.load(missionFile);
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
+    EmbeddedStart.of(mission); // what is wrong is said before anything is made
+    windOf(options.seed());
     return new FlightSeries(options, command.commandLine().getOut())
-        .fly("cessna", (directory, seed) -> fly(system, mission, directory, seed));
+        .fly(
+            "cessna",
+            (directory, seed, interruption) ->
+                fly(
+                    new FlightRun(system, mission, directory, options.terminal(), interruption),
+                    system,
+                    mission,
+                    seed));
   }
 
-  private RunReport fly(SystemFile system, Mission mission, Path directory, long seed)
+  private RunReport fly(FlightRun run, SystemFile system, Mission mission, long seed)
       throws InterruptedException {
     Terminal terminal = options.terminal();
-    FlightRun run = new FlightRun(system, mission, directory, terminal);
     DemoWind demoWind = windOf(seed);
     terminal
         .out()
@@ -74,7 +84,7 @@ final class CessnaDemo implements Callable<Integer> {
     if (options.realtime()) {
       StandInSimulation standIn = new StandInSimulation(mission, demoWind.wind(seed));
       standIn.configure(launch);
-      return run.inRealTime(launch, seed, standIn);
+      return run.inRealTime(launch, seed, standIn, OptionalDouble.empty());
     }
     launch.override("Simulator", "LINK", "embedded");
     return run.inLockstep(launch, seed, Simulation.embedded());

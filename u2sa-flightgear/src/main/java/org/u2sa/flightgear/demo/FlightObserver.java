@@ -36,6 +36,7 @@ final class FlightObserver extends EventDrivenService {
   private volatile boolean crashed;
   private volatile boolean stalled;
   private volatile int completed;
+  private volatile long readings; // written by this service's thread only
 
   /**
    * @param screen is shown every sample, on this service's thread
@@ -102,6 +103,7 @@ final class FlightObserver extends EventDrivenService {
             truth.weightOnWheels(),
             phase);
     track.append(sample);
+    readings++;
     screen.accept(sample);
   }
 
@@ -125,6 +127,11 @@ final class FlightObserver extends EventDrivenService {
   /** Whether the angle of attack went past the stall in the air. */
   boolean isStalled() {
     return stalled;
+  }
+
+  /** Readings of the aircraft so far. */
+  long readings() {
+    return readings;
   }
 
   /** Goals that were reported completed. */

@@ -3,6 +3,7 @@ package org.u2sa.flightgear.demo;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
@@ -35,17 +36,25 @@ final class FlightRun {
   private final Mission mission;
   private final Path directory;
   private final Terminal terminal;
+  private final Interruption interruption;
   private final Clock stopwatch = new SystemClock();
 
   /**
    * @param system the services that fly
    * @param directory where logs and report go
+   * @param interruption ends the flight early
    */
-  FlightRun(SystemFile system, Mission mission, Path directory, Terminal terminal) {
+  FlightRun(
+      SystemFile system,
+      Mission mission,
+      Path directory,
+      Terminal terminal,
+      Interruption interruption) {
     this.system = system;
     this.mission = mission;
     this.directory = directory;
     this.terminal = terminal;
+    this.interruption = interruption;
   }
 
   /** Flies as fast as the machine allows, repeatable from the seed. */
@@ -65,8 +74,11 @@ final class FlightRun {
    * Flies in real time.
    *
    * @param simulation started once the services listen, ended after them
+   * @param patience how long the aircraft may be silent [s]; empty: the default
+   * @throws RunFailedException if nothing was heard of the aircraft
    */
-  RunReport inRealTime(LaunchOptions options, long seed, Simulation simulation)
+  RunReport inRealTime(
+      LaunchOptions options, long seed, Simulation simulation, OptionalDouble patience)
       throws InterruptedException {
     SystemClock clock = new SystemClock();
     return fly(
@@ -76,15 +88,30 @@ final class FlightRun {
         simulation,
         observer -> {
           Clock.Waiter waiter = clock.newWaiter("flight");
+          LinkWatch link = new LinkWatch(clock, patience, this::say);
           long limit = clock.micros() + Clock.micros(limitS());
-          while (!isOver(observer) && clock.micros() < limit) {
+          while (!isOver(observer)
+              && clock.micros() < limit
+              && !link.isHopeless(observer.readings())) {
             waiter.await(clock.micros() + LOOK_EVERY_MICROS);
+          }
+          if (observer.readings() == 0 && !interruption.isAsked()) {
+            throw new RunFailedException(
+                "no reading from the aircraft: " + simulation.name() + " did not appear");
           }
         });
   }
 
-  private static boolean isOver(FlightObserver observer) {
-    return observer.isMissionOver() || observer.isCrashed() || !observer.isRunning();
+  private boolean isOver(FlightObserver observer) {
+    return observer.isMissionOver()
+        || observer.isCrashed()
+        || !observer.isRunning()
+        || interruption.isAsked();
+  }
+
+  private void say(String line) {
+    terminal.out().println(line);
+    terminal.out().flush();
   }
 
   /** Waits until a flight is over. */
@@ -109,7 +136,7 @@ final class FlightRun {
               plan,
               screen);
       observer.start();
-      simulated.start();
+      interruption.breakingOff(simulated::start);
       try {
         wait.until(observer);
       } finally {

@@ -18,8 +18,8 @@ final class FlightSeries {
   /** One flight. */
   @FunctionalInterface
   interface Flight {
-    /** Flies, with logs in the directory. */
-    RunReport fly(Path directory, long seed) throws InterruptedException;
+    /** Flies, with logs in the directory, until it is over or interrupted. */
+    RunReport fly(Path directory, long seed, Interruption interruption) throws InterruptedException;
   }
 
   private final DemoOptions options;
@@ -37,12 +37,19 @@ final class FlightSeries {
 
   /** Flies as often as was asked for, and returns the exit code. */
   Integer fly(String name, Flight flight) throws InterruptedException, IOException {
+    try (Interruption interruption = new Interruption()) {
+      return fly(name, flight, interruption);
+    }
+  }
+
+  private Integer fly(String name, Flight flight, Interruption interruption)
+      throws InterruptedException, IOException {
     Path directory = options.outDirectory(name, new SystemClock().micros());
     List<RunReport> reports = new ArrayList<>();
-    for (int k = 0; k < options.runs(); k++) {
+    for (int k = 0; k < options.runs() && (k == 0 || !interruption.isAsked()); k++) {
       Path runDirectory = options.runDirectory(directory, k);
       RunReport.prepare(runDirectory);
-      RunReport report = flight.fly(runDirectory, options.seed() + k);
+      RunReport report = flight.fly(runDirectory, options.seed() + k, interruption);
       report.write(runDirectory).ifPresent(terminal.out()::println);
       WaypointTable.print(terminal, report.score());
       say("Files of the run: " + runDirectory);

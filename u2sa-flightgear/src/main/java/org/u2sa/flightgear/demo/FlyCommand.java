@@ -2,10 +2,12 @@ package org.u2sa.flightgear.demo;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.gcs.DemoOptions;
 import org.u2sa.gcs.ExitCode;
@@ -15,6 +17,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** {@code u2sa fly --flightgear [host]}: the demo's mission in the real FlightGear. */
@@ -56,6 +59,13 @@ final class FlyCommand implements Callable<Integer> {
           "Only write FlightGear's two protocol files to DIR/Protocol (for its option --data=DIR).")
   private Path protocol;
 
+  @Option(
+      names = "--wait",
+      paramLabel = "SECONDS",
+      description =
+          "Give up when nothing was heard of FlightGear for so long. Default: 300 before the flight, 60 in flight.")
+  private Double waitS;
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     if (protocol != null) {
@@ -66,11 +76,23 @@ final class FlyCommand implements Callable<Integer> {
     Mission mission =
         Mission.load(options.mission().orElse(root.resolve("missions/cessna/mission.xml")));
     SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
+    EmbeddedStart.of(mission); // what is wrong is said before anything is made
+    patience();
     return new FlightSeries(options, command.commandLine().getOut())
-        .fly("flightgear", (directory, seed) -> fly(root, system, mission, directory, seed));
+        .fly(
+            "flightgear",
+            (directory, seed, interruption) ->
+                fly(
+                    new FlightRun(system, mission, directory, options.terminal(), interruption),
+                    root,
+                    system,
+                    mission,
+                    directory,
+                    seed));
   }
 
-  private RunReport fly(Path root, SystemFile system, Mission mission, Path directory, long seed)
+  private RunReport fly(
+      FlightRun run, Path root, SystemFile system, Mission mission, Path directory, long seed)
       throws InterruptedException {
     Terminal terminal = options.terminal();
     LaunchOptions launch =
@@ -84,6 +106,17 @@ final class FlyCommand implements Callable<Integer> {
         elsewhere || noStart
             ? new AwaitedFlightGear(terminal, ports)
             : new FlightGearSimulation(root, directory, mission, ports);
-    return new FlightRun(system, mission, directory, terminal).inRealTime(launch, seed, simulation);
+    return run.inRealTime(launch, seed, simulation, patience());
+  }
+
+  private OptionalDouble patience() {
+    if (waitS == null) {
+      return OptionalDouble.empty();
+    }
+    if (!(waitS > 0.0)) {
+      throw new ParameterException(
+          command.commandLine(), "--wait " + waitS + ": expected more than 0 seconds");
+    }
+    return OptionalDouble.of(waitS);
   }
 }
