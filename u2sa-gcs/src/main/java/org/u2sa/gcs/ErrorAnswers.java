@@ -78,7 +78,8 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
               : command.getSubcommands().isEmpty() ? "argument" : "command";
       return "unknown " + kind + " '" + typed + "'";
     }
-    return e.getMessage();
+    // picocli names Java's types, which nobody at a terminal needs to know
+    return e.getMessage().replaceFirst("is not an? (long|int)$", "is not a whole number");
   }
 
   private static String describe(Throwable thrown) {

@@ -15,6 +15,8 @@ import java.io.OutputStream;
 import java.util.List;
 import java.util.Optional;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Draws into an image in memory, by Java 2D and without a screen; ends as a PNG file. */
 public final class PngCanvas implements Canvas, AutoCloseable {
@@ -62,8 +64,12 @@ public final class PngCanvas implements Canvas, AutoCloseable {
 
   /** Writes the image as PNG. */
   public void writeTo(OutputStream out) throws IOException {
-    if (!ImageIO.write(image, "png", out)) {
-      throw new IOException("this Java has no writer for PNG");
+    // In memory: ImageIO's own cache file needs a shutdown hook, which an interrupted run cannot
+    // have.
+    try (ImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
+      if (!ImageIO.write(image, "png", png)) {
+        throw new IOException("this Java has no writer for PNG");
+      }
     }
   }
 
