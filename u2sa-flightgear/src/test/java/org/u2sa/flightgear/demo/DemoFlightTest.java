@@ -13,6 +13,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -57,6 +59,18 @@ class DemoFlightTest {
 
     assertThat(run.exitCode()).isEqualTo(ExitCode.FAILED);
     assertThat(Summary.in(directory.resolve("out")).number("waypointsCaptured")).isZero();
+  }
+
+  /** That it is said once is LogFileFailureTest's matter. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void demo_diskOfALogIsFull_fliesOn() throws IOException {
+    Files.createDirectories(out("out").resolve("logs"));
+    Files.createSymbolicLink(out("out").resolve("logs/Control.log"), Path.of("/dev/full"));
+
+    CommandLineRun run = fly("out", "--mission", ShortMission.in(directory).toString());
+
+    assertThat(run.exitCode()).as(run.err()).isEqualTo(ExitCode.DONE);
   }
 
   @Test
