@@ -47,6 +47,8 @@ public abstract class ControlSystem extends EventDrivenService {
   private double commandExpiryS;
   private final StateHistory states;
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
+  private final Map<String, NavigationPoint> placed =
+      new HashMap<>(); // newest whose state is remembered
   private double stepS;
 
   /**
@@ -106,6 +108,9 @@ public abstract class ControlSystem extends EventDrivenService {
       return;
     }
     stepS = Clock.seconds(states.lastStepMicros());
+    points.values().stream()
+        .filter(point -> stateOf(point).isPresent())
+        .forEach(point -> placed.put(point.subsystem(), point));
     control(state, navigationPoint(VEHICLE));
   }
 
@@ -118,9 +123,20 @@ public abstract class ControlSystem extends EventDrivenService {
     return stepS;
   }
 
-  /** The newest navigation point of a subsystem, unless it is stale by the newest state's time. */
+  /**
+   * The newest navigation point of a subsystem, unless it is stale by the newest state's time. One
+   * whose state was not seen, because it is still on its way or a newer one took its place in the
+   * inbox, gives way to the last one whose state was.
+   */
   protected final Optional<NavigationPoint> navigationPoint(String subsystem) {
-    return Optional.ofNullable(points.get(subsystem)).filter(states::isFresh);
+    Optional<NavigationPoint> newest =
+        Optional.ofNullable(points.get(subsystem)).filter(states::isFresh);
+    if (newest.flatMap(this::stateOf).isPresent()) {
+      return newest;
+    }
+    Optional<NavigationPoint> before =
+        Optional.ofNullable(placed.get(subsystem)).filter(states::isFresh);
+    return newest.isPresent() && before.isPresent() ? before : newest;
   }
 
   /**

@@ -76,6 +76,23 @@ class ControlSystemTest {
   }
 
   @Test
+  void callback_navigationPointOfAStateNotSeen_theOneBeforeIsKept() {
+    kit.publish(Channels.STATE, state());
+    NavigationPoint seen = NavigationPoint.at(Point.of(1.0, 2.0, 3.0));
+    kit.publish(Channels.NAVIGATION, seen);
+    kit.advance(0.02);
+    kit.publish(Channels.STATE, state());
+    NavigationPoint ahead = NavigationPoint.at(Point.of(4.0, 5.0, 6.0));
+    ahead.timestamp(30_000L); // its state was replaced in the inbox by the next one
+    kit.publish(Channels.NAVIGATION, ahead);
+    kit.advance(0.02);
+    kit.publish(Channels.STATE, state());
+
+    assertThat(control.points)
+        .containsExactly(Optional.empty(), Optional.of(seen), Optional.of(seen));
+  }
+
+  @Test
   void callback_navigationPointOfOtherSubsystem_isNotTheVehicles() {
     kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(1.0, 2.0, 3.0)).subsystem("ARM"));
     kit.publish(Channels.STATE, state());
