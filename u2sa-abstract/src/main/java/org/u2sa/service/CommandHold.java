@@ -53,7 +53,9 @@ public final class CommandHold {
         command.expiry().isPresent()
             ? Clock.micros(command.expiry().getAsDouble())
             : defaultExpiryMicros;
-    long untilMicros = command.timestamp().orElse(now) + expiryMicros;
+    // A timestamp ahead of this clock must not keep an actuator moving after control is gone.
+    long sinceMicros = Math.min(now, command.timestamp().orElse(now));
+    long untilMicros = sinceMicros + Math.min(expiryMicros, Clock.NEVER - Math.max(0, sinceMicros));
     if (!(command instanceof PercentageCommand percentage) || untilMicros <= now) {
       refused++;
       return false;

@@ -20,6 +20,7 @@ abstract class CommunicatingService extends ConfiguredService
   CommunicatingService(ServiceContext context, ServiceRole role, String serviceName) {
     super(context, serviceName);
     wiring = new ServiceWiring(context, role, getServiceName(), receiver());
+    context.onAbandon(wiring::close);
   }
 
   /** What the transport calls with messages; asked for once, while this is being constructed. */
@@ -107,7 +108,17 @@ abstract class CommunicatingService extends ConfiguredService
       }
       data.freeze();
     }
-    return attempt("publishing on " + channel, () -> wiring.publish(channel, data));
+    try {
+      if (wiring.publish(channel, data)) {
+        return true;
+      }
+      if (Long.bitCount(wiring.refused()) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+        log(LogLevelEnum.ERROR, "publishing on " + channel + " was refused: " + data);
+      }
+    } catch (CommunicationException e) {
+      log(LogLevelEnum.ERROR, "publishing on " + channel + " failed: " + e.getMessage());
+    }
+    return false;
   }
 
   private boolean attempt(String what, BooleanSupplier action) {

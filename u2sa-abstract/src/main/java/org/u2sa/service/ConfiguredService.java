@@ -32,6 +32,7 @@ abstract class ConfiguredService extends Thread implements Logger {
         LogLevelEnum.valueOf(configuration.getVariable(ServiceVariables.LOG_LEVEL));
     logFile =
         new LogFile(directory.resolve(getName() + ".log"), getName(), lowest, context.clock());
+    context.onAbandon(logFile::close);
   }
 
   @Override

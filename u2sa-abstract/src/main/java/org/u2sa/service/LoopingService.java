@@ -23,8 +23,8 @@ abstract class LoopingService extends U2SAService {
       loop();
     } catch (InterruptedException e) {
       log("interrupted, ends");
-    } catch (Error e) {
-      endAfter(e); // here, since the log is still open
+    } catch (RuntimeException | Error e) {
+      die(e);
     } finally {
       end();
     }

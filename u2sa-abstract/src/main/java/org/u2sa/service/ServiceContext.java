@@ -2,8 +2,10 @@ package org.u2sa.service;
 
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Deque;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.XmlConfiguration;
@@ -23,6 +25,7 @@ public final class ServiceContext {
   private final Path logDirectory;
   private final MessageTypes messageTypes;
   private final long seed;
+  private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
 
   private ServiceContext(Builder builder) {
     systemId = Topic.checkSystemId(builder.systemId);
@@ -72,6 +75,22 @@ public final class ServiceContext {
   /** The run's seed: whatever is random in a service derives from it. */
   public long seed() {
     return seed;
+  }
+
+  /** Takes note of how to close what the service opened while it was being constructed. */
+  void onAbandon(Runnable closing) {
+    closings.push(closing);
+  }
+
+  /**
+   * Closes the log file and the connection of a service whose constructor failed, so that nobody
+   * has the service to {@link U2SAService#kill}. For those who construct services. Safe to call
+   * twice.
+   */
+  public void abandon() {
+    for (Runnable closing = closings.poll(); closing != null; closing = closings.poll()) {
+      closing.run();
+    }
   }
 
   /**

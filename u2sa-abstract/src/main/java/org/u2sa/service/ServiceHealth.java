@@ -23,6 +23,7 @@ final class ServiceHealth {
   private int exceptionsInRow;
   private long overruns;
   private String lastError;
+  private Exception lastException;
 
   /**
    * Runs author's code, measures it, and lets no exception out. Returns whether it ended without
@@ -34,7 +35,9 @@ final class ServiceHealth {
       code.run();
       succeeded(stopwatch.micros() - began);
       return true;
-    } catch (RuntimeException e) {
+    } catch (InterruptedException e) {
+      throw e;
+    } catch (Exception e) { // also undeclared checked ones, as Kotlin's functions throw
       failed(e, stopwatch.micros() - began);
       return false;
     }
@@ -51,9 +54,10 @@ final class ServiceHealth {
     took(micros);
   }
 
-  private synchronized void failed(RuntimeException e, long micros) {
+  private synchronized void failed(Exception e, long micros) {
     exceptions++;
     exceptionsInRow++;
+    lastException = e;
     lastError = e.toString();
     took(micros);
   }
@@ -72,6 +76,15 @@ final class ServiceHealth {
 
   synchronized int exceptionsInRow() {
     return exceptionsInRow;
+  }
+
+  /** The exception that code threw last, or null. */
+  synchronized Exception lastException() {
+    return lastException;
+  }
+
+  synchronized long exceptions() {
+    return exceptions;
   }
 
   synchronized Optional<String> lastError() {

@@ -21,7 +21,8 @@ final class ServiceWiring {
   private final Receiver receiver;
   private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
-  private Connection connection; // guarded by this
+  private volatile Connection connection; // open or null; written under this
+  private long refused; // by the connection, when it was closed
   private boolean closed;
 
   ServiceWiring(ServiceContext context, ServiceRole role, String serviceName, Receiver receiver) {
@@ -44,15 +45,21 @@ final class ServiceWiring {
    *
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
-  synchronized Connection connection() {
+  Connection connection() {
+    Connection open = connection;
+    return open != null ? open : connect();
+  }
+
+  private synchronized Connection connect() {
     if (closed) {
       throw new CommunicationException(
           "service \"" + serviceName + "\" has ended its communication");
     }
     if (connection == null) {
-      connection = transport.connect(serviceName, receiver);
+      Connection made = transport.connect(serviceName, receiver);
+      connection = made;
       for (Channel<?> channel : ContractResponder.CHANNELS) {
-        connection.subscribe(channel);
+        made.subscribe(channel);
       }
     }
     return connection;
@@ -139,13 +146,15 @@ final class ServiceWiring {
   }
 
   synchronized long refused() {
-    return connection == null ? 0 : connection.refused();
+    return connection == null ? refused : connection.refused();
   }
 
   synchronized void close() {
     closed = true;
     if (connection != null) {
       connection.close();
+      refused = connection.refused();
+      connection = null;
     }
   }
 }

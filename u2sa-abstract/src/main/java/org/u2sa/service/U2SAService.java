@@ -45,6 +45,7 @@ public abstract class U2SAService extends CommunicatingService {
   private final long healthIntervalMicros;
   private final long createdMicros;
   private final AtomicBoolean ended = new AtomicBoolean();
+  private volatile boolean askedToStop; // also before the start, which then does not happen
   private volatile ServiceStatus status = ServiceStatus.CREATED;
   private volatile Clock.Waiter waiter; // null until started
   private long healthDueMicros; // touched by the service's thread only
@@ -65,12 +66,12 @@ public abstract class U2SAService extends CommunicatingService {
     healthIntervalMicros = Clock.micros(getVariable(ServiceVariables.HEALTH_INTERVAL));
     inbox = new ServiceInbox(getVariable(ServiceVariables.INBOX_CAPACITY));
     contract = new ContractResponder(this, context.configuration(), wiring());
-    setUncaughtExceptionHandler((thread, error) -> endAfter(error));
+    setUncaughtExceptionHandler((thread, error) -> die(error));
     try {
       wiring().connection();
     } catch (CommunicationException e) {
       log(LogLevelEnum.ERROR, e.getMessage());
-      logFile().close();
+      context.abandon();
       throw e;
     }
   }
@@ -109,19 +110,35 @@ public abstract class U2SAService extends CommunicatingService {
   protected void configurationChanged(String variableName) {}
 
   /**
-   * Starts the thread.
+   * Starts the thread. A service that was told to stop before ends without having run.
    *
    * @throws org.u2sa.interfaces.ConfigurationException if the configuration holds a variable that
    *     the service does not know
+   * @throws IllegalThreadStateException if it was started or killed before
    */
   @Override
-  public synchronized void start() {
+  public void start() {
     context().configuration().refuseUndeclared();
+    if (!startUnlessAskedToStop()) {
+      end();
+    }
+  }
+
+  /** Excludes {@link #stopWaiting}: a kill comes either before the start or finds the waiter. */
+  private synchronized boolean startUnlessAskedToStop() {
+    if (getState() != State.NEW || ended.get()) {
+      throw new IllegalThreadStateException(
+          "service " + getName() + " was started or killed before; make a new one");
+    }
+    if (askedToStop) {
+      return false;
+    }
     waiter = clock().newWaiter(getName());
     healthDueMicros = clock().micros();
     running = true;
     status = ServiceStatus.RUNNING;
     super.start();
+    return true;
   }
 
   /**
@@ -173,7 +190,9 @@ public abstract class U2SAService extends CommunicatingService {
       return;
     }
     String what = health.lastError().orElse("");
-    log(LogLevelEnum.ERROR, what + " (exception " + health.exceptionsInRow() + " in a row)");
+    String inRow = " (exception " + health.exceptionsInRow() + " in a row)";
+    boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: no flood of stack traces
+    logFile().log(LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
     if (health.exceptionsInRow() >= maxErrorsInARow) {
       log(LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
       status = ServiceStatus.FAILED;
@@ -191,6 +210,7 @@ public abstract class U2SAService extends CommunicatingService {
 
   /** Asks the loop to stop, without waiting for it. */
   final void askToStop() {
+    askedToStop = true;
     running = false;
     wake();
   }
@@ -204,7 +224,8 @@ public abstract class U2SAService extends CommunicatingService {
   }
 
   /** Ends the wait of the service's thread for good, wherever it waits. */
-  final void stopWaiting() {
+  final synchronized void stopWaiting() {
+    askedToStop = true;
     running = false;
     Clock.Waiter waiting = waiter;
     if (waiting != null) {
@@ -223,26 +244,32 @@ public abstract class U2SAService extends CommunicatingService {
     running = false;
     boolean failed = status == ServiceStatus.FAILED;
     status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPING;
+    atLast("closing", this::release);
+    status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPED;
+    atLast("the last health report", this::reportHealth);
+    log(LogLevelEnum.INFO, "ended: " + status);
+    atLast("ending the communication", wiring()::close);
+    stopWaiting();
+    logFile().close();
+  }
+
+  /** Does one of the last things; should it fail, the others are done all the same. */
+  private void atLast(String what, Runnable last) {
     try {
-      release();
-    } catch (RuntimeException e) {
+      last.run();
+    } catch (Exception | Error e) { // also undeclared checked ones
       health.error(e.toString());
-      logFile().log(LogLevelEnum.ERROR, "closing failed", e);
-    } finally {
-      status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPED;
-      reportHealth();
-      log(LogLevelEnum.INFO, "ended: " + status);
-      wiring().close();
-      stopWaiting();
-      logFile().close();
+      logFile().log(LogLevelEnum.ERROR, what + " failed", e);
     }
   }
 
-  /** Says why the thread dies, and ends as FAILED. */
-  final void endAfter(Throwable error) {
-    health.error(error.toString());
-    logFile().log(LogLevelEnum.ERROR, "the thread died", error);
-    status = ServiceStatus.FAILED;
+  /** Ends after what the thread cannot survive, as failed. */
+  final void die(Throwable error) {
+    if (!ended.get()) {
+      health.error(error.toString());
+      logFile().log(LogLevelEnum.ERROR, "the thread died", error);
+      status = ServiceStatus.FAILED;
+    }
     end();
   }
 

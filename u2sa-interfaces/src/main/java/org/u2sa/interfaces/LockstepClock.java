@@ -28,6 +28,7 @@ public final class LockstepClock implements Clock {
   private volatile long nowMicros;
   private long targetMicros;
   private BooleanSupplier done;
+  private Throwable failure; // of the condition; thrown where it came from, in the driver
   private boolean driving;
 
   @Override
@@ -67,6 +68,7 @@ public final class LockstepClock implements Clock {
    * @param limitMicros time of this clock [µs] at which to give up
    * @return whether the condition held
    * @throws InterruptedException if the calling thread was interrupted
+   * @throws RuntimeException what the condition threw, if it did
    */
   public boolean runUntil(BooleanSupplier condition, long limitMicros) throws InterruptedException {
     drive(condition, limitMicros);
@@ -86,9 +88,34 @@ public final class LockstepClock implements Clock {
         while (driving) {
           lock.wait();
         }
+        throwFailure();
       } finally {
         driving = false;
+        failure = null;
       }
+    }
+  }
+
+  private void throwFailure() {
+    if (failure instanceof Error error) {
+      throw error;
+    }
+    if (failure instanceof RuntimeException exception) {
+      throw exception;
+    }
+  }
+
+  /**
+   * Whether the driver's condition holds. It is asked on whichever thread waits last, but what it
+   * throws belongs to the driver: that thread's service must neither die of it nor leave the driver
+   * waiting.
+   */
+  private boolean isDone() {
+    try {
+      return done.getAsBoolean();
+    } catch (RuntimeException | Error e) {
+      failure = e;
+      return true;
     }
   }
 
@@ -98,7 +125,7 @@ public final class LockstepClock implements Clock {
       return;
     }
     Turn next = ready.poll();
-    if (next == null && !done.getAsBoolean()) {
+    if (next == null && !isDone()) {
       next = earliest();
       if (next != null && next.deadlineMicros <= targetMicros) {
         nowMicros = Math.max(nowMicros, next.deadlineMicros);

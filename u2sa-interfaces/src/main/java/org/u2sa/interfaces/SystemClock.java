@@ -12,6 +12,7 @@ import java.util.concurrent.locks.LockSupport;
 public final class SystemClock implements Clock {
   private static final long NANOS_PER_MICRO = 1_000L;
   private static final long MICROS_PER_MILLI = 1_000L;
+  private static final long LONGEST_PARK_MICROS = 3_600 * MICROS_PER_SECOND; // in ns it must fit
 
   private final long startNanos = System.nanoTime();
   private final long startMicros = System.currentTimeMillis() * MICROS_PER_MILLI;
@@ -46,7 +47,8 @@ public final class SystemClock implements Clock {
             if (leftMicros <= 0) {
               return;
             }
-            LockSupport.parkNanos(this, leftMicros * NANOS_PER_MICRO);
+            LockSupport.parkNanos(
+                this, Math.min(leftMicros, LONGEST_PARK_MICROS) * NANOS_PER_MICRO);
           }
         }
       } finally {

@@ -151,4 +151,62 @@ class LockstepClockTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("-1");
   }
+
+  @Test
+  void runUntil_conditionThrows_throwsInTheDriverAndTheThreadsGoOn() throws InterruptedException {
+    periodic("a", 10);
+    IllegalStateException failure = new IllegalStateException("condition");
+
+    assertThatThrownBy(
+            () ->
+                clock.runUntil(
+                    () -> {
+                      if (clock.micros() >= 10) {
+                        throw failure;
+                      }
+                      return false;
+                    },
+                    1_000))
+        .isSameAs(failure);
+
+    clock.advance(10);
+    assertThat(events).containsExactly("a@0", "a@10", "a@20");
+  }
+
+  @Test
+  void signal_fromOutsideWhileNobodyDrives_isAnsweredWhenTimeIsDrivenAgain()
+      throws InterruptedException {
+    Clock.Waiter waiter = periodic("a", 10);
+    clock.advance(10);
+    events.clear();
+
+    waiter.signal();
+    clock.advance(0);
+
+    assertThat(events).containsExactly("a@10");
+  }
+
+  @Test
+  void await_interrupted_throwsAndTimeGoesOnAfterItsWaiterIsClosed() throws InterruptedException {
+    List<Throwable> thrown = Collections.synchronizedList(new ArrayList<>());
+    Clock.Waiter waiter = clock.newWaiter("interrupted");
+    Thread thread =
+        new Thread(
+            () -> {
+              try (waiter) {
+                waiter.await(Clock.NEVER);
+              } catch (InterruptedException e) {
+                thrown.add(e);
+              }
+            });
+    thread.start();
+    clock.advance(5);
+
+    thread.interrupt();
+    thread.join();
+    clock.advance(5);
+
+    assertThat(thrown).hasSize(1);
+    assertThat(clock.micros()).isEqualTo(10);
+  }
 }

@@ -66,7 +66,17 @@ public final class LocalBus implements Transport {
     return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
   }
 
-  private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {}
+  private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {
+    void hand(U2SAData message) {
+      if (channel.carries(message)) {
+        try {
+          receiver.receive(channel, message);
+        } catch (RuntimeException e) {
+          owner.failed(channel, e);
+        }
+      }
+    }
+  }
 
   /** The subscribers of one channel, and what is retained on it. */
   private static final class Route {
@@ -86,9 +96,7 @@ public final class LocalBus implements Transport {
 
     private void hand(U2SAData message) {
       for (Subscription subscription : subscriptions) {
-        if (subscription.channel.carries(message)) {
-          subscription.receiver.receive(subscription.channel, message);
-        }
+        subscription.hand(message);
       }
     }
 
@@ -99,9 +107,7 @@ public final class LocalBus implements Transport {
       longer[subscriptions.length] = added;
       subscriptions = longer;
       for (U2SAData message : retained.values()) {
-        if (added.channel.carries(message)) {
-          added.receiver.receive(added.channel, message);
-        }
+        added.hand(message);
       }
     }
 
@@ -117,7 +123,7 @@ public final class LocalBus implements Transport {
     private final String serviceName;
     private final Receiver receiver;
     private final AtomicLong refused = new AtomicLong();
-    private volatile boolean closed;
+    private volatile boolean closed; // written under this
 
     LocalConnection(String serviceName, Receiver receiver) {
       this.serviceName = serviceName;
@@ -135,8 +141,21 @@ public final class LocalBus implements Transport {
       return true;
     }
 
+    /** Counts and tells that the receiver threw: neither publisher nor other receivers notice. */
+    void failed(Channel<?> channel, RuntimeException error) {
+      long count = refused.incrementAndGet();
+      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+        try {
+          receiver.trouble(
+              "receiving on \"" + channel + "\" failed: " + error + " (" + count + " so far)");
+        } catch (RuntimeException e) {
+          return; // it cannot be told either; the count is there, and its owner's health shows it
+        }
+      }
+    }
+
     @Override
-    public boolean subscribe(Channel<?> channel) {
+    public synchronized boolean subscribe(Channel<?> channel) {
       if (closed) {
         return false;
       }
@@ -156,7 +175,7 @@ public final class LocalBus implements Transport {
     }
 
     @Override
-    public void close() {
+    public synchronized void close() {
       if (!closed) {
         closed = true;
         routes.values().forEach(route -> route.remove(this));

@@ -92,6 +92,9 @@ final class MqttConnection implements Connection {
     } catch (MqttException e) {
       countRefused("publishing on \"" + channel + "\" failed: " + reason(e));
       return false;
+    } catch (IllegalStateException e) {
+      countRefused("publishing on \"" + channel + "\" failed: " + e.getMessage()); // too long
+      return false;
     }
   }
 
@@ -214,6 +217,9 @@ final class MqttConnection implements Connection {
         }
       } catch (MalformedMessageException | IllegalArgumentException e) {
         countRefused("a message on " + topicName + " cannot be read: " + e.getMessage());
+      } catch (RuntimeException e) {
+        // Paho would cut the connection.
+        countRefused("receiving a message on " + topicName + " failed: " + e);
       }
     }
 

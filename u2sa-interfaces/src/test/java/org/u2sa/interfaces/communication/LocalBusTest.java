@@ -126,4 +126,36 @@ class LocalBusTest {
 
     assertThat(bridged).singleElement().isSameAs(local);
   }
+
+  /** Breaks its promise not to throw. */
+  private static final class Faulty implements Receiver {
+    private final List<String> troubles = new ArrayList<>();
+
+    @Override
+    public void receive(Channel<?> channel, U2SAData message) {
+      throw new IllegalStateException("faulty");
+    }
+
+    @Override
+    public void trouble(String what) {
+      troubles.add(what);
+      throw new IllegalStateException("faulty here too");
+    }
+  }
+
+  @Test
+  void publish_oneReceiverThrows_neitherPublisherNorTheOthersNotice() {
+    Faulty faulty = new Faulty();
+    Connection ofFaulty = bus.connect("faulty", faulty);
+    ofFaulty.subscribe(Channels.STATE);
+    bus.connect("b", inbox).subscribe(Channels.STATE);
+
+    boolean taken =
+        bus.connect("c", new Inbox()).publish(Channels.STATE, frozen(new StateInformation()));
+
+    assertThat(taken).isTrue();
+    assertThat(inbox.messages).hasSize(1);
+    assertThat(ofFaulty.refused()).isEqualTo(1);
+    assertThat(faulty.troubles).singleElement().asString().contains("faulty").contains("state");
+  }
 }
