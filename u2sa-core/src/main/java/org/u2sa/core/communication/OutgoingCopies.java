@@ -11,6 +11,7 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
@@ -31,6 +32,8 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private static final String SENDER = "CommunicationManager";
   private static final long LAST_WORDS_WITHIN_MS = 2_000;
+  private static final long LOST_AFTER_MS = 1_000;
+  private static final long LOOK_UP_EVERY_MS = 100; // for the end
 
   private record Copy(Channel<?> channel, String topic, U2SAData message) {}
 
@@ -43,7 +46,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final Consumer<String> log;
   private final Map<String, Map<List<String>, Interest>> interests = new ConcurrentHashMap<>();
   private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
-  private final Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
+  private Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST); // touched by the sender only
   private final AtomicLong dropped = new AtomicLong();
   private final Thread sender = new Thread(this::send, "u2sa-outgoing-copies");
   private volatile boolean closing;
@@ -86,25 +89,43 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void send() {
     try {
-      while (true) {
-        send(waiting.take());
+      // After close what still waits is sent, as it may hold the actuators' neutral commands.
+      for (Copy copy = next(); copy != null; copy = next()) {
+        send(copy);
       }
+      onTheWay.tryAcquire(ON_THE_WAY_AT_MOST, LOST_AFTER_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      // Interrupted by close: what still waits is sent, as it may hold the actuators' neutral
-      // commands.
-      for (Copy copy = waiting.poll(); copy != null; copy = waiting.poll()) {
-        publish(copy);
-      }
+      log.accept("interrupted: " + waiting.size() + " copies for remote subscribers are given up");
     }
   }
 
-  private void send(Copy copy) throws InterruptedException {
-    onTheWay.acquire();
-    RoutingResults results = publish(copy);
-    if (!results.isAllSuccess()) {
-      drop("a subscriber's queue is full");
+  /** The next copy to send; null if there is none left and none will come. */
+  private Copy next() throws InterruptedException {
+    Copy copy = null;
+    while (copy == null && !(closing && waiting.isEmpty())) {
+      copy = waiting.poll(LOOK_UP_EVERY_MS, TimeUnit.MILLISECONDS);
     }
-    results.completableFuture().whenComplete((done, error) -> onTheWay.release());
+    return copy;
+  }
+
+  private void send(Copy copy) throws InterruptedException {
+    if (!onTheWay.tryAcquire(LOST_AFTER_MS, TimeUnit.MILLISECONDS)) {
+      // Moquette never completes what failed within it; to wait for that would be for ever.
+      onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
+      onTheWay.acquire();
+    }
+    Semaphore place = onTheWay;
+    try {
+      RoutingResults results = publish(copy);
+      if (!results.isAllSuccess()) {
+        drop("a subscriber's queue is full");
+      }
+      results.completableFuture().whenComplete((done, error) -> place.release());
+    } catch (
+        RuntimeException e) { // this one cannot be sent, such as a message too long; others can
+      place.release();
+      drop("publishing on \"" + copy.topic + "\" failed: " + e.getMessage());
+    }
   }
 
   private RoutingResults publish(Copy copy) {
@@ -132,11 +153,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void close() {
-    if (closing) {
-      return;
-    }
     closing = true;
-    sender.interrupt();
     try {
       sender.join(LAST_WORDS_WITHIN_MS);
     } catch (InterruptedException e) {

@@ -21,8 +21,7 @@ public final class RunningSystem implements AutoCloseable {
   private final LaunchOptions options;
   private final MessageTypes types = MessageTypes.discovered();
   private final List<U2SAService> services = new ArrayList<>();
-  private CommunicationManager manager;
-  private RememberedConnections connections;
+  private volatile CommunicationManager manager;
 
   private RunningSystem(SystemFile file, LaunchOptions options) {
     this.file = file;
@@ -43,7 +42,7 @@ public final class RunningSystem implements AutoCloseable {
       system.prepare();
       system.services.forEach(U2SAService::start);
     } catch (RuntimeException | Error e) {
-      system.close();
+      system.closeAfter(e);
       throw e;
     }
     return system;
@@ -53,15 +52,31 @@ public final class RunningSystem implements AutoCloseable {
     file.services().forEach(ServiceFactory::constructor);
     XmlConfiguration communication = configuration(MANAGER, file.communication());
     manager = CommunicationManager.start(file.systemId(), communication, types, options.console());
-    connections = new RememberedConnections(manager.transport());
     communication.refuseUndeclared();
     List<XmlConfiguration> configurations = new ArrayList<>();
     for (SystemFile.Entry entry : file.services()) {
       XmlConfiguration configuration = configuration(entry.simpleName(), entry.configuration());
       configurations.add(configuration);
-      services.add(ServiceFactory.create(entry, context(configuration)));
+      services.add(create(entry, context(configuration)));
     }
     configurations.forEach(XmlConfiguration::refuseUndeclared);
+  }
+
+  private static U2SAService create(SystemFile.Entry entry, ServiceContext context) {
+    try {
+      return ServiceFactory.create(entry, context);
+    } catch (RuntimeException | Error e) {
+      context.abandon(); // nobody else knows the half-made service
+      throw e;
+    }
+  }
+
+  private void closeAfter(Throwable failure) {
+    try {
+      close();
+    } catch (RuntimeException e) {
+      failure.addSuppressed(e);
+    }
   }
 
   private XmlConfiguration configuration(String service, Optional<Path> path) {
@@ -75,7 +90,7 @@ public final class RunningSystem implements AutoCloseable {
   private ServiceContext context(XmlConfiguration configuration) {
     return ServiceContext.of(file.systemId(), configuration)
         .clock(options.clock())
-        .transport(connections)
+        .transport(manager.transport())
         .logDirectory(options.logDirectory())
         .messageTypes(types)
         .seed(options.seed())
@@ -120,7 +135,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Ends all services, last started first, and then the Communication Manager. Safe to call twice.
+   * Ends all services, last started first, and then the Communication Manager. Safe to call twice
+   * and from several threads: each call returns when all has ended.
    */
   @Override
   public synchronized void close() {
@@ -128,9 +144,6 @@ public final class RunningSystem implements AutoCloseable {
     // them out still run.
     for (int i = services.size() - 1; i >= 0; i--) {
       services.get(i).kill();
-    }
-    if (connections != null) {
-      connections.close();
     }
     if (manager != null) {
       manager.close();

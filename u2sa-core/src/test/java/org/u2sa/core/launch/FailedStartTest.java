@@ -1,0 +1,80 @@
+package org.u2sa.core.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/** A system that cannot be started leaves nothing behind. */
+@Timeout(30)
+class FailedStartTest {
+  @TempDir private Path directory;
+
+  /** Fails after it has connected, as a service whose device is missing. */
+  public static final class Stillborn extends EventDrivenService {
+    public Stillborn(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Stillborn");
+      throw new IllegalStateException("no device");
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  @Test
+  void start_constructorFailsWithAnExternalBroker_leavesNoConnectionBehind() throws IOException {
+    int port;
+    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      port = probe.getLocalPort();
+    }
+    SystemFile file =
+        SystemFile.read(
+            Files.writeString(
+                directory.resolve("system.xml"),
+                "<system id=\"test\"><service class=\""
+                    + Stillborn.class.getName()
+                    + "\"/></system>"));
+    LaunchOptions options =
+        new LaunchOptions()
+            .logDirectory(directory.resolve("logs"))
+            .override("CommunicationManager", "BROKER", "external")
+            .override("CommunicationManager", "COMMUNICATION MANAGER PORT", port);
+    XmlConfiguration ofBroker =
+        XmlConfiguration.inMemory("test", Map.of("COMMUNICATION MANAGER PORT", port));
+    try (CommunicationManager broker =
+        CommunicationManager.start("test", ofBroker, MessageTypes.standard(), line -> {})) {
+      assertThat(broker.address()).isPresent();
+
+      assertThatThrownBy(() -> RunningSystem.start(file, options)).hasMessage("no device");
+
+      await().untilAsserted(() -> assertThat(clientThreads()).isEmpty());
+    }
+  }
+
+  private static List<String> clientThreads() {
+    return Thread.getAllStackTraces().keySet().stream()
+        .map(Thread::getName)
+        .filter(name -> name.startsWith("MQTT ") && name.contains("test/Stillborn/"))
+        .collect(Collectors.toList());
+  }
+}
