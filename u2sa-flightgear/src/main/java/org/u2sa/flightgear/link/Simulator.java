@@ -141,7 +141,10 @@ public final class Simulator extends ProprioceptiveSensor {
 
   @Override
   protected void release() {
-    link.write(new ControlInputs(0.0, 0.0, 0.0, 0.0, RICH, 0.0, 0.0, 0.0));
-    link.close();
+    try {
+      link.write(new ControlInputs(0.0, 0.0, 0.0, 0.0, RICH, 0.0, 0.0, 0.0));
+    } finally {
+      link.close();
+    }
   }
 }

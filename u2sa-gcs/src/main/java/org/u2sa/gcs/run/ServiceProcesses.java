@@ -30,8 +30,12 @@ final class ServiceProcesses implements AutoCloseable {
     this.settings = settings;
   }
 
-  void start() {
+  /** Starts one process a service, unless {@link #close} was called meanwhile. */
+  synchronized void start() {
     for (SystemFile.Entry entry : file.services()) {
+      if (closing) {
+        return;
+      }
       try {
         processes.put(
             entry.simpleName(),
@@ -84,19 +88,24 @@ final class ServiceProcesses implements AutoCloseable {
     return failed;
   }
 
+  private synchronized List<Process> started() {
+    return List.copyOf(processes.values());
+  }
+
   /** Asks all processes to end, and ends those that do not. */
   @Override
   public void close() {
-    closing = true;
-    processes.values().forEach(Process::destroy);
+    closing = true; // before the lock, so that a start in progress ends
+    List<Process> all = started();
+    all.forEach(Process::destroy);
     try {
-      for (Process process : processes.values()) {
+      for (Process process : all) {
         if (!process.waitFor(END_WITHIN_S, TimeUnit.SECONDS)) {
           process.destroyForcibly();
         }
       }
     } catch (InterruptedException e) {
-      processes.values().forEach(Process::destroyForcibly);
+      all.forEach(Process::destroyForcibly);
       Thread.currentThread().interrupt();
     }
   }
