@@ -59,6 +59,7 @@ final class MqttConnection implements Connection {
     options.setAutomaticReconnect(true);
     options.setMaxReconnectDelay(RECONNECT_AT_MOST_EVERY_MS);
     options.setKeepAliveInterval(KEEP_ALIVE_S);
+    options.setSocketFactory(new PromptSockets());
     options.setMaxInflight(MAX_IN_FLIGHT);
     options.setConnectionTimeout((int) (ANSWER_WITHIN_MS / 1_000));
     try {

@@ -1,0 +1,170 @@
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
+import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Measures the way of a message from one service's thread to another's callback: on the direct path,
+ * by MQTT through the embedded broker, and by MQTT through another broker whose port is given.
+ */
+public final class DirectPath {
+  private static final Channel<StateInformation> CHANNEL =
+      Channel.every("benchmark", StateInformation.TYPE);
+  private static final long PAUSE_NANOS = 200_000;
+
+  private DirectPath() {}
+
+  /** Notes when each message came in; its x is its number. */
+  private static final class Sink extends EventDrivenService {
+    private final AtomicLong received = new AtomicLong();
+    private volatile long[] cameNanos = new long[0];
+
+    Sink(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Sink");
+      registerSubscriber(CHANNEL);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      long now = System.nanoTime();
+      int number = (int) ((StateInformation) data).x().orElseThrow();
+      long[] came = cameNanos;
+      if (number < came.length) {
+        came[number] = now;
+      }
+      received.incrementAndGet();
+    }
+  }
+
+  /** Publishes from the benchmark's own thread. */
+  private static final class Source extends EventDrivenService {
+    Source(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Source");
+      registerPublisher(CHANNEL);
+    }
+
+    void send(int number) {
+      publish(CHANNEL, new StateInformation().sensorName("benchmark").x(number));
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  public static void main(String[] args) throws Exception {
+    System.out.printf(
+        Locale.ROOT,
+        "%d cores, load average %.2f, Java %s%n",
+        Runtime.getRuntime().availableProcessors(),
+        java.lang.management.ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage(),
+        System.getProperty("java.version"));
+    int port = Integer.parseInt(args[0]);
+    Map<String, Object> variables = Map.of("COMMUNICATION MANAGER PORT", port);
+    try (CommunicationManager manager =
+        CommunicationManager.start(
+            "benchmark",
+            XmlConfiguration.inMemory("benchmark", variables),
+            MessageTypes.standard(),
+            System.out::println)) {
+      measure("direct path", manager.transport(), 20_000, 3_000_000, 100_000);
+      measure("MQTT, embedded broker", mqtt(port), 3_000, 30_000, 200);
+    }
+    if (args.length > 1) {
+      measure("MQTT, Mosquitto", mqtt(Integer.parseInt(args[1])), 3_000, 30_000, 200);
+    }
+    System.exit(0);
+  }
+
+  private static Transport mqtt(int port) {
+    return new MqttTransport(
+        "127.0.0.1", port, "benchmark", new MessageCodec(MessageTypes.standard()));
+  }
+
+  private static ServiceContext context(Transport transport, Path logs) {
+    return ServiceContext.of(
+            "benchmark",
+            XmlConfiguration.inMemory("benchmark", Map.of("INBOX CAPACITY", 1_000_000)))
+        .clock(new SystemClock())
+        .transport(transport)
+        .logDirectory(logs)
+        .build();
+  }
+
+  /** Messages at once on the way are limited, so that what is measured is not a queue. */
+  private static void measure(
+      String way, Transport transport, int paced, int flood, int onTheWayAtMost) throws Exception {
+    Path logs = Files.createTempDirectory("u2sa-benchmark");
+    Sink sink = new Sink(context(transport, logs));
+    Source source = new Source(context(transport, logs));
+    sink.start();
+    source.start();
+    flood(source, sink, flood / 4, onTheWayAtMost); // warm-up
+    latency(source, sink, paced / 4);
+    double perSecond = flood(source, sink, flood, onTheWayAtMost);
+    long[] nanos = latency(source, sink, paced);
+    System.out.printf(
+        Locale.ROOT,
+        "%-22s one way p50 %8.1f us, p99 %8.1f us, %,12.0f messages/s%n",
+        way,
+        nanos[nanos.length / 2] / 1e3,
+        nanos[nanos.length * 99 / 100] / 1e3,
+        perSecond);
+    source.kill();
+    sink.kill();
+  }
+
+  private static long[] latency(Source source, Sink sink, int count) {
+    long[] came = new long[count];
+    long[] sent = new long[count];
+    long before = sink.received.get();
+    sink.cameNanos = came;
+    for (int i = 0; i < count; i++) {
+      sent[i] = System.nanoTime();
+      source.send(i);
+      LockSupport.parkNanos(PAUSE_NANOS);
+    }
+    awaitReceived(sink, before + count);
+    sink.cameNanos = new long[0];
+    long[] took = new long[count];
+    Arrays.setAll(took, i -> came[i] - sent[i]);
+    Arrays.sort(took);
+    return took;
+  }
+
+  private static double flood(Source source, Sink sink, int count, int onTheWayAtMost) {
+    long before = sink.received.get();
+    long began = System.nanoTime();
+    for (int i = 0; i < count; i++) {
+      if (i % 64 == 0) {
+        awaitReceived(sink, before + i - onTheWayAtMost);
+      }
+      source.send(i);
+    }
+    awaitReceived(sink, before + count);
+    return count * 1e9 / (System.nanoTime() - began);
+  }
+
+  private static void awaitReceived(Sink sink, long count) {
+    while (sink.received.get() < count) {
+      LockSupport.parkNanos(20_000);
+    }
+  }
+}
