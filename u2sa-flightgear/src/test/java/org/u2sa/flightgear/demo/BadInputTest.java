@@ -162,7 +162,8 @@ class BadInputTest {
     for (String name : List.of("MissionManager.xml", "Simulator.xml")) {
       Path file = copy.resolve(name);
       Files.writeString(
-          file, Files.readString(file).replace("missions/cessna/mission.xml", mission.toString()));
+          file,
+          Files.readString(file).replace("../../missions/cessna/mission.xml", mission.toString()));
     }
   }
 }
