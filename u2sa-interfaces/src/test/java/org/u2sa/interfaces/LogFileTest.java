@@ -3,11 +3,7 @@ package org.u2sa.interfaces;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
-import java.io.ByteArrayOutputStream;
-import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -17,55 +13,8 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
-class LogFileTest {
-  private static final String TIME = "2017-07-14T02:40:00.123456Z";
-  private static final Clock CLOCK = clock(1_500_000_000_123_456L);
-
-  @TempDir Path folder;
-  private final ByteArrayOutputStream complaints = new ByteArrayOutputStream();
-
-  private static Clock clock(long micros) {
-    return new Clock() {
-      @Override
-      public long micros() {
-        if (micros < 0) {
-          throw new IllegalStateException("nobody should ask for the time");
-        }
-        return micros;
-      }
-
-      @Override
-      public Waiter newWaiter(String name) {
-        throw new UnsupportedOperationException("nobody waits in this test");
-      }
-    };
-  }
-
-  private LogFile log(Path file, LogLevelEnum lowest) throws IOException {
-    return new LogFile(
-        file,
-        "Control",
-        lowest,
-        CLOCK,
-        new PrintStream(complaints, true, "UTF-8"),
-        path -> new FileOutputStream(path.toFile(), true));
-  }
-
-  private String complaints() throws IOException {
-    return complaints.toString("UTF-8");
-  }
-
-  private static String text(Path file) throws IOException {
-    return new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
-  }
-
-  private static String line(String level, String message) {
-    long thread = Thread.currentThread().getId();
-    return TIME + " | " + level + " | Control | " + thread + " | " + message + "\n";
-  }
-
+class LogFileTest extends LogFileFixture {
   @Test
   void log_newFolder_lineHasTimeLevelServiceThreadAndMessageAndIsWrittenAtOnce()
       throws IOException {
