@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Timeout;
 class LockstepClockTest {
   private final LockstepClock clock = new LockstepClock();
   private final List<String> events = Collections.synchronizedList(new ArrayList<>());
+  private volatile Clock.Waiter closed; // whose thread has to end
 
   /** A thread that notes its name and the time whenever it has its turn. */
   private Clock.Waiter periodic(String name, long periodMicros) {
@@ -25,6 +26,9 @@ class LockstepClockTest {
                 waiter.await(0);
                 for (long due = 0; ; due += periodMicros) {
                   waiter.await(due);
+                  if (waiter == closed) {
+                    return; // its waits end at once from now on
+                  }
                   events.add(name + "@" + clock.micros());
                 }
               } catch (InterruptedException e) {
@@ -111,6 +115,7 @@ class LockstepClockTest {
     clock.advance(10);
     events.clear();
 
+    closed = ending;
     ending.close();
     clock.advance(10);
 
