@@ -2,8 +2,13 @@ package org.u2sa.service;
 
 import static org.u2sa.interfaces.communication.Channels.ACTUATION;
 import static org.u2sa.interfaces.communication.Channels.ACTUATORS;
+import static org.u2sa.interfaces.communication.Channels.ARMING;
+import static org.u2sa.interfaces.communication.Channels.ARMING_STATE;
+import static org.u2sa.interfaces.communication.Channels.CONDITIONS;
 import static org.u2sa.interfaces.communication.Channels.CONFIGURATION;
 import static org.u2sa.interfaces.communication.Channels.DISCOVERY;
+import static org.u2sa.interfaces.communication.Channels.EMERGENCY_STOP;
+import static org.u2sa.interfaces.communication.Channels.FAILSAFE;
 import static org.u2sa.interfaces.communication.Channels.FUNCTIONALITY;
 import static org.u2sa.interfaces.communication.Channels.GOALS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_COMMANDS;
@@ -12,8 +17,11 @@ import static org.u2sa.interfaces.communication.Channels.GOAL_UPDATES;
 import static org.u2sa.interfaces.communication.Channels.HEALTH;
 import static org.u2sa.interfaces.communication.Channels.NAVIGATION;
 import static org.u2sa.interfaces.communication.Channels.OBJECTS;
+import static org.u2sa.interfaces.communication.Channels.OPERATOR;
+import static org.u2sa.interfaces.communication.Channels.POWER;
 import static org.u2sa.interfaces.communication.Channels.SENSED_OBJECTS;
 import static org.u2sa.interfaces.communication.Channels.SENSED_STATE;
+import static org.u2sa.interfaces.communication.Channels.SERVICE_ORDERS;
 import static org.u2sa.interfaces.communication.Channels.STATE;
 import static org.u2sa.interfaces.communication.Channels.STOP;
 
@@ -28,7 +36,7 @@ import org.u2sa.messages.U2SAData;
  */
 public enum ServiceRole {
   /** Measures the vehicle itself (3.2.2.4). */
-  PROPRIOCEPTIVE_SENSOR(List.of(SENSED_STATE), List.of()),
+  PROPRIOCEPTIVE_SENSOR(List.of(SENSED_STATE, POWER), List.of()),
   /** Measures the environment (3.2.2.3). */
   EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS), List.of(STATE)),
   /** Fuses measurements into the best estimate (3.2.3.1). */
@@ -43,9 +51,27 @@ public enum ServiceRole {
   CONTROL_SYSTEM(List.of(ACTUATION), List.of(NAVIGATION, STATE, ACTUATORS, GOALS)),
   /** Moves something (3.2.2.5). */
   ACTUATOR(List.of(ACTUATORS, SENSED_STATE), List.of(ACTUATION)),
+  /** Watches the other services and has the failed ones started again (3.5.3). */
+  HEALTH_MONITOR(List.of(CONDITIONS, SERVICE_ORDERS), List.of(HEALTH, SERVICE_ORDERS)),
+  /** Decides what the vehicle does when something is wrong, and whether it may move at all. */
+  SAFETY_MANAGER(
+      List.of(FAILSAFE, ARMING_STATE, EMERGENCY_STOP),
+      List.of(STATE, CONDITIONS, OPERATOR, POWER, ARMING, ACTUATORS, GOALS, EMERGENCY_STOP)),
+  /** Starts, restarts and swaps the services of one process or host. */
+  LAUNCHER(List.of(SERVICE_ORDERS, HEALTH), List.of(SERVICE_ORDERS)),
   /** Watches, records, or gives orders: screens, ground stations, monitors. */
   OBSERVER(
-      List.of(GOAL_COMMANDS, GOAL_UPDATES, STOP, CONFIGURATION, DISCOVERY, FUNCTIONALITY),
+      List.of(
+          GOAL_COMMANDS,
+          GOAL_UPDATES,
+          STOP,
+          CONFIGURATION,
+          DISCOVERY,
+          FUNCTIONALITY,
+          SERVICE_ORDERS,
+          EMERGENCY_STOP,
+          OPERATOR,
+          ARMING),
       List.of(
           STATE,
           OBJECTS,
@@ -59,7 +85,13 @@ public enum ServiceRole {
           SENSED_OBJECTS,
           DISCOVERY,
           FUNCTIONALITY,
-          CONFIGURATION));
+          CONFIGURATION,
+          CONDITIONS,
+          SERVICE_ORDERS,
+          EMERGENCY_STOP,
+          FAILSAFE,
+          ARMING_STATE,
+          POWER));
 
   private final List<Channel<?>> published;
   private final List<Channel<?>> subscribed;

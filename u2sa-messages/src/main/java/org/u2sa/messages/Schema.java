@@ -159,7 +159,8 @@ public final class Schema<T extends U2SAData> {
     return value(field, unit, ScalarKinds.COUNT, FieldPresence.DEFAULTED, 0L, false);
   }
 
-  ValueField<T, Long> optionalCount(String field, String unit) {
+  /** A whole number that may be absent. It has no bit in the presence vector. */
+  public ValueField<T, Long> optionalCount(String field, String unit) {
     return value(field, unit, ScalarKinds.COUNT, FieldPresence.OPTIONAL, null, false);
   }
 
@@ -204,6 +205,11 @@ public final class Schema<T extends U2SAData> {
   /** A list of texts, empty from the start. */
   public ValueField<T, List<String>> texts(String field) {
     return value(field, "", ListKinds.TEXTS, FieldPresence.DEFAULTED, List.of(), false);
+  }
+
+  /** A list of texts that may be absent. It has no bit in the presence vector. */
+  public ValueField<T, List<String>> optionalTexts(String field) {
+    return value(field, "", ListKinds.TEXTS, FieldPresence.OPTIONAL, null, false);
   }
 
   /** A list of messages of one class and its subclasses, empty from the start. */

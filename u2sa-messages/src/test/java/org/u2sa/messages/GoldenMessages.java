@@ -4,17 +4,33 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ArmCommand;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationChangeResult;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.contract.ConfigurationVariable;
+import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.frame.Point;
@@ -34,6 +50,7 @@ final class GoldenMessages {
     GoldenMessages golden = new GoldenMessages();
     golden.addModel();
     golden.addContract();
+    golden.addFormat2();
     return golden.byName;
   }
 
@@ -182,5 +199,113 @@ final class GoldenMessages {
             .exceptions(1)
             .callbackP50(12e-6)
             .callbackP99(0.25e-3));
+  }
+
+  private void addFormat2() {
+    HealthReport spokenFor =
+        new HealthReport().serviceName("Simulator").status(ServiceStatus.RUNNING);
+    spokenFor.instance("sim-1").interval(0.25).threadAlive(true).callbackRunning(2.5).dataAge(2.75);
+    add("HealthReport-2", spokenFor.published(900).expired(4));
+    ConnectionLost lost = new ConnectionLost();
+    lost.serviceName("Simulator").status(ServiceStatus.FAILED).lastError("connection lost");
+    lost.instance("sim-1").systemId("cessna");
+    byName.put("ConnectionLost-will", lost); // a will cannot know its time
+    ConnectionLost full = new ConnectionLost();
+    full.serviceName("Simulator").status(ServiceStatus.FAILED).lastError("connection lost");
+    full.inboxDepth(1)
+        .dropped(2)
+        .refused(3)
+        .overruns(4)
+        .exceptions(5)
+        .callbackP50(1e-6)
+        .callbackP99(1e-3);
+    full.instance("sim-1").interval(0.25).threadAlive(false).callbackRunning(0.0).dataAge(3.0);
+    add("ConnectionLost", full.published(7).expired(8));
+    add(
+        "DiscoveryResponse-2",
+        new DiscoveryResponse()
+            .serviceName("PathPlanner")
+            .serviceType("PATH_PLANNER")
+            .status(ServiceStatus.RUNNING)
+            .instance("planner-2")
+            .className("org.u2sa.core.planning.PathPlanner"));
+    ConfigurationVariable broker =
+        new ConfigurationVariable()
+            .name("BROKER")
+            .value("embedded")
+            .choices(List.of("embedded", "external", "none"));
+    add("ConfigurationVariable-2", broker);
+    add(
+        "ConfigurationResponse-2",
+        new ConfigurationResponse()
+            .serviceName("PathPlanner")
+            .variables(List.of(broker))
+            .revision(7));
+    add(
+        "EmergencyStop",
+        new EmergencyStop().active(true).operator("anna").reason("person on the runway"));
+    add("EmergencyStop-clear", new EmergencyStop().operator("anna").clears(MICROS));
+    add(
+        "ServiceOrder",
+        new ServiceOrder()
+            .requestId("r-1")
+            .serviceName("PathPlanner")
+            .action(ServiceAction.SWAP)
+            .className("org.example.OtherPlanner")
+            .operator("anna"));
+    add(
+        "ServiceOrderResult",
+        new ServiceOrderResult()
+            .requestId("r-1")
+            .serviceName("PathPlanner")
+            .accepted(false)
+            .reason("there is no class org.example.OtherPlanner"));
+    add(
+        "ServiceCondition",
+        new ServiceCondition()
+            .serviceName("Simulator")
+            .condition(Condition.HUNG)
+            .since(MICROS)
+            .reason("its callback runs for 2.5 s")
+            .action("restart 1 of 3")
+            .restarts(1)
+            .instance("sim-1"));
+    add(
+        "FailsafeState",
+        new FailsafeState()
+            .action(FailsafeAction.RETURN)
+            .causes(List.of("operator link lost for 5.0 s")));
+    add("OperatorHeartbeat", new OperatorHeartbeat().operator("anna").interval(1.0));
+    add("ArmCommand", new ArmCommand().requestId("r-2").arm(true).operator("anna"));
+    add(
+        "ArmingState",
+        new ArmingState().armed(false).reasons(List.of("no position")).requestId("r-2"));
+    ConfigurationAssignment change =
+        new ConfigurationAssignment().variableName("LOOK AHEAD").value("300.0").previous("250.0");
+    add("ConfigurationAssignment", change);
+    add(
+        "ConfigurationTransaction",
+        new ConfigurationTransaction()
+            .requestId("r-3")
+            .serviceName("PathPlanner")
+            .assignments(List.of(change))
+            .author("anna")
+            .revision(7));
+    add(
+        "ConfigurationUndo",
+        new ConfigurationUndo().requestId("r-4").serviceName("PathPlanner").author("anna"));
+    add(
+        "ConfigurationTransactionResult",
+        new ConfigurationTransactionResult()
+            .requestId("r-3")
+            .serviceName("PathPlanner")
+            .accepted(false)
+            .reason("revision 7 was expected, but it is 8")
+            .assignments(List.of(change))
+            .revision(8)
+            .author("anna"));
+    add(
+        "BatteryState",
+        new BatteryState().sensorName("Main battery").voltage(12.25).current(-1.5).remaining(80.0));
   }
 }

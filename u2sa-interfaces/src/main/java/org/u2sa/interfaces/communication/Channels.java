@@ -3,6 +3,7 @@ package org.u2sa.interfaces.communication;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
@@ -11,8 +12,14 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ArmCommand;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.StopCommand;
 
 /**
@@ -85,6 +92,39 @@ public final class Channels {
   public static final Channel<HealthReport> HEALTH =
       Channel.latest("health", HealthReport.TYPE, HealthReport::serviceName);
 
+  /** How each service looks to the health monitor, and what is done about it (thesis 3.5.3). */
+  public static final Channel<ServiceCondition> CONDITIONS =
+      Channel.latest("conditions", ServiceCondition.TYPE, ServiceCondition::serviceName).retained();
+
+  /** Orders to launchers to start, restart or swap a service, and what came of them. */
+  public static final Channel<U2SAData> SERVICE_ORDERS =
+      Channel.every("service-orders", U2SAData.TYPE);
+
+  /** The emergency stop, latched until an operator clears it. */
+  public static final Channel<EmergencyStop> EMERGENCY_STOP =
+      Channel.every("emergency-stop", EmergencyStop.TYPE).retained();
+
+  /**
+   * What the vehicle is to do because something is wrong; to planner, Mission Manager and control.
+   */
+  public static final Channel<FailsafeState> FAILSAFE =
+      Channel.latest("failsafe", FailsafeState.TYPE, state -> "").retained();
+
+  /** Signs of life of those who watch the vehicle. */
+  public static final Channel<OperatorHeartbeat> OPERATOR =
+      Channel.latest("operator", OperatorHeartbeat.TYPE, OperatorHeartbeat::operator);
+
+  /** Requests to let the vehicle move, or no longer. */
+  public static final Channel<ArmCommand> ARMING = Channel.every("arming", ArmCommand.TYPE);
+
+  /** Whether the vehicle may move; to actuators and screens. */
+  public static final Channel<ArmingState> ARMING_STATE =
+      Channel.latest("arming-state", ArmingState.TYPE, state -> "").retained();
+
+  /** What batteries have left. */
+  public static final Channel<BatteryState> POWER =
+      Channel.latest("power", BatteryState.TYPE, BatteryState::sensorName);
+
   private static final List<Channel<?>> ALL =
       List.of(
           SENSED_STATE,
@@ -102,7 +142,15 @@ public final class Channels {
           FUNCTIONALITY,
           STOP,
           CONFIGURATION,
-          HEALTH);
+          HEALTH,
+          CONDITIONS,
+          SERVICE_ORDERS,
+          EMERGENCY_STOP,
+          FAILSAFE,
+          OPERATOR,
+          ARMING,
+          ARMING_STATE,
+          POWER);
 
   private Channels() {}
 

@@ -1,6 +1,7 @@
 package org.u2sa.messages.contract;
 
 import java.util.List;
+import java.util.OptionalLong;
 import org.u2sa.messages.MessageType;
 import org.u2sa.messages.Schema;
 import org.u2sa.messages.U2SAData;
@@ -18,6 +19,8 @@ public final class ConfigurationResponse extends U2SAData {
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ConfigurationResponse, List<ConfigurationVariable>> VARIABLES =
       SCHEMA.messages("variables", ConfigurationVariable.TYPE);
+  private static final ValueField<ConfigurationResponse, Long> REVISION =
+      SCHEMA.since(2).optionalCount("revision", "");
 
   /** The schema. */
   public static final MessageType<ConfigurationResponse> TYPE = SCHEMA.build();
@@ -46,6 +49,21 @@ public final class ConfigurationResponse extends U2SAData {
   /** Sets {@link #variables()}. */
   public ConfigurationResponse variables(List<? extends ConfigurationVariable> value) {
     put(VARIABLES, List.copyOf(value));
+    return this;
+  }
+
+  /**
+   * Counts the changes of this configuration; quoted in a {@link ConfigurationTransaction}, it
+   * keeps two writers apart.
+   */
+  public OptionalLong revision() {
+    Long value = get(REVISION);
+    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+  }
+
+  /** Sets {@link #revision()}. */
+  public ConfigurationResponse revision(long value) {
+    put(REVISION, value);
     return this;
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.messages.contract;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.MessageType;
 import org.u2sa.messages.NumberField;
@@ -24,6 +25,8 @@ public final class ConfigurationVariable extends U2SAData {
   private static final NumberField<ConfigurationVariable> MAX = SCHEMA.optionalNumber("max", "");
   private static final ValueField<ConfigurationVariable, String> DESCRIPTION =
       SCHEMA.text("description", "");
+  private static final ValueField<ConfigurationVariable, List<String>> CHOICES =
+      SCHEMA.since(2).optionalTexts("choices");
 
   /** The schema. */
   public static final MessageType<ConfigurationVariable> TYPE = SCHEMA.build();
@@ -107,6 +110,18 @@ public final class ConfigurationVariable extends U2SAData {
   /** Sets {@link #description()}. */
   public ConfigurationVariable description(String value) {
     put(DESCRIPTION, value);
+    return this;
+  }
+
+  /** The values that are allowed; empty if not only some are. */
+  public List<String> choices() {
+    List<String> some = get(CHOICES);
+    return some == null ? List.of() : some;
+  }
+
+  /** Sets {@link #choices()}. */
+  public ConfigurationVariable choices(List<String> value) {
+    put(CHOICES, List.copyOf(value));
     return this;
   }
 }

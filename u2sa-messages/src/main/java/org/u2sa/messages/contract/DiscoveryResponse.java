@@ -1,5 +1,6 @@
 package org.u2sa.messages.contract;
 
+import java.util.Optional;
 import org.u2sa.messages.MessageType;
 import org.u2sa.messages.NumberField;
 import org.u2sa.messages.Schema;
@@ -21,6 +22,10 @@ public final class DiscoveryResponse extends U2SAData {
   private static final NumberField<DiscoveryResponse> UPTIME =
       SCHEMA.number("uptime", "s", 0.0, 0.0);
   private static final ValueField<DiscoveryResponse, String> VERSION = SCHEMA.text("version", "");
+  private static final ValueField<DiscoveryResponse, String> INSTANCE =
+      SCHEMA.since(2).optionalText("instance");
+  private static final ValueField<DiscoveryResponse, String> CLASS_NAME =
+      SCHEMA.optionalText("className");
 
   /** The schema. */
   public static final MessageType<DiscoveryResponse> TYPE = SCHEMA.build();
@@ -93,6 +98,28 @@ public final class DiscoveryResponse extends U2SAData {
   /** Sets {@link #version()}. */
   public DiscoveryResponse version(String value) {
     put(VERSION, value);
+    return this;
+  }
+
+  /** Which start of the service this is, as in its health reports. */
+  public Optional<String> instance() {
+    return Optional.ofNullable(get(INSTANCE));
+  }
+
+  /** Sets {@link #instance()}. */
+  public DiscoveryResponse instance(String value) {
+    put(INSTANCE, value);
+    return this;
+  }
+
+  /** The full name of the class that runs; empty if it has none to name. */
+  public Optional<String> className() {
+    return Optional.ofNullable(get(CLASS_NAME));
+  }
+
+  /** Sets {@link #className()}. */
+  public DiscoveryResponse className(String value) {
+    put(CLASS_NAME, value);
     return this;
   }
 }

@@ -2,6 +2,7 @@ package org.u2sa.messages.contract;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import org.u2sa.messages.MessageType;
 import org.u2sa.messages.NumberField;
 import org.u2sa.messages.Schema;
@@ -9,7 +10,7 @@ import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.ValueField;
 
 /** A service's heartbeat (thesis 3.5.3). Counts are since the service started. */
-public final class HealthReport extends U2SAData {
+public class HealthReport extends U2SAData {
   private static final Schema<HealthReport> SCHEMA =
       Schema.of("HealthReport", HealthReport.class, HealthReport::new, U2SAData.TYPE);
   private static final ValueField<HealthReport, String> SERVICE_NAME =
@@ -27,12 +28,25 @@ public final class HealthReport extends U2SAData {
       SCHEMA.optionalNumber("callbackP50", "s", 0.0);
   private static final NumberField<HealthReport> CALLBACK_P99 =
       SCHEMA.optionalNumber("callbackP99", "s", 0.0);
+  private static final ValueField<HealthReport, String> INSTANCE =
+      SCHEMA.since(2).optionalText("instance");
+  private static final NumberField<HealthReport> INTERVAL =
+      SCHEMA.optionalNumber("interval", "s", 0.0);
+  private static final ValueField<HealthReport, Boolean> THREAD_ALIVE =
+      SCHEMA.optionalFlag("threadAlive");
+  private static final NumberField<HealthReport> CALLBACK_RUNNING =
+      SCHEMA.optionalNumber("callbackRunning", "s", 0.0);
+  private static final NumberField<HealthReport> DATA_AGE =
+      SCHEMA.optionalNumber("dataAge", "s", 0.0);
+  private static final ValueField<HealthReport, Long> PUBLISHED =
+      SCHEMA.optionalCount("published", "");
+  private static final ValueField<HealthReport, Long> EXPIRED = SCHEMA.optionalCount("expired", "");
 
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
 
   @Override
-  public MessageType<HealthReport> type() {
+  public MessageType<? extends HealthReport> type() {
     return TYPE;
   }
 
@@ -144,5 +158,102 @@ public final class HealthReport extends U2SAData {
   public HealthReport callbackP99(double value) {
     put(CALLBACK_P99, value);
     return this;
+  }
+
+  /**
+   * Which start of the service this is, unique in the system: the same text in its discovery
+   * response and in the {@link ConnectionLost} that the broker would say for it.
+   */
+  public Optional<String> instance() {
+    return Optional.ofNullable(get(INSTANCE));
+  }
+
+  /** Sets {@link #instance()}. */
+  public HealthReport instance(String value) {
+    put(INSTANCE, value);
+    return this;
+  }
+
+  /**
+   * Time until the next report [s]; who hears none for much longer may think of the service as
+   * silent.
+   */
+  public OptionalDouble interval() {
+    return get(INTERVAL);
+  }
+
+  /** Sets {@link #interval()}. */
+  public HealthReport interval(double value) {
+    put(INTERVAL, value);
+    return this;
+  }
+
+  /**
+   * Whether the service's thread lives; said by its launcher when the service itself is silent, and
+   * empty when the service speaks for itself.
+   */
+  public Optional<Boolean> threadAlive() {
+    return Optional.ofNullable(get(THREAD_ALIVE));
+  }
+
+  /** Sets {@link #threadAlive()}. */
+  public HealthReport threadAlive(boolean value) {
+    put(THREAD_ALIVE, value);
+    return this;
+  }
+
+  /**
+   * How long the callback or step that runs now has been running [s]; said by the launcher when the
+   * service itself is silent.
+   */
+  public OptionalDouble callbackRunning() {
+    return get(CALLBACK_RUNNING);
+  }
+
+  /** Sets {@link #callbackRunning()}. */
+  public HealthReport callbackRunning(double value) {
+    put(CALLBACK_RUNNING, value);
+    return this;
+  }
+
+  /**
+   * Time since the service last published data, reports of the contract left out [s]; empty before
+   * the first.
+   */
+  public OptionalDouble dataAge() {
+    return get(DATA_AGE);
+  }
+
+  /** Sets {@link #dataAge()}. */
+  public HealthReport dataAge(double value) {
+    put(DATA_AGE, value);
+    return this;
+  }
+
+  /** Messages published, reports of the contract left out. */
+  public OptionalLong published() {
+    return optional(PUBLISHED);
+  }
+
+  /** Sets {@link #published()}. */
+  public HealthReport published(long value) {
+    put(PUBLISHED, value);
+    return this;
+  }
+
+  /** Messages that came later than their deadline and were treated as absent. */
+  public OptionalLong expired() {
+    return optional(EXPIRED);
+  }
+
+  /** Sets {@link #expired()}. */
+  public HealthReport expired(long value) {
+    put(EXPIRED, value);
+    return this;
+  }
+
+  private OptionalLong optional(ValueField<HealthReport, Long> field) {
+    Long value = get(field);
+    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
   }
 }

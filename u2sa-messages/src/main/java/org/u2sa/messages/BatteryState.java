@@ -1,0 +1,69 @@
+package org.u2sa.messages;
+
+import java.util.OptionalDouble;
+
+/** What a battery has left. */
+public final class BatteryState extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<BatteryState> SCHEMA =
+      Schema.of("BatteryState", BatteryState.class, BatteryState::new, U2SAData.TYPE).since(FORMAT);
+  private static final ValueField<BatteryState, String> SENSOR_NAME =
+      SCHEMA.requiredText("sensorName");
+  private static final NumberField<BatteryState> VOLTAGE =
+      SCHEMA.optionalNumber("voltage", "V", 0.0);
+  private static final NumberField<BatteryState> CURRENT = SCHEMA.optionalNumber("current", "A");
+  private static final NumberField<BatteryState> REMAINING =
+      SCHEMA.optionalNumber("remaining", "%", 0.0);
+
+  /** The schema. */
+  public static final MessageType<BatteryState> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<BatteryState> type() {
+    return TYPE;
+  }
+
+  /** What measured it; tells several batteries apart. */
+  public String sensorName() {
+    return require(SENSOR_NAME);
+  }
+
+  /** Sets {@link #sensorName()}. */
+  public BatteryState sensorName(String value) {
+    put(SENSOR_NAME, value);
+    return this;
+  }
+
+  /** Voltage at its terminals [V]. */
+  public OptionalDouble voltage() {
+    return get(VOLTAGE);
+  }
+
+  /** Sets {@link #voltage()}. */
+  public BatteryState voltage(double value) {
+    put(VOLTAGE, value);
+    return this;
+  }
+
+  /** Current that it gives [A]; negative while it is charged. */
+  public OptionalDouble current() {
+    return get(CURRENT);
+  }
+
+  /** Sets {@link #current()}. */
+  public BatteryState current(double value) {
+    put(CURRENT, value);
+    return this;
+  }
+
+  /** Charge left [%], 0…100. */
+  public OptionalDouble remaining() {
+    return get(REMAINING);
+  }
+
+  /** Sets {@link #remaining()}. */
+  public BatteryState remaining(double value) {
+    put(REMAINING, value);
+    return this;
+  }
+}

@@ -1,0 +1,57 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Asks to let the vehicle move, or to let it no longer move. */
+public final class ArmCommand extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ArmCommand> SCHEMA =
+      Schema.of("ArmCommand", ArmCommand.class, ArmCommand::new, U2SAData.TYPE).since(FORMAT);
+  private static final ValueField<ArmCommand, String> REQUEST_ID = SCHEMA.requiredText("requestId");
+  private static final ValueField<ArmCommand, Boolean> ARM = SCHEMA.flag("arm");
+  private static final ValueField<ArmCommand, String> OPERATOR = SCHEMA.text("operator", "");
+
+  /** The schema. */
+  public static final MessageType<ArmCommand> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ArmCommand> type() {
+    return TYPE;
+  }
+
+  /** What the answer is recognised by; chosen by the sender, unique. */
+  public String requestId() {
+    return require(REQUEST_ID);
+  }
+
+  /** Sets {@link #requestId()}. */
+  public ArmCommand requestId(String value) {
+    put(REQUEST_ID, value);
+    return this;
+  }
+
+  /** True: let it move if all checks pass. False: let it no longer move. */
+  public boolean arm() {
+    return require(ARM);
+  }
+
+  /** Sets {@link #arm()}. */
+  public ArmCommand arm(boolean value) {
+    put(ARM, value);
+    return this;
+  }
+
+  /** Who asks. */
+  public String operator() {
+    return require(OPERATOR);
+  }
+
+  /** Sets {@link #operator()}. */
+  public ArmCommand operator(String value) {
+    put(OPERATOR, value);
+    return this;
+  }
+}

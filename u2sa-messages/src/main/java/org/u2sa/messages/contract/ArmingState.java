@@ -1,0 +1,60 @@
+package org.u2sa.messages.contract;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Whether the vehicle may move, and if not, why not. */
+public final class ArmingState extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ArmingState> SCHEMA =
+      Schema.of("ArmingState", ArmingState.class, ArmingState::new, U2SAData.TYPE).since(FORMAT);
+  private static final ValueField<ArmingState, Boolean> ARMED = SCHEMA.flag("armed");
+  private static final ValueField<ArmingState, List<String>> REASONS = SCHEMA.texts("reasons");
+  private static final ValueField<ArmingState, String> REQUEST_ID =
+      SCHEMA.optionalText("requestId");
+
+  /** The schema. */
+  public static final MessageType<ArmingState> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ArmingState> type() {
+    return TYPE;
+  }
+
+  /** Whether it may move. */
+  public boolean armed() {
+    return require(ARMED);
+  }
+
+  /** Sets {@link #armed()}. */
+  public ArmingState armed(boolean value) {
+    put(ARMED, value);
+    return this;
+  }
+
+  /** What speaks against arming, a text a check that failed; empty if nothing does. */
+  public List<String> reasons() {
+    return require(REASONS);
+  }
+
+  /** Sets {@link #reasons()}. */
+  public ArmingState reasons(List<String> value) {
+    put(REASONS, List.copyOf(value));
+    return this;
+  }
+
+  /** The {@link ArmCommand} that this answers; empty if the state changed by itself. */
+  public Optional<String> requestId() {
+    return Optional.ofNullable(get(REQUEST_ID));
+  }
+
+  /** Sets {@link #requestId()}. */
+  public ArmingState requestId(String value) {
+    put(REQUEST_ID, value);
+    return this;
+  }
+}

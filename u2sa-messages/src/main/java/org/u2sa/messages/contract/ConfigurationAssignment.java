@@ -1,0 +1,66 @@
+package org.u2sa.messages.contract;
+
+import java.util.Optional;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** One variable and the value that it is to have or had. */
+public final class ConfigurationAssignment extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ConfigurationAssignment> SCHEMA =
+      Schema.of(
+              "ConfigurationAssignment",
+              ConfigurationAssignment.class,
+              ConfigurationAssignment::new,
+              U2SAData.TYPE)
+          .since(FORMAT);
+  private static final ValueField<ConfigurationAssignment, String> VARIABLE_NAME =
+      SCHEMA.requiredText("variableName");
+  private static final ValueField<ConfigurationAssignment, String> VALUE =
+      SCHEMA.requiredText("value");
+  private static final ValueField<ConfigurationAssignment, String> PREVIOUS =
+      SCHEMA.optionalText("previous");
+
+  /** The schema. */
+  public static final MessageType<ConfigurationAssignment> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationAssignment> type() {
+    return TYPE;
+  }
+
+  /** The variable. */
+  public String variableName() {
+    return require(VARIABLE_NAME);
+  }
+
+  /** Sets {@link #variableName()}. */
+  public ConfigurationAssignment variableName(String value) {
+    put(VARIABLE_NAME, value);
+    return this;
+  }
+
+  /** The value as text, in the declared unit. */
+  public String value() {
+    return require(VALUE);
+  }
+
+  /** Sets {@link #value()}. */
+  public ConfigurationAssignment value(String value) {
+    put(VALUE, value);
+    return this;
+  }
+
+  /** The value before, in results. */
+  public Optional<String> previous() {
+    return Optional.ofNullable(get(PREVIOUS));
+  }
+
+  /** Sets {@link #previous()}. */
+  public ConfigurationAssignment previous(String value) {
+    put(PREVIOUS, value);
+    return this;
+  }
+}

@@ -1,0 +1,97 @@
+package org.u2sa.messages.contract;
+
+import java.util.List;
+import java.util.OptionalLong;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Tells a service to change several variables at once: all of them or none (thesis 3.2.1.1). */
+public final class ConfigurationTransaction extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ConfigurationTransaction> SCHEMA =
+      Schema.of(
+              "ConfigurationTransaction",
+              ConfigurationTransaction.class,
+              ConfigurationTransaction::new,
+              U2SAData.TYPE)
+          .since(FORMAT);
+  private static final ValueField<ConfigurationTransaction, String> REQUEST_ID =
+      SCHEMA.requiredText("requestId");
+  private static final ValueField<ConfigurationTransaction, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ConfigurationTransaction, List<ConfigurationAssignment>>
+      ASSIGNMENTS = SCHEMA.messages("assignments", ConfigurationAssignment.TYPE);
+  private static final ValueField<ConfigurationTransaction, String> AUTHOR =
+      SCHEMA.text("author", "");
+  private static final ValueField<ConfigurationTransaction, Long> REVISION =
+      SCHEMA.optionalCount("revision", "");
+
+  /** The schema. */
+  public static final MessageType<ConfigurationTransaction> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationTransaction> type() {
+    return TYPE;
+  }
+
+  /** What the answer is recognised by; chosen by the sender, unique. */
+  public String requestId() {
+    return require(REQUEST_ID);
+  }
+
+  /** Sets {@link #requestId()}. */
+  public ConfigurationTransaction requestId(String value) {
+    put(REQUEST_ID, value);
+    return this;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ConfigurationTransaction serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** The variables and their new values. */
+  public List<ConfigurationAssignment> assignments() {
+    return require(ASSIGNMENTS);
+  }
+
+  /** Sets {@link #assignments()}. */
+  public ConfigurationTransaction assignments(List<ConfigurationAssignment> value) {
+    put(ASSIGNMENTS, List.copyOf(value));
+    return this;
+  }
+
+  /** Who changes them, for the audit log. */
+  public String author() {
+    return require(AUTHOR);
+  }
+
+  /** Sets {@link #author()}. */
+  public ConfigurationTransaction author(String value) {
+    put(AUTHOR, value);
+    return this;
+  }
+
+  /**
+   * The revision of the configuration that the author saw; if it is another one by now, nothing is
+   * changed. Empty: whatever it is.
+   */
+  public OptionalLong revision() {
+    Long value = get(REVISION);
+    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+  }
+
+  /** Sets {@link #revision()}. */
+  public ConfigurationTransaction revision(long value) {
+    put(REVISION, value);
+    return this;
+  }
+}

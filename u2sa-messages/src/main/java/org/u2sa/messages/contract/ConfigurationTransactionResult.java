@@ -1,0 +1,120 @@
+package org.u2sa.messages.contract;
+
+import java.util.List;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** What came of a {@link ConfigurationTransaction} or {@link ConfigurationUndo}. */
+public final class ConfigurationTransactionResult extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ConfigurationTransactionResult> SCHEMA =
+      Schema.of(
+              "ConfigurationTransactionResult",
+              ConfigurationTransactionResult.class,
+              ConfigurationTransactionResult::new,
+              U2SAData.TYPE)
+          .since(FORMAT);
+  private static final ValueField<ConfigurationTransactionResult, String> REQUEST_ID =
+      SCHEMA.requiredText("requestId");
+  private static final ValueField<ConfigurationTransactionResult, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ConfigurationTransactionResult, Boolean> ACCEPTED =
+      SCHEMA.flag("accepted");
+  private static final ValueField<ConfigurationTransactionResult, String> REASON =
+      SCHEMA.text("reason", "");
+  private static final ValueField<ConfigurationTransactionResult, List<ConfigurationAssignment>>
+      ASSIGNMENTS = SCHEMA.messages("assignments", ConfigurationAssignment.TYPE);
+  private static final ValueField<ConfigurationTransactionResult, Long> REVISION =
+      SCHEMA.count("revision", "");
+  private static final ValueField<ConfigurationTransactionResult, String> AUTHOR =
+      SCHEMA.text("author", "");
+
+  /** The schema. */
+  public static final MessageType<ConfigurationTransactionResult> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationTransactionResult> type() {
+    return TYPE;
+  }
+
+  /** The request that this answers. */
+  public String requestId() {
+    return require(REQUEST_ID);
+  }
+
+  /** Sets {@link #requestId()}. */
+  public ConfigurationTransactionResult requestId(String value) {
+    put(REQUEST_ID, value);
+    return this;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ConfigurationTransactionResult serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** Whether all variables have their new values. */
+  public boolean accepted() {
+    return require(ACCEPTED);
+  }
+
+  /** Sets {@link #accepted()}. */
+  public ConfigurationTransactionResult accepted(boolean value) {
+    put(ACCEPTED, value);
+    return this;
+  }
+
+  /** Why nothing was changed; empty if it was. */
+  public String reason() {
+    return require(REASON);
+  }
+
+  /** Sets {@link #reason()}. */
+  public ConfigurationTransactionResult reason(String value) {
+    put(REASON, value);
+    return this;
+  }
+
+  /**
+   * The variables with their new and previous values; what was asked for, if nothing was changed.
+   */
+  public List<ConfigurationAssignment> assignments() {
+    return require(ASSIGNMENTS);
+  }
+
+  /** Sets {@link #assignments()}. */
+  public ConfigurationTransactionResult assignments(List<ConfigurationAssignment> value) {
+    put(ASSIGNMENTS, List.copyOf(value));
+    return this;
+  }
+
+  /** The configuration's revision now. */
+  public long revision() {
+    return require(REVISION);
+  }
+
+  /** Sets {@link #revision()}. */
+  public ConfigurationTransactionResult revision(long value) {
+    put(REVISION, value);
+    return this;
+  }
+
+  /** Who asked for it. */
+  public String author() {
+    return require(AUTHOR);
+  }
+
+  /** Sets {@link #author()}. */
+  public ConfigurationTransactionResult author(String value) {
+    put(AUTHOR, value);
+    return this;
+  }
+}

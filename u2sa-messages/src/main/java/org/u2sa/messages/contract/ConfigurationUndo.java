@@ -1,0 +1,60 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Tells a service to take its last configuration change back. */
+public final class ConfigurationUndo extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ConfigurationUndo> SCHEMA =
+      Schema.of("ConfigurationUndo", ConfigurationUndo.class, ConfigurationUndo::new, U2SAData.TYPE)
+          .since(FORMAT);
+  private static final ValueField<ConfigurationUndo, String> REQUEST_ID =
+      SCHEMA.requiredText("requestId");
+  private static final ValueField<ConfigurationUndo, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ConfigurationUndo, String> AUTHOR = SCHEMA.text("author", "");
+
+  /** The schema. */
+  public static final MessageType<ConfigurationUndo> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConfigurationUndo> type() {
+    return TYPE;
+  }
+
+  /** What the answer is recognised by; chosen by the sender, unique. */
+  public String requestId() {
+    return require(REQUEST_ID);
+  }
+
+  /** Sets {@link #requestId()}. */
+  public ConfigurationUndo requestId(String value) {
+    put(REQUEST_ID, value);
+    return this;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ConfigurationUndo serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** Who takes it back, for the audit log. */
+  public String author() {
+    return require(AUTHOR);
+  }
+
+  /** Sets {@link #author()}. */
+  public ConfigurationUndo author(String value) {
+    put(AUTHOR, value);
+    return this;
+  }
+}

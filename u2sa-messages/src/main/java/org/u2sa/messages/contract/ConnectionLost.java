@@ -1,0 +1,24 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+
+/**
+ * The last word of a connection that broke: the broker says it in the place of a service that can
+ * no longer (MQTT will message). The status is FAILED; who does not know this class reads it as
+ * such a health report.
+ */
+public final class ConnectionLost extends HealthReport {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ConnectionLost> SCHEMA =
+      Schema.of("ConnectionLost", ConnectionLost.class, ConnectionLost::new, HealthReport.TYPE)
+          .since(FORMAT);
+
+  /** The schema. */
+  public static final MessageType<ConnectionLost> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ConnectionLost> type() {
+    return TYPE;
+  }
+}

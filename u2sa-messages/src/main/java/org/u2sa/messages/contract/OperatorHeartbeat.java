@@ -1,0 +1,50 @@
+package org.u2sa.messages.contract;
+
+import java.util.OptionalDouble;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.NumberField;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** Says that an operator watches. When it stops coming the operator's link is lost. */
+public final class OperatorHeartbeat extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<OperatorHeartbeat> SCHEMA =
+      Schema.of("OperatorHeartbeat", OperatorHeartbeat.class, OperatorHeartbeat::new, U2SAData.TYPE)
+          .since(FORMAT);
+  private static final ValueField<OperatorHeartbeat, String> OPERATOR =
+      SCHEMA.requiredText("operator");
+  private static final NumberField<OperatorHeartbeat> INTERVAL =
+      SCHEMA.optionalNumber("interval", "s", 0.0);
+
+  /** The schema. */
+  public static final MessageType<OperatorHeartbeat> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<OperatorHeartbeat> type() {
+    return TYPE;
+  }
+
+  /** Who watches. */
+  public String operator() {
+    return require(OPERATOR);
+  }
+
+  /** Sets {@link #operator()}. */
+  public OperatorHeartbeat operator(String value) {
+    put(OPERATOR, value);
+    return this;
+  }
+
+  /** Time until the next one [s]. */
+  public OptionalDouble interval() {
+    return get(INTERVAL);
+  }
+
+  /** Sets {@link #interval()}. */
+  public OperatorHeartbeat interval(double value) {
+    put(INTERVAL, value);
+    return this;
+  }
+}

@@ -1,0 +1,116 @@
+package org.u2sa.messages.contract;
+
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/**
+ * How a service is, as the health monitor sees it from outside (thesis 3.5.3), and what is being
+ * done about it.
+ */
+public final class ServiceCondition extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ServiceCondition> SCHEMA =
+      Schema.of("ServiceCondition", ServiceCondition.class, ServiceCondition::new, U2SAData.TYPE)
+          .since(FORMAT);
+  private static final ValueField<ServiceCondition, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ServiceCondition, Condition> CONDITION =
+      SCHEMA.requiredChoice("condition", Condition.class);
+  private static final ValueField<ServiceCondition, Long> SINCE =
+      SCHEMA.optionalCount("since", "us");
+  private static final ValueField<ServiceCondition, String> REASON = SCHEMA.text("reason", "");
+  private static final ValueField<ServiceCondition, String> ACTION = SCHEMA.text("action", "");
+  private static final ValueField<ServiceCondition, Long> RESTARTS = SCHEMA.count("restarts", "");
+  private static final ValueField<ServiceCondition, String> INSTANCE =
+      SCHEMA.optionalText("instance");
+
+  /** The schema. */
+  public static final MessageType<ServiceCondition> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ServiceCondition> type() {
+    return TYPE;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ServiceCondition serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** What the monitor found. */
+  public Condition condition() {
+    return require(CONDITION);
+  }
+
+  /** Sets {@link #condition()}. */
+  public ServiceCondition condition(Condition value) {
+    put(CONDITION, value);
+    return this;
+  }
+
+  /** When it came to be so [µs of the run's clock]. */
+  public OptionalLong since() {
+    Long value = get(SINCE);
+    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+  }
+
+  /** Sets {@link #since()}. */
+  public ServiceCondition since(long value) {
+    put(SINCE, value);
+    return this;
+  }
+
+  /** What the monitor concludes it from. */
+  public String reason() {
+    return require(REASON);
+  }
+
+  /** Sets {@link #reason()}. */
+  public ServiceCondition reason(String value) {
+    put(REASON, value);
+    return this;
+  }
+
+  /** What is done about it, such as "restart 2 of 3"; empty: nothing. */
+  public String action() {
+    return require(ACTION);
+  }
+
+  /** Sets {@link #action()}. */
+  public ServiceCondition action(String value) {
+    put(ACTION, value);
+    return this;
+  }
+
+  /** Restarts so far. */
+  public long restarts() {
+    return require(RESTARTS);
+  }
+
+  /** Sets {@link #restarts()}. */
+  public ServiceCondition restarts(long value) {
+    put(RESTARTS, value);
+    return this;
+  }
+
+  /** The instance of the service that was seen last. */
+  public Optional<String> instance() {
+    return Optional.ofNullable(get(INSTANCE));
+  }
+
+  /** Sets {@link #instance()}. */
+  public ServiceCondition instance(String value) {
+    put(INSTANCE, value);
+    return this;
+  }
+}

@@ -1,0 +1,89 @@
+package org.u2sa.messages.contract;
+
+import java.util.Optional;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/**
+ * Tells the launcher that runs a service to start it again or to put another class in its place
+ * (user story 8, thesis 3.5.3).
+ */
+public final class ServiceOrder extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ServiceOrder> SCHEMA =
+      Schema.of("ServiceOrder", ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE).since(FORMAT);
+  private static final ValueField<ServiceOrder, String> REQUEST_ID =
+      SCHEMA.requiredText("requestId");
+  private static final ValueField<ServiceOrder, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ServiceOrder, ServiceAction> ACTION =
+      SCHEMA.requiredChoice("action", ServiceAction.class);
+  private static final ValueField<ServiceOrder, String> CLASS_NAME =
+      SCHEMA.optionalText("className");
+  private static final ValueField<ServiceOrder, String> OPERATOR = SCHEMA.text("operator", "");
+
+  /** The schema. */
+  public static final MessageType<ServiceOrder> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ServiceOrder> type() {
+    return TYPE;
+  }
+
+  /** What the answer is recognised by; chosen by the sender, unique. */
+  public String requestId() {
+    return require(REQUEST_ID);
+  }
+
+  /** Sets {@link #requestId()}. */
+  public ServiceOrder requestId(String value) {
+    put(REQUEST_ID, value);
+    return this;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ServiceOrder serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** What to do with it. */
+  public ServiceAction action() {
+    return require(ACTION);
+  }
+
+  /** Sets {@link #action()}. */
+  public ServiceOrder action(ServiceAction value) {
+    put(ACTION, value);
+    return this;
+  }
+
+  /** The full name of the class to put in its place; with SWAP only. */
+  public Optional<String> className() {
+    return Optional.ofNullable(get(CLASS_NAME));
+  }
+
+  /** Sets {@link #className()}. */
+  public ServiceOrder className(String value) {
+    put(CLASS_NAME, value);
+    return this;
+  }
+
+  /** Who orders it: a user or a service. */
+  public String operator() {
+    return require(OPERATOR);
+  }
+
+  /** Sets {@link #operator()}. */
+  public ServiceOrder operator(String value) {
+    put(OPERATOR, value);
+    return this;
+  }
+}

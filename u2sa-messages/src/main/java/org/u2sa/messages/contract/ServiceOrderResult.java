@@ -1,0 +1,76 @@
+package org.u2sa.messages.contract;
+
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.Schema;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.ValueField;
+
+/** What came of a {@link ServiceOrder}. */
+public final class ServiceOrderResult extends U2SAData {
+  private static final int FORMAT = 2; // joined the wire format with it
+  private static final Schema<ServiceOrderResult> SCHEMA =
+      Schema.of(
+              "ServiceOrderResult",
+              ServiceOrderResult.class,
+              ServiceOrderResult::new,
+              U2SAData.TYPE)
+          .since(FORMAT);
+  private static final ValueField<ServiceOrderResult, String> REQUEST_ID =
+      SCHEMA.requiredText("requestId");
+  private static final ValueField<ServiceOrderResult, String> SERVICE_NAME =
+      SCHEMA.requiredText("serviceName");
+  private static final ValueField<ServiceOrderResult, Boolean> ACCEPTED = SCHEMA.flag("accepted");
+  private static final ValueField<ServiceOrderResult, String> REASON = SCHEMA.text("reason", "");
+
+  /** The schema. */
+  public static final MessageType<ServiceOrderResult> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ServiceOrderResult> type() {
+    return TYPE;
+  }
+
+  /** The order that this answers. */
+  public String requestId() {
+    return require(REQUEST_ID);
+  }
+
+  /** Sets {@link #requestId()}. */
+  public ServiceOrderResult requestId(String value) {
+    put(REQUEST_ID, value);
+    return this;
+  }
+
+  /** The service. */
+  public String serviceName() {
+    return require(SERVICE_NAME);
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ServiceOrderResult serviceName(String value) {
+    put(SERVICE_NAME, value);
+    return this;
+  }
+
+  /** Whether it was done. */
+  public boolean accepted() {
+    return require(ACCEPTED);
+  }
+
+  /** Sets {@link #accepted()}. */
+  public ServiceOrderResult accepted(boolean value) {
+    put(ACCEPTED, value);
+    return this;
+  }
+
+  /** Why not; empty if it was done. */
+  public String reason() {
+    return require(REASON);
+  }
+
+  /** Sets {@link #reason()}. */
+  public ServiceOrderResult reason(String value) {
+    put(REASON, value);
+    return this;
+  }
+}
