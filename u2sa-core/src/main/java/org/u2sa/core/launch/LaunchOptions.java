@@ -15,6 +15,8 @@ public final class LaunchOptions {
   private Path logDirectory = Paths.get("out", "logs");
   private long seed = 1;
   private Consumer<String> console = line -> {};
+  private boolean oneOfSeveral;
+  private boolean supervised;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
 
   /** Sets the time of the run; without it, real time. */
@@ -42,6 +44,18 @@ public final class LaunchOptions {
   }
 
   /**
+   * Says that this process runs one service of a system whose others run elsewhere.
+   *
+   * @param bySupervisor whether the process was started by one that starts it again if need be, so
+   *     that orders to start and restart are that one's concern
+   */
+  public LaunchOptions oneOfSeveral(boolean bySupervisor) {
+    oneOfSeveral = true;
+    supervised = bySupervisor;
+    return this;
+  }
+
+  /**
    * Sets a variable for this run, whatever the file says, without writing it there.
    *
    * @param service the simple name of the service's class, or {@code CommunicationManager}
@@ -65,6 +79,14 @@ public final class LaunchOptions {
 
   Consumer<String> console() {
     return console;
+  }
+
+  boolean oneOfSeveral() {
+    return oneOfSeveral;
+  }
+
+  boolean supervised() {
+    return supervised;
   }
 
   Map<String, Object> overridesOf(String service) {

@@ -1,10 +1,7 @@
 package org.u2sa.core.launch;
 
-import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.interfaces.XmlConfiguration;
@@ -13,15 +10,20 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** A system whose Communication Manager and services run in this process. */
+/**
+ * A system whose Communication Manager and services run in this process, with the {@link Launcher}
+ * that starts and restarts them on order.
+ */
 public final class RunningSystem implements AutoCloseable {
   private static final String MANAGER = "CommunicationManager";
 
   private final SystemFile file;
   private final LaunchOptions options;
   private final MessageTypes types = MessageTypes.discovered();
-  private final List<U2SAService> services = new ArrayList<>();
   private volatile CommunicationManager manager;
+  private volatile ServiceMaker maker;
+  private volatile HostedServices hosted;
+  private volatile Launcher launcher; // null if there is no service to start
 
   private RunningSystem(SystemFile file, LaunchOptions options) {
     this.file = file;
@@ -40,7 +42,10 @@ public final class RunningSystem implements AutoCloseable {
     RunningSystem system = new RunningSystem(file, options);
     try {
       system.prepare();
-      system.services.forEach(U2SAService::start);
+      system.services().forEach(U2SAService::start);
+      if (system.launcher != null) {
+        system.launcher.start();
+      }
     } catch (RuntimeException | Error e) {
       system.closeAfter(e);
       throw e;
@@ -50,23 +55,28 @@ public final class RunningSystem implements AutoCloseable {
 
   private void prepare() {
     file.services().forEach(ServiceFactory::constructor);
-    XmlConfiguration communication = configuration(MANAGER, file.communication());
+    XmlConfiguration communication =
+        ServiceMaker.configuration(options, MANAGER, file.communication());
     manager = CommunicationManager.start(file.systemId(), communication, types, options.console());
     communication.refuseUndeclared();
-    List<XmlConfiguration> configurations = new ArrayList<>();
-    for (SystemFile.Entry entry : file.services()) {
-      XmlConfiguration configuration = configuration(entry.simpleName(), entry.configuration());
-      configurations.add(configuration);
-      services.add(create(entry, context(configuration)));
+    maker = new ServiceMaker(file.systemId(), options, types, manager.transport());
+    hosted = new HostedServices(maker, options.supervised(), options.console());
+    hosted.makeAll(file.services());
+    if (!file.services().isEmpty()) {
+      launcher = makeLauncher();
     }
-    configurations.forEach(XmlConfiguration::refuseUndeclared);
   }
 
-  private static U2SAService create(SystemFile.Entry entry, ServiceContext context) {
+  private Launcher makeLauncher() {
+    String name =
+        options.oneOfSeveral()
+            ? Launcher.NAME + "-" + services().get(0).getServiceName()
+            : Launcher.NAME;
+    ServiceContext context = contextFor(XmlConfiguration.inMemory(name, Map.of()));
     try {
-      return ServiceFactory.create(entry, context);
+      return new Launcher(context, name, hosted);
     } catch (RuntimeException | Error e) {
-      context.abandon(); // nobody else knows the half-made service
+      context.abandon();
       throw e;
     }
   }
@@ -79,32 +89,17 @@ public final class RunningSystem implements AutoCloseable {
     }
   }
 
-  private XmlConfiguration configuration(String service, Optional<Path> path) {
-    XmlConfiguration configuration =
-        path.map(XmlConfiguration::load)
-            .orElseGet(() -> XmlConfiguration.inMemory(service, Map.of()));
-    options.overridesOf(service).forEach(configuration::override);
-    return configuration;
-  }
-
-  private ServiceContext context(XmlConfiguration configuration) {
-    return ServiceContext.of(file.systemId(), configuration)
-        .clock(options.clock())
-        .transport(manager.transport())
-        .logDirectory(options.logDirectory())
-        .messageTypes(types)
-        .seed(options.seed())
-        .build();
-  }
-
   /** The system's Communication Manager. */
   public CommunicationManager communicationManager() {
     return manager;
   }
 
-  /** The services, in the order in which they were started. */
+  /**
+   * The services of the system file as they are at this moment, in the order of the file; one that
+   * was restarted or swapped stands in the place of the one before.
+   */
   public List<U2SAService> services() {
-    return List.copyOf(services);
+    return hosted == null ? List.of() : hosted.services();
   }
 
   /**
@@ -112,24 +107,31 @@ public final class RunningSystem implements AutoCloseable {
    * recorders.
    */
   public ServiceContext contextFor(XmlConfiguration configuration) {
-    return context(configuration);
+    return maker.context(configuration);
   }
 
   /** Whether any service still runs. */
   public boolean isRunning() {
-    return services.stream().anyMatch(U2SAService::isRunning);
+    return services().stream().anyMatch(U2SAService::isRunning);
   }
 
-  /** Waits until all services have ended, as after a stop command. */
+  /**
+   * Waits until all services have ended, as after a stop command, also those that are started anew
+   * meanwhile.
+   */
   public void awaitEnd() throws InterruptedException {
-    for (U2SAService service : services) {
-      service.join();
-    }
+    List<U2SAService> awaited;
+    do {
+      awaited = services();
+      for (U2SAService service : awaited) {
+        service.join();
+      }
+    } while (!awaited.equals(services()));
   }
 
   /** The services that ended because they failed. */
   public List<U2SAService> failed() {
-    return services.stream()
+    return services().stream()
         .filter(service -> service.status() == ServiceStatus.FAILED)
         .collect(Collectors.toList());
   }
@@ -140,10 +142,11 @@ public final class RunningSystem implements AutoCloseable {
    */
   @Override
   public synchronized void close() {
-    // Last started, first ended: control says its neutral commands while the services that carry
-    // them out still run.
-    for (int i = services.size() - 1; i >= 0; i--) {
-      services.get(i).kill();
+    if (launcher != null) {
+      launcher.kill(); // first, so that nothing is started while the others end
+    }
+    if (hosted != null) {
+      hosted.close();
     }
     if (manager != null) {
       manager.close();

@@ -84,6 +84,7 @@ public final class RunCommand implements Callable<Integer> {
     if (only != null) {
       options.override(MANAGER, "BROKER", "external");
       system = system.only(only);
+      options.oneOfSeveral(false);
     }
     return separate ? runSeparately(system, options, terminal) : run(system, options, terminal);
   }

@@ -1,0 +1,86 @@
+package org.u2sa.core.launch;
+
+import java.util.Optional;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Starts, restarts and swaps the services of its process on order (thesis 3.5.3, user story 8). In:
+ * service-orders. Out: service-orders, the results; health, on behalf of services that are silent.
+ *
+ * <p>It stands in no system file: {@link RunningSystem} makes one for each process that hosts
+ * services, named {@code Launcher}, or {@code Launcher-<service>} in a process with one service of
+ * several. How an order is carried out is its {@link ServiceHost}'s concern: the services of a
+ * process are those of {@link HostedServices}.
+ *
+ * <p>A result is published when the order has been carried out. An order that concerns no service
+ * of this host is another launcher's and goes unanswered here.
+ */
+public final class Launcher extends EventDrivenService {
+  /** Name of the only launcher of a system, and beginning of the names of several. */
+  public static final String NAME = "Launcher";
+
+  private final ServiceHost host;
+
+  /**
+   * Made by who hosts services.
+   *
+   * @param name {@link #NAME}, or with the hosted service's name after a hyphen
+   */
+  public Launcher(ServiceContext context, String name, ServiceHost host) {
+    super(context, ServiceRole.LAUNCHER, name);
+    this.host = host;
+    registerPublisher(Channels.SERVICE_ORDERS);
+    registerPublisher(Channels.HEALTH);
+    registerSubscriber(Channels.SERVICE_ORDERS);
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof ServiceOrder order) {
+      if (host.isFor(order)) {
+        answer(order, carryOut(order));
+      }
+    } else if (!(data instanceof ServiceOrderResult)) {
+      unexpected(data);
+    }
+  }
+
+  private Optional<String> carryOut(ServiceOrder order) {
+    String service = order.serviceName();
+    log("ordered by \"" + order.operator() + "\": " + order.action() + " " + service);
+    switch (order.action()) {
+      case START:
+        return host.start(service);
+      case RESTART:
+        return host.restart(service);
+      case SWAP:
+        return order
+            .className()
+            .map(className -> host.swap(service, className))
+            .orElse(Optional.of("className: missing; expected the full name of a service class"));
+      default:
+        return Optional.of("action " + order.action() + " is not known here");
+    }
+  }
+
+  private void answer(ServiceOrder order, Optional<String> refusal) {
+    String what = order.action() + " " + order.serviceName();
+    refusal.ifPresentOrElse(
+        reason -> log(LogLevelEnum.ERROR, what + " not done: " + reason),
+        () -> log(what + " done"));
+    publish(
+        Channels.SERVICE_ORDERS,
+        new ServiceOrderResult()
+            .requestId(order.requestId())
+            .serviceName(order.serviceName())
+            .accepted(refusal.isEmpty())
+            .reason(refusal.orElse("")));
+  }
+}

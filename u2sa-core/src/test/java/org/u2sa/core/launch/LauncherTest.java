@@ -1,0 +1,202 @@
+package org.u2sa.core.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.LockstepClock;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
+
+/** Orders to start and restart services of one process. */
+@Timeout(30)
+class LauncherTest {
+  private static final Variable<Double> GAIN = Variable.number("GAIN", "").ifAbsent(0.5);
+
+  @TempDir private Path directory;
+  private final LockstepClock clock = new LockstepClock();
+  private RunningSystem system;
+  private Operator operator;
+
+  /** A service with a variable. */
+  public static class Worker extends EventDrivenService {
+    private final double gain;
+
+    public Worker(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Worker");
+      gain = getVariable(GAIN);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  /** Another one. */
+  public static final class Bystander extends EventDrivenService {
+    public Bystander(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Bystander");
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  /** Gives orders and notes the answers. */
+  private static final class Operator extends EventDrivenService {
+    private final List<ServiceOrderResult> results = new ArrayList<>();
+
+    Operator(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Operator");
+      registerPublisher(Channels.SERVICE_ORDERS);
+      registerSubscriber(Channels.SERVICE_ORDERS);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      if (data instanceof ServiceOrderResult result) {
+        results.add(result);
+      }
+    }
+  }
+
+  @BeforeEach
+  void start() throws IOException, InterruptedException {
+    write("Manager.xml", "<variable name=\"BROKER\" type=\"string\" value=\"none\"/>");
+    write("Worker.xml", "");
+    SystemFile file =
+        SystemFile.read(
+            Files.writeString(
+                directory.resolve("system.xml"),
+                "<system id=\"test\"><communication configuration=\"Manager.xml\"/>"
+                    + "<service class=\""
+                    + Worker.class.getName()
+                    + "\" configuration=\"Worker.xml\"/>"
+                    + "<service class=\""
+                    + Bystander.class.getName()
+                    + "\"/></system>"));
+    system =
+        RunningSystem.start(
+            file, new LaunchOptions().clock(clock).logDirectory(directory.resolve("logs")));
+    operator = new Operator(system.contextFor(XmlConfiguration.inMemory("test", Map.of())));
+    operator.start();
+    clock.advance(0);
+  }
+
+  private void write(String name, String variables) throws IOException {
+    Files.writeString(directory.resolve(name), "<configuration>" + variables + "</configuration>");
+  }
+
+  @AfterEach
+  void close() {
+    operator.kill();
+    system.close();
+  }
+
+  private ServiceOrderResult order(String service, ServiceAction action)
+      throws InterruptedException {
+    String id = action + " " + operator.results.size();
+    operator.publish(
+        Channels.SERVICE_ORDERS,
+        new ServiceOrder().requestId(id).serviceName(service).action(action).operator("test"));
+    clock.advance(0);
+    assertThat(operator.results).isNotEmpty();
+    ServiceOrderResult last = operator.results.get(operator.results.size() - 1);
+    assertThat(last.requestId()).isEqualTo(id);
+    assertThat(last.serviceName()).isEqualTo(service);
+    return last;
+  }
+
+  @Test
+  void restart_runningService_endsItAndStartsANewOneInItsPlace() throws Exception {
+    U2SAService before = system.services().get(0);
+
+    assertThat(order("Worker", ServiceAction.RESTART).accepted()).isTrue();
+
+    List<U2SAService> after = system.services();
+    assertThat(before.isAlive()).isFalse();
+    assertThat(after).extracting(Thread::getName).containsExactly("Worker", "Bystander");
+    assertThat(after.get(0)).isNotSameAs(before).matches(U2SAService::isRunning);
+  }
+
+  @Test
+  void restart_fileChangedMeanwhile_newServiceHasTheNewValue() throws Exception {
+    write("Worker.xml", "<variable name=\"GAIN\" type=\"double\" value=\"2.0\"/>");
+
+    order("Worker", ServiceAction.RESTART);
+
+    assertThat(((Worker) system.services().get(0)).gain).isEqualTo(2.0);
+  }
+
+  @Test
+  void restart_fileBrokenMeanwhile_answersWhyAndStartWorksOnceItIsRepaired() throws Exception {
+    write("Worker.xml", "<variable name=\"GAIN\" type=\"double\" value=\"much\"/>");
+
+    ServiceOrderResult result = order("Worker", ServiceAction.RESTART);
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.reason()).contains("Worker.xml").contains("GAIN").contains("much");
+    write("Worker.xml", "");
+    assertThat(order("Worker", ServiceAction.START).accepted()).isTrue();
+    assertThat(system.services().get(0).isRunning()).isTrue();
+  }
+
+  @Test
+  void start_serviceThatWasStopped_runsAgain() throws Exception {
+    operator.publish(Channels.STOP, new StopCommand().serviceName("Worker"));
+    clock.advance(0);
+    system.services().get(0).join();
+
+    assertThat(order("Worker", ServiceAction.START).accepted()).isTrue();
+    assertThat(system.services().get(0).isRunning()).isTrue();
+  }
+
+  @Test
+  void start_serviceThatRuns_isRefused() throws Exception {
+    ServiceOrderResult result = order("Bystander", ServiceAction.START);
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.reason()).contains("Bystander").contains("runs already");
+  }
+
+  @Test
+  void order_serviceOfAnotherHost_isNotAnswered() throws Exception {
+    operator.publish(
+        Channels.SERVICE_ORDERS,
+        new ServiceOrder().requestId("1").serviceName("Elsewhere").action(ServiceAction.RESTART));
+    clock.advance(0);
+
+    assertThat(operator.results).isEmpty();
+  }
+
+  @Test
+  void close_afterARestart_endsTheNewServiceToo() throws Exception {
+    order("Worker", ServiceAction.RESTART);
+
+    system.close();
+
+    assertThat(system.services()).noneMatch(Thread::isAlive);
+  }
+}
