@@ -138,6 +138,19 @@ abstract class TransportContract {
   }
 
   @Test
+  void instance_isAnotherForEachConnectionAndStaysWhenItIsClosed() {
+    String first = publisher.instance();
+    publisher.close();
+
+    Connection successor = transport().connect("Publisher", new RecordingReceiver());
+
+    assertThat(successor.instance()).isNotBlank().isNotEqualTo(first);
+    assertThat(successor.instance()).isNotEqualTo(subscriber.instance());
+    assertThat(publisher.instance()).isEqualTo(first);
+    successor.close();
+  }
+
+  @Test
   void systemId_isTheOneAskedFor() {
     assertThat(transport().systemId()).isEqualTo("cessna");
   }

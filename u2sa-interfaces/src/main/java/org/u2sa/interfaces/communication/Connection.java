@@ -5,6 +5,14 @@ import org.u2sa.messages.U2SAData;
 /** One service's connection to the Communication Manager. All calls are safe from any thread. */
 public interface Connection extends AutoCloseable {
   /**
+   * Which connection this is: a text that no other connection to the same Communication Manager
+   * has. Health, discovery and the broker's word of a lost connection carry it, so that what is
+   * said of a predecessor of the same name is not taken for this one. Stays the same when an
+   * interrupted connection is made anew.
+   */
+  String instance();
+
+  /**
    * Hands one frozen message over for delivery. Never waits for a subscriber.
    *
    * @return whether it was taken; a message that was not taken is counted in {@link #refused()}

@@ -18,6 +18,7 @@ public final class LocalBus implements Transport {
   private final String systemId;
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
   private final Set<String> names = ConcurrentHashMap.newKeySet();
+  private final AtomicLong connections = new AtomicLong();
   private volatile Bridge bridge = (channel, message) -> {};
 
   /** A bus for the services of one system. */
@@ -122,12 +123,18 @@ public final class LocalBus implements Transport {
   private final class LocalConnection implements Connection {
     private final String serviceName;
     private final Receiver receiver;
+    private final String instance = "local-" + connections.incrementAndGet();
     private final AtomicLong refused = new AtomicLong();
     private volatile boolean closed; // written under this
 
     LocalConnection(String serviceName, Receiver receiver) {
       this.serviceName = serviceName;
       this.receiver = receiver;
+    }
+
+    @Override
+    public String instance() {
+      return instance;
     }
 
     @Override

@@ -32,6 +32,7 @@ final class MqttConnection implements Connection {
   private final MqttAsyncClient client;
   private final Map<String, Channel<?>> subscribed = new ConcurrentHashMap<>();
   private final Map<String, Map<List<String>, String>> topics = new ConcurrentHashMap<>();
+  private final String instance = UUID.randomUUID().toString();
   private final AtomicLong refused = new AtomicLong();
   private volatile boolean closed;
 
@@ -44,7 +45,7 @@ final class MqttConnection implements Connection {
     try {
       // Brokers drop the older of two clients with one ID, so a restarted service must not take its
       // predecessor's.
-      String clientId = systemId + "/" + serviceName + "/" + UUID.randomUUID();
+      String clientId = systemId + "/" + serviceName + "/" + instance;
       client = new MqttAsyncClient(address, clientId, new MemoryPersistence());
     } catch (MqttException | IllegalArgumentException e) {
       throw new CommunicationException(
@@ -74,6 +75,11 @@ final class MqttConnection implements Connection {
               + "; is it running, and is the address right?",
           e);
     }
+  }
+
+  @Override
+  public String instance() {
+    return instance;
   }
 
   @Override
