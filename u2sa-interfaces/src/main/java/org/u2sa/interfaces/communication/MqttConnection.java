@@ -84,7 +84,7 @@ final class MqttConnection implements Connection {
 
   @Override
   public boolean publish(Channel<?> channel, U2SAData message) {
-    if (closed || !channel.carries(message)) {
+    if (closed || !channel.carries(message) || systemId.equals(Topic.ANY_SYSTEM)) {
       refused.incrementAndGet();
       return false;
     }

@@ -18,7 +18,8 @@ public final class MqttTransport implements Transport {
    *
    * @param host the broker's name or address
    * @param port the broker's TCP port, 1…65535
-   * @param systemId the system whose messages are exchanged
+   * @param systemId the system whose messages are exchanged; {@link Topic#ANY_SYSTEM} hears those
+   *     of all systems on the broker and publishes none
    * @param codec what reads incoming messages
    */
   public MqttTransport(String host, int port, String systemId, MessageCodec codec) {
@@ -27,7 +28,7 @@ public final class MqttTransport implements Transport {
     }
     this.host = Objects.requireNonNull(host, "host");
     this.port = port;
-    this.systemId = Topic.checkSystemId(systemId);
+    this.systemId = systemId.equals(Topic.ANY_SYSTEM) ? systemId : Topic.checkSystemId(systemId);
     this.codec = Objects.requireNonNull(codec, "codec");
   }
 

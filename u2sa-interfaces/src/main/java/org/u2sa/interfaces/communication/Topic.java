@@ -15,6 +15,9 @@ import org.u2sa.messages.MessageType;
  * @param typeChain the message's types, base first
  */
 public record Topic(String systemId, String channel, List<String> typeChain) {
+  /** In the place of a system ID in a filter: every system on the broker. */
+  public static final String ANY_SYSTEM = "+";
+
   private static final String ROOT = "u2sa";
   private static final int FIRST_TYPE = 3;
   private static final Pattern SYSTEM_ID = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.-]{0,63}");
@@ -46,12 +49,16 @@ public record Topic(String systemId, String channel, List<String> typeChain) {
         levels[1], levels[2], Arrays.asList(levels).subList(FIRST_TYPE, levels.length));
   }
 
-  /** The filter that matches all messages of a channel, subclasses included. */
+  /**
+   * The filter that matches all messages of a channel, subclasses included.
+   *
+   * @param systemId the vehicle, or {@link #ANY_SYSTEM}
+   */
   public static String filter(String systemId, Channel<?> channel) {
-    Topic base = Topic.of(systemId, channel, channel.type());
-    return base.typeChain.isEmpty()
-        ? base + "#"
-        : base + "/#"; // a channel for any message has no type level
+    String system = systemId.equals(ANY_SYSTEM) ? systemId : checkSystemId(systemId);
+    List<String> chain = channel.type().chain(); // empty for a channel of any message
+    String base = ROOT + "/" + system + "/" + channel.name();
+    return chain.isEmpty() ? base + "/#" : base + "/" + String.join("/", chain) + "/#";
   }
 
   /**

@@ -28,6 +28,19 @@ class TopicTest {
   }
 
   @Test
+  void filter_anySystem_hasTheWildcardInItsPlace() {
+    assertThat(Topic.filter(Topic.ANY_SYSTEM, Channels.HEALTH))
+        .isEqualTo("u2sa/+/health/HealthReport/#");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"#", "a/b", "", "++"})
+  void filter_systemIdThatIsNone_isRefused(String systemId) {
+    assertThatThrownBy(() -> Topic.filter(systemId, Channels.HEALTH))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
   void parse_ofToString_givesTheSame() {
     Topic topic = new Topic("cessna", "state", List.of("StateInformation", "AircraftState"));
 

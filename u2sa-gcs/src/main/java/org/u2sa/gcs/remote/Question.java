@@ -1,0 +1,120 @@
+package org.u2sa.gcs.remote;
+
+import java.util.Collection;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * A request to the services of a running system, and which of the messages that follow on its
+ * channel answer it. Put by {@link RemoteLink#ask}.
+ *
+ * <pre>{@code
+ * link.ask(
+ *     new Question<>(Channels.CONFIGURATION, request, ConfigurationResponse.class)
+ *         .oneOfEach(ConfigurationResponse::serviceName)
+ *         .expecting(Set.of("PathPlanner")));
+ * }</pre>
+ *
+ * @param <T> the class of the answers
+ */
+public final class Question<T extends U2SAData> {
+  private final Channel<?> channel;
+  private final U2SAData request;
+  private final Class<T> answerClass;
+  private final Predicate<? super T> counts;
+  private final Function<? super T, String> source; // null: each answer is one of its own
+  private final Predicate<Answers<T>> enough;
+
+  /**
+   * A question to which every message of the class is an answer, for as long as the link's time
+   * lasts.
+   *
+   * @param channel where the request is published and answers come in
+   * @param request not frozen yet; the link fills in system and time
+   * @param answerClass what answers are; subclasses count
+   */
+  public Question(Channel<?> channel, U2SAData request, Class<T> answerClass) {
+    this(channel, request, answerClass, answer -> true, null, answers -> false);
+  }
+
+  private Question(
+      Channel<?> channel,
+      U2SAData request,
+      Class<T> answerClass,
+      Predicate<? super T> counts,
+      Function<? super T, String> source,
+      Predicate<Answers<T>> enough) {
+    this.channel = Objects.requireNonNull(channel, "channel");
+    this.request = Objects.requireNonNull(request, "request");
+    this.answerClass = Objects.requireNonNull(answerClass, "answerClass");
+    this.counts = counts;
+    this.source = source;
+    this.enough = enough;
+  }
+
+  /** Only these are answers, for example those with the request's ID. */
+  public Question<T> only(Predicate<? super T> wanted) {
+    return new Question<>(channel, request, answerClass, wanted, source, enough);
+  }
+
+  /**
+   * Of several answers of one source the newest is kept, in the place of the first.
+   *
+   * @param name tells the sources apart, for example the service's name
+   */
+  public Question<T> oneOfEach(Function<? super T, String> name) {
+    return new Question<>(channel, request, answerClass, counts, name, enough);
+  }
+
+  /** Waits no longer once this holds of the answers so far. */
+  public Question<T> until(Predicate<? super Collection<T>> complete) {
+    return new Question<>(
+        channel, request, answerClass, counts, source, got -> complete.test(got.list()));
+  }
+
+  /** Waits no longer once each of these sources has answered; see {@link #oneOfEach}. */
+  public Question<T> expecting(Set<String> sources) {
+    return new Question<>(
+        channel, request, answerClass, counts, source, got -> got.sources().containsAll(sources));
+  }
+
+  /** Waits for one answer only. */
+  public Question<T> first() {
+    return until(answers -> !answers.isEmpty());
+  }
+
+  Channel<?> channel() {
+    return channel;
+  }
+
+  U2SAData request() {
+    return request;
+  }
+
+  /** A place for answers, empty. */
+  Answers<T> answers() {
+    return new Answers<>(this);
+  }
+
+  /** The message as an answer to this, or null. */
+  T answer(U2SAData message) {
+    if (!answerClass.isInstance(message)) {
+      return null;
+    }
+    T answer = answerClass.cast(message);
+    return counts.test(answer) ? answer : null;
+  }
+
+  /** Who answered; of answers that each count the number so far. */
+  String sourceOf(T answer, int answersSoFar) {
+    return source == null ? String.valueOf(answersSoFar) : source.apply(answer);
+  }
+
+  boolean isEnough(Answers<T> answers) {
+    return enough.test(answers);
+  }
+}

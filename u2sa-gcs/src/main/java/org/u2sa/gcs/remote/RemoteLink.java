@@ -1,0 +1,154 @@
+package org.u2sa.gcs.remote;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * A command's connection to a running system. Made by {@link RemoteSystem#connect}; safe for
+ * several threads.
+ */
+public final class RemoteLink implements AutoCloseable {
+  private final String systemId;
+  private final Clock clock;
+  private final double timeoutS;
+  private final Consumer<String> trouble;
+  private final Map<String, List<Consumer<U2SAData>>> listeners = new ConcurrentHashMap<>();
+  private final Connection connection;
+
+  /**
+   * Connects.
+   *
+   * @param name of who connects, for the broker's log
+   * @param timeoutS how long answers are waited for [s]
+   * @param trouble takes a line when the connection is lost or restored
+   * @throws CommunicationException if the broker cannot be reached
+   */
+  RemoteLink(
+      Transport transport, String name, Clock clock, double timeoutS, Consumer<String> trouble) {
+    systemId = transport.systemId();
+    this.clock = clock;
+    this.timeoutS = timeoutS;
+    this.trouble = trouble;
+    connection = transport.connect(name, new Incoming());
+  }
+
+  /** The system that was joined. */
+  public String systemId() {
+    return systemId;
+  }
+
+  /** How long {@link #ask} waits at most [s]. */
+  public double timeoutS() {
+    return timeoutS;
+  }
+
+  /** Real time, in which this link waits and dates what it publishes. */
+  public Clock clock() {
+    return clock;
+  }
+
+  /**
+   * Calls the listener with each message of the channel from now on, on the transport's thread: it
+   * must return at once.
+   *
+   * @throws CommunicationException if the broker refuses the subscription
+   */
+  public void listen(Channel<?> channel, Consumer<U2SAData> listener) {
+    List<Consumer<U2SAData>> ofChannel =
+        listeners.computeIfAbsent(channel.name(), name -> new CopyOnWriteArrayList<>());
+    ofChannel.add(listener);
+    if (!connection.subscribe(channel)) {
+      throw new CommunicationException(
+          "the broker refuses \"" + channel + "\" of system \"" + systemId + "\"");
+    }
+  }
+
+  /** Ends {@link #listen} for this listener. */
+  public void listenNoMore(Channel<?> channel, Consumer<U2SAData> listener) {
+    List<Consumer<U2SAData>> ofChannel = listeners.get(channel.name());
+    if (ofChannel != null) {
+      ofChannel.remove(listener);
+    }
+  }
+
+  /**
+   * Publishes; system ID and time are filled in if absent.
+   *
+   * @throws CommunicationException if the message was not taken
+   */
+  public void publish(Channel<?> channel, U2SAData message) {
+    if (!message.isFrozen()) {
+      if (message.systemId().isEmpty()) {
+        message.systemId(systemId);
+      }
+      if (message.timestamp().isEmpty()) {
+        message.timestamp(clock.micros());
+      }
+      message.freeze();
+    }
+    if (!connection.publish(channel, message)) {
+      throw new CommunicationException(
+          "the broker did not take a message on \"" + channel + "\": is the connection lost?");
+    }
+  }
+
+  /**
+   * Puts a question to the services and collects their answers until they are enough, or for {@link
+   * #timeoutS}.
+   *
+   * @return the answers, in the order in which their sources first answered; perhaps none
+   * @throws CommunicationException if the request was not taken
+   */
+  public <T extends U2SAData> List<T> ask(Question<T> question) throws InterruptedException {
+    Answers<T> answers = question.answers();
+    long deadline = clock.micros() + Clock.micros(timeoutS);
+    try (Clock.Waiter waiter = clock.newWaiter("answers")) {
+      Consumer<U2SAData> listener =
+          message -> {
+            if (answers.take(message)) {
+              waiter.signal();
+            }
+          };
+      listen(question.channel(), listener);
+      try {
+        publish(question.channel(), question.request());
+        while (!answers.areEnough() && clock.micros() < deadline) {
+          waiter.await(deadline);
+        }
+      } finally {
+        listenNoMore(question.channel(), listener);
+      }
+    }
+    return answers.list();
+  }
+
+  @Override
+  public void close() {
+    connection.close();
+  }
+
+  /** Called on the transport's thread. */
+  private final class Incoming implements Receiver {
+    @Override
+    public void receive(Channel<?> channel, U2SAData message) {
+      for (Consumer<U2SAData> listener : listeners.getOrDefault(channel.name(), List.of())) {
+        listener.accept(message);
+      }
+    }
+
+    @Override
+    public void trouble(String what) {
+      trouble.accept(what);
+    }
+  }
+}

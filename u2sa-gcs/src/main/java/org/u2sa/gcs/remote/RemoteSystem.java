@@ -1,0 +1,140 @@
+package org.u2sa.gcs.remote;
+
+import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.SortedSet;
+import org.u2sa.gcs.RunFailedException;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/**
+ * The options of all commands that join a running system of another process or host, and the way to
+ * it; used as {@code @Mixin RemoteSystem remote}:
+ *
+ * <pre>{@code
+ * try (RemoteLink link = remote.connect()) {
+ *   List<DiscoveryResponse> services =
+ *       link.ask(
+ *           new Question<>(Channels.DISCOVERY, new DiscoveryRequest(), DiscoveryResponse.class)
+ *               .oneOfEach(DiscoveryResponse::serviceName));
+ * }
+ * }</pre>
+ *
+ * What goes wrong leaves the command as an exception that the command line tells in one line: no
+ * broker, no system heard, several heard.
+ */
+public final class RemoteSystem {
+  private static final double LONGEST_S = 3_600.0;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  private BrokerAddress broker = BrokerAddress.parse("localhost");
+  private String systemId;
+  private double timeoutS = 3.0;
+
+  @Option(
+      names = "--broker",
+      paramLabel = "HOST[:PORT]",
+      description = "Where the system's broker listens. Default: localhost:1883.")
+  private void broker(String value) {
+    try {
+      broker = BrokerAddress.parse(value);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--broker " + e.getMessage());
+    }
+  }
+
+  @Option(
+      names = "--system",
+      paramLabel = "ID",
+      description = "The system to join. Default: the only one heard.")
+  private void systemId(String value) {
+    try {
+      systemId = Topic.checkSystemId(value);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--system: " + e.getMessage());
+    }
+  }
+
+  @Option(
+      names = "--timeout",
+      paramLabel = "S",
+      description = "How long to wait for answers [s]. Default: 3.")
+  private void timeout(double value) {
+    if (!(value > 0.0 && value <= LONGEST_S)) {
+      throw new ParameterException(
+          command.commandLine(), "--timeout " + value + ": expected more than 0, at most 3600 s");
+    }
+    timeoutS = value;
+  }
+
+  /**
+   * Joins the system.
+   *
+   * @throws org.u2sa.interfaces.communication.CommunicationException if no broker answers
+   * @throws RunFailedException if no system is heard
+   * @throws BadInputException if several are heard and none was chosen
+   */
+  public RemoteLink connect() throws InterruptedException {
+    Clock clock = new SystemClock();
+    String id = systemId == null ? theOnlyOne(clock) : systemId;
+    return new RemoteLink(transport(id), name(), clock, timeoutS, this::tell);
+  }
+
+  private String theOnlyOne(Clock clock) throws InterruptedException {
+    SortedSet<String> heard =
+        SystemSearch.heard(transport(Topic.ANY_SYSTEM), name(), clock, timeoutS);
+    if (heard.isEmpty()) {
+      throw new RunFailedException(
+          String.format(
+              Locale.ROOT,
+              "no system heard at %s within %.1f s; is one running? --broker names another broker",
+              broker,
+              timeoutS));
+    }
+    if (heard.size() > 1) {
+      throw new BadInputException(
+          "several systems heard at "
+              + broker
+              + ": "
+              + String.join(", ", heard)
+              + "; --system chooses one");
+    }
+    return heard.first();
+  }
+
+  private MqttTransport transport(String id) {
+    return new MqttTransport(
+        broker.hostInAddress(), broker.port(), id, new MessageCodec(MessageTypes.discovered()));
+  }
+
+  private String name() {
+    return "u2sa-" + command.name();
+  }
+
+  private void tell(String trouble) {
+    PrintWriter err = command.commandLine().getErr();
+    err.println("u2sa: " + trouble);
+    err.flush();
+  }
+
+  /** Where the broker is, for messages: {@code host:port}. */
+  public String brokerAddress() {
+    return broker.toString();
+  }
+
+  /** Who gives orders, for logs: {@code user@host}. */
+  public static String operator() {
+    return OperatorName.get();
+  }
+}
