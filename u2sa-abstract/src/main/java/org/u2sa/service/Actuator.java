@@ -1,9 +1,7 @@
 package org.u2sa.service;
 
-import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.U2SAData;
@@ -11,13 +9,15 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
  * A service that moves something (thesis 3.2.2.5). In: actuation, of which it obeys what is
- * addressed to its name. Out: actuators, its announcement (thesis 5.1).
+ * addressed to its name; emergency-stop; arming-state. Out: actuators, its announcement (thesis
+ * 5.1), now and then.
  *
- * <p>When no command has come for the expiry time, and when the service ends, it goes neutral by
- * itself.
+ * <p>When no command has come for the expiry time, at an emergency stop, and when the service ends,
+ * it goes neutral by itself.
  */
 public abstract class Actuator extends PeriodicService {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
+  private static final double ANNOUNCE_EVERY_S = 5.0;
 
   private static final Variable<String> ACTUATOR_NAME =
       Variable.text("ACTUATOR NAME")
@@ -25,24 +25,17 @@ public abstract class Actuator extends PeriodicService {
           .describedAs(
               "Name to which commands are addressed, unique in the system; empty: the service's name.");
 
-  private static final Variable<Double> COMMAND_EXPIRY =
-      Variable.number("COMMAND EXPIRY", "s")
-          .range(Range.of(0.01, 60.0))
-          .ifAbsent(0.5)
-          .describedAs("Time without a command after which the actuator goes neutral.");
-
   private final String actuatorName;
-  private final CommandHold commands;
+  private final CommandedActuators commands;
   private boolean neutral;
+  private double announceDueS;
 
   /** See {@link U2SAService#U2SAService}. */
   protected Actuator(ServiceContext context, String serviceName) {
     super(context, ServiceRole.ACTUATOR, serviceName, EXPIRY_CHECKS_PER_S);
     String configured = getVariable(ACTUATOR_NAME);
     actuatorName = configured.isEmpty() ? getServiceName() : configured;
-    commands = new CommandHold(clock(), getVariable(COMMAND_EXPIRY), Set.of(actuatorName));
-    registerPublisher(ActuatorAnnouncement.class);
-    registerSubscriber(ActuatorCommand.class);
+    commands = new CommandedActuators(this, Set.of(actuatorName));
   }
 
   /** Moves to the percentage, −100…100. Called on the service's thread for each command. */
@@ -68,26 +61,44 @@ public abstract class Actuator extends PeriodicService {
   protected final void begin() {
     neutral();
     neutral = true;
-    publish(announcement());
+    announce(nowS());
+  }
+
+  /** Again now and then: over a broker, who comes late gets the last announcement of all only. */
+  private void announce(double nowS) {
+    commands.announce(announcement());
+    announceDueS = nowS + ANNOUNCE_EVERY_S;
   }
 
   @Override
   public final void callback(U2SAData data) {
-    if (!(data instanceof ActuatorCommand command)) {
+    if (data instanceof ActuatorCommand command) {
+      if (commands.obey(command)) {
+        neutral = false;
+        actuate(commands.percentage(actuatorName).orElseThrow());
+      }
+    } else if (!commands.heed(data)) {
       unexpected(data);
-    } else if (commands.accept(command)) {
-      neutral = false;
-      OptionalDouble percentage = commands.percentage(actuatorName);
-      actuate(percentage.orElseThrow());
-    } else if (command.actuatorName().equals(actuatorName)) {
-      log(LogLevelEnum.WARN, "refused " + command + ": too old, or not a percentage");
+    } else if (!commands.mayMove()) {
+      goNeutral();
     }
   }
 
   @Override
   protected final void step(double nowS) {
-    if (!neutral && commands.percentage(actuatorName).isEmpty()) {
-      log(LogLevelEnum.WARN, "no command in time: goes neutral");
+    if (commands.percentage(actuatorName).isEmpty()) {
+      goNeutral();
+    }
+    if (nowS >= announceDueS) {
+      announce(nowS);
+    }
+  }
+
+  private void goNeutral() {
+    if (!neutral) {
+      log(
+          LogLevelEnum.WARN,
+          commands.mayMove() ? "no command in time: goes neutral" : "may not move: goes neutral");
       neutral = true;
       neutral();
     }

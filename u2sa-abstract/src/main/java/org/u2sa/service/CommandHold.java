@@ -2,9 +2,10 @@ package org.u2sa.service;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
 import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.Range;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.PercentageCommand;
 
@@ -19,49 +20,77 @@ public final class CommandHold {
   private record Held(double percentage, long untilMicros) {}
 
   private final Clock clock;
+  private final String systemId;
   private final long defaultExpiryMicros;
-  private final Set<String> actuators;
+  private final long toleranceMicros;
+  private final Map<String, Range> actuators;
   private final Map<String, Held> newest = new LinkedHashMap<>();
-  private long refused;
 
   /**
    * @param clock what commands are timed with
+   * @param systemId whose commands are obeyed
    * @param defaultExpiryS how long a command holds that does not say so itself [s], positive
-   * @param actuators the names to which commands are addressed
+   * @param toleranceS how far a command's clock may be ahead of this one [s]
+   * @param actuators the names to which commands are addressed, with the percentages that each
+   *     takes
    */
-  public CommandHold(Clock clock, double defaultExpiryS, Set<String> actuators) {
+  public CommandHold(
+      Clock clock,
+      String systemId,
+      double defaultExpiryS,
+      double toleranceS,
+      Map<String, Range> actuators) {
     if (!(defaultExpiryS > 0.0)) {
       throw new IllegalArgumentException("defaultExpiryS: " + defaultExpiryS + " is not positive");
     }
     this.clock = clock;
+    this.systemId = systemId;
     this.defaultExpiryMicros = Clock.micros(defaultExpiryS);
-    this.actuators = Set.copyOf(actuators);
+    this.toleranceMicros = Clock.micros(toleranceS);
+    this.actuators = new LinkedHashMap<>(actuators);
   }
 
   /**
-   * Takes a command if it is addressed to one of the actuators and has not expired on its way;
-   * otherwise counts it as refused, unless it is simply for someone else.
+   * Takes a command, or says why not.
    *
-   * @return whether it was taken
+   * @return empty if it was taken
    */
-  public boolean accept(ActuatorCommand command) {
-    if (!actuators.contains(command.actuatorName())) {
-      return false;
+  public Optional<CommandRefusal> accept(ActuatorCommand command) {
+    Range range = actuators.get(command.actuatorName());
+    if (range == null) {
+      return Optional.of(CommandRefusal.NOT_ADDRESSED);
+    }
+    if (!command.systemId().isEmpty() && !command.systemId().equals(systemId)) {
+      return Optional.of(CommandRefusal.WRONG_SYSTEM);
+    }
+    if (!(command instanceof PercentageCommand percentage)) {
+      return Optional.of(CommandRefusal.NOT_A_PERCENTAGE);
+    }
+    if (!range.contains(percentage.percentage())) { // a subclass may say NaN, which no field holds
+      return Optional.of(CommandRefusal.OUT_OF_RANGE);
     }
     long now = clock.micros();
+    long saidMicros = command.timestamp().orElse(now);
+    if (saidMicros > now + toleranceMicros) {
+      return Optional.of(CommandRefusal.FROM_THE_FUTURE);
+    }
     long expiryMicros =
         command.expiry().isPresent()
             ? Clock.micros(command.expiry().getAsDouble())
             : defaultExpiryMicros;
     // A timestamp ahead of this clock must not keep an actuator moving after control is gone.
-    long sinceMicros = Math.min(now, command.timestamp().orElse(now));
+    long sinceMicros = Math.min(now, saidMicros);
     long untilMicros = sinceMicros + Math.min(expiryMicros, Clock.NEVER - Math.max(0, sinceMicros));
-    if (!(command instanceof PercentageCommand percentage) || untilMicros <= now) {
-      refused++;
-      return false;
+    if (untilMicros <= now) {
+      return Optional.of(CommandRefusal.TOO_OLD);
     }
     newest.put(command.actuatorName(), new Held(percentage.percentage(), untilMicros));
-    return true;
+    return Optional.empty();
+  }
+
+  /** Narrows the percentages that an actuator takes to what it announced. */
+  void limit(String actuator, Range range) {
+    actuators.computeIfPresent(actuator, (name, before) -> range);
   }
 
   /**
@@ -75,8 +104,8 @@ public final class CommandHold {
         : OptionalDouble.of(held.percentage);
   }
 
-  /** Commands for these actuators that came too late or were not percentages, so far. */
-  public long refused() {
-    return refused;
+  /** Forgets all commands: every actuator falls back to neutral. */
+  public void forget() {
+    newest.clear();
   }
 }

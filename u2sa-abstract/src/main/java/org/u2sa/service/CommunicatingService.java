@@ -2,6 +2,7 @@ package org.u2sa.service;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -70,6 +71,18 @@ abstract class CommunicatingService extends ConfiguredService
   public final boolean registerSubscriber(Channel<?> channel) {
     return attempt(
         "registering as subscriber of " + channel, () -> wiring.registerSubscriber(channel));
+  }
+
+  /**
+   * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when its turn
+   * comes, or that does not say its time, counts as absent. It is not handed to the callback, but
+   * counted as expired in health. A further call sets another deadline.
+   *
+   * @param deadlineS age at which a message counts as absent [s], positive
+   */
+  public final boolean registerSubscriber(Channel<?> channel, double deadlineS) {
+    wiring.deadline(channel, Clock.micros(deadlineS));
+    return registerSubscriber(channel);
   }
 
   @Override

@@ -22,6 +22,8 @@ final class ServiceHealth {
   private long exceptions;
   private int exceptionsInRow;
   private long overruns;
+  private long refused;
+  private long expired;
   private String lastError;
   private Exception lastException;
 
@@ -70,6 +72,16 @@ final class ServiceHealth {
     overruns += missedPeriods;
   }
 
+  /** Counts a command that an actuator did not obey. */
+  synchronized void refused() {
+    refused++;
+  }
+
+  /** Counts a message that was older than its deadline when its turn came; returns the count. */
+  synchronized long expired() {
+    return ++expired;
+  }
+
   synchronized void error(String what) {
     lastError = what;
   }
@@ -97,6 +109,8 @@ final class ServiceHealth {
     return report
         .overruns(overruns)
         .exceptions(exceptions)
+        .refused(report.refused() + refused)
+        .expired(expired)
         .callbackP50(percentile(MEDIAN))
         .callbackP99(percentile(WORST_PERCENT));
   }

@@ -11,7 +11,8 @@ import org.u2sa.messages.U2SAData;
  *
  * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
  * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
- * full queue refuses the newest. Both are counted.
+ * full queue refuses the newest. Both are counted. What is urgent has a queue of its own, which
+ * comes first, so that no flood keeps an emergency stop out.
  */
 final class ServiceInbox {
   /** One message and the channel that it came on. */
@@ -35,6 +36,7 @@ final class ServiceInbox {
 
   private final int capacity;
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
+  private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
   private final Map<Channel<?>, Map<String, Delivery>> newest =
       new HashMap<>(); // deliveries still queued
   private long dropped;
@@ -46,7 +48,7 @@ final class ServiceInbox {
   /** Queues a message. Returns whether it is kept; otherwise the queue is full. */
   synchronized boolean put(Channel<?> channel, U2SAData message) {
     if (channel.deliversEvery()) {
-      return enqueue(new Delivery(channel, message));
+      return enqueue(channel.isUrgent() ? urgent : queue, new Delivery(channel, message));
     }
     Map<String, Delivery> ofChannel = newest.computeIfAbsent(channel, key -> new HashMap<>());
     String source = channel.sourceOf(message);
@@ -57,24 +59,27 @@ final class ServiceInbox {
       return true;
     }
     Delivery delivery = new Delivery(channel, message);
-    boolean kept = enqueue(delivery);
+    boolean kept = enqueue(queue, delivery);
     if (kept) {
       ofChannel.put(source, delivery);
     }
     return kept;
   }
 
-  private boolean enqueue(Delivery delivery) {
-    if (queue.size() >= capacity) {
+  private boolean enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
+    if (line.size() >= capacity) {
       dropped++;
       return false;
     }
-    queue.add(delivery);
+    line.add(delivery);
     return true;
   }
 
-  /** The oldest delivery, or null if there is none. */
+  /** The oldest delivery, urgent ones first, or null if there is none. */
   synchronized Delivery poll() {
+    if (!urgent.isEmpty()) {
+      return urgent.poll();
+    }
     Delivery delivery = queue.poll();
     if (delivery != null && !delivery.channel.deliversEvery()) {
       newest.get(delivery.channel).remove(delivery.channel.sourceOf(delivery.message));
@@ -83,7 +88,7 @@ final class ServiceInbox {
   }
 
   synchronized int depth() {
-    return queue.size();
+    return urgent.size() + queue.size();
   }
 
   /** Messages that were replaced by newer ones or refused because the queue was full, so far. */

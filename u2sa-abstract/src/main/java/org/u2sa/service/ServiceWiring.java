@@ -1,8 +1,11 @@
 package org.u2sa.service;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
@@ -21,6 +24,7 @@ final class ServiceWiring {
   private final Receiver receiver;
   private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
+  private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
   private volatile Connection connection; // open or null; written under this
   private long refused; // by the connection, when it was closed
   private boolean closed;
@@ -91,6 +95,16 @@ final class ServiceWiring {
   boolean unregisterSubscriber(Channel<?> channel) {
     boolean contract = ContractResponder.CHANNELS.contains(channel);
     return subscribed.remove(channel) && (contract || connection().unsubscribe(channel));
+  }
+
+  /** Sets the age at which the channel's messages count as absent [µs]. */
+  void deadline(Channel<?> channel, long micros) {
+    deadlinesMicros.put(channel, micros);
+  }
+
+  /** {@link #deadline}; {@link Clock#NEVER} if the service's author set none. */
+  long deadlineMicros(Channel<?> channel) {
+    return deadlinesMicros.getOrDefault(channel, Clock.NEVER);
   }
 
   /** Whether the service's author asked for the channel. */

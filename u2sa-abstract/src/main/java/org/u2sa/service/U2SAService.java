@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
@@ -175,10 +176,37 @@ public abstract class U2SAService extends CommunicatingService {
           if (contract.concerns(message)) {
             contract.answer(message).ifPresent(this::configurationChanged);
           }
-          if (wiring().isSubscribed(delivery.channel())) {
+          if (wiring().isSubscribed(delivery.channel()) && isInTime(delivery)) {
             callback(message);
           }
         });
+  }
+
+  /** Whether a message has not outlived the deadline that the author set; otherwise counts it. */
+  private boolean isInTime(ServiceInbox.Delivery delivery) {
+    long deadlineMicros = wiring().deadlineMicros(delivery.channel());
+    if (deadlineMicros == Clock.NEVER) {
+      return true;
+    }
+    OptionalLong saidMicros = delivery.message().timestamp();
+    long ageMicros = clock().micros() - saidMicros.orElse(0L);
+    if (saidMicros.isPresent() && ageMicros <= deadlineMicros) {
+      return true;
+    }
+    long expired = health().expired();
+    if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      String age = saidMicros.isPresent() ? Clock.seconds(ageMicros) + " s old" : "of unknown age";
+      String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
+      log(
+          LogLevelEnum.WARN,
+          delivery.channel()
+              + ": message "
+              + age
+              + " counts as absent after "
+              + deadline
+              + delivery.message());
+    }
+    return false;
   }
 
   /**

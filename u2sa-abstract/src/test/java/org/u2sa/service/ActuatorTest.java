@@ -10,6 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
 @Timeout(30)
@@ -32,6 +35,11 @@ class ActuatorTest {
     @Override
     protected void neutral() {
       moves.add("neutral");
+    }
+
+    @Override
+    protected ActuatorAnnouncement announcement() {
+      return super.announcement().minimum(0.0);
     }
 
     @Override
@@ -75,6 +83,69 @@ class ActuatorTest {
 
     assertThat(wheel.moves).isEmpty();
     assertThat(kit.log("LEFT WHEEL")).anyMatch(line -> line.contains("refused"));
+  }
+
+  @Test
+  void callback_outsideWhatItAnnounced_isRefusedCountedInHealthAndSaidNowAndThen() {
+    for (int i = 0; i < 5; i++) {
+      kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", -1.0));
+    }
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("RIGHT WHEEL", -1.0));
+    kit.advance(0.5);
+
+    assertThat(wheel.moves).isEmpty();
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().refused()).isEqualTo(5);
+    assertThat(kit.log("LEFT WHEEL"))
+        .filteredOn(line -> line.contains("out of range"))
+        .hasSize(3) // the 1st, 2nd and 4th
+        .last()
+        .asString()
+        .contains("(4 so far)");
+  }
+
+  @Test
+  void emergencyStop_goesNeutralAtOnceAndObeysNothingUntilCleared() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+    EmergencyStop stop = new EmergencyStop().active(true).operator("Ann").reason("smoke");
+    kit.publish(Channels.EMERGENCY_STOP, stop);
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 50.0));
+    assertThat(wheel.moves).containsExactly("40.0", "neutral");
+    assertThat(kit.log("LEFT WHEEL")).anyMatch(line -> line.contains("by \"Ann\": smoke"));
+
+    kit.publish(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().active(false).clears(stop.timestamp().orElseThrow()));
+    assertThat(wheel.moves).containsExactly("40.0", "neutral");
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 60.0));
+
+    assertThat(wheel.moves).containsExactly("40.0", "neutral", "60.0");
+  }
+
+  @Test
+  void start_whileAnEmergencyStopHolds_obeysNothing() {
+    EmergencyStop stop = new EmergencyStop().active(true);
+    kit.publish(Channels.EMERGENCY_STOP, stop);
+    kit.with("SERVICE NAME", "LATE WHEEL");
+
+    Wheel late = kit.start(Wheel::new);
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LATE WHEEL", 40.0));
+
+    assertThat(late.moves).containsExactly("neutral");
+  }
+
+  @Test
+  void requiresArming_obeysOnlyWhileArmed() {
+    kit.with("SERVICE NAME", "ARMED WHEEL").with("REQUIRES ARMING", true);
+    Wheel armed = kit.start(Wheel::new);
+
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
+    assertThat(armed.moves).containsExactly("neutral");
+
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
+
+    assertThat(armed.moves).containsExactly("neutral", "40.0", "neutral");
   }
 
   @Test

@@ -16,6 +16,7 @@ import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.messages.MessageTypes;
 import org.u2sa.service.Actuator;
+import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -69,7 +70,8 @@ class ConfigurationPageTest {
           own.removeIf(variable -> names(common).contains(variable.name()));
           section(page, name, own);
         });
-    page.append('\n').append(ConfigurationReference.markdownFor(Actuator.class));
+    page.append('\n')
+        .append(ConfigurationReference.markdownFor(Actuator.class, CommandedActuators.class));
     new Page("docs/configuration.md").mustBe(page.toString());
   }
 

@@ -2,7 +2,6 @@ package org.u2sa.core.planning;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
@@ -47,12 +46,13 @@ public final class PathPlanner extends EventDrivenService {
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.GOALS);
-    registerSubscriber(Channels.STATE);
+    registerSubscriber(Channels.STATE, settings.staleAfterS());
   }
 
   @Override
   protected void configurationChanged(String variableName) {
     settings = PlanningSettings.of(this);
+    registerSubscriber(Channels.STATE, settings.staleAfterS());
     end.leave(); // a circle of the new radius
   }
 
@@ -73,12 +73,6 @@ public final class PathPlanner extends EventDrivenService {
   }
 
   private boolean isUsable(StateInformation state) {
-    long ageMicros = clock().micros() - state.timestamp().orElse(0L);
-    if (state.timestamp().isEmpty() || ageMicros > settings.staleAfterMicros()) {
-      complain(
-          "state is " + Clock.seconds(ageMicros) + " s old: not planned from", "state too old");
-      return false;
-    }
     if (Vehicle.of(state).isEmpty()) {
       complain("state lacks x, y or psi: not planned from: " + state, "state incomplete");
       return false;

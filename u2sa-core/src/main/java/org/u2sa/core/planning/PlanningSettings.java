@@ -11,7 +11,7 @@ import org.u2sa.interfaces.Configurator;
  * @param attempts passes at a waypoint before it is given up, at least 1
  * @param holdsAtEnd whether the vehicle holds where it has no goal to pursue
  * @param loiterRadiusM of the circle on which it holds [m]; 0 for the place itself
- * @param staleAfterMicros age at which a state is too old to plan from [µs]
+ * @param staleAfterS age at which a state is too old to plan from [s]
  * @param reportIntervalMicros time after which a report is repeated [µs]
  */
 record PlanningSettings(
@@ -20,7 +20,7 @@ record PlanningSettings(
     int attempts,
     boolean holdsAtEnd,
     double loiterRadiusM,
-    long staleAfterMicros,
+    double staleAfterS,
     long reportIntervalMicros) {
 
   /** Declares and reads the variables. */
@@ -42,7 +42,7 @@ record PlanningSettings(
         configuration.getVariable(PlanningVariables.ATTEMPTS),
         configuration.getVariable(PlanningVariables.AT_END).equals(PlanningVariables.HOLD),
         configuration.getVariable(PlanningVariables.LOITER_RADIUS),
-        Clock.micros(configuration.getVariable(PlanningVariables.STALE_AFTER)),
+        configuration.getVariable(PlanningVariables.STALE_AFTER),
         Clock.micros(configuration.getVariable(PlanningVariables.REPORT_INTERVAL)));
   }
 }

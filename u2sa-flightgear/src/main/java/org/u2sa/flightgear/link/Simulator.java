@@ -1,75 +1,97 @@
 package org.u2sa.flightgear.link;
 
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import org.u2sa.flightgear.AircraftState;
 import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.service.CommandHold;
+import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
  * Joins a simulated Cessna 172 to the system (thesis 4.5.2.1): publishes what it measures and
- * passes commands on. In: actuation. Out: sensed-state, and truth.
+ * passes commands on. In: actuation, emergency-stop, arming-state. Out: sensed-state, truth, and
+ * actuators.
  *
- * <p>Commands that nobody renews expire, and the controls go neutral: the aircraft glides with its
- * wings where they are.
+ * <p>Commands that nobody renews expire, and the controls go neutral, as at an emergency stop: the
+ * aircraft glides with its wings where they are.
  */
 public final class Simulator extends ProprioceptiveSensor {
   private static final double POLLS_PER_S = 100.0;
   private static final double FULL_PERCENT = 100.0;
   private static final double RICH = 1.0;
-
-  private static final Variable<Double> COMMAND_EXPIRY =
-      Variable.number("COMMAND EXPIRY", "s")
-          .range(Range.of(0.01, 60.0))
-          .ifAbsent(0.5)
-          .describedAs("Time without a command after which a control goes neutral.");
+  private static final double ANNOUNCE_EVERY_S = 5.0;
 
   private final AircraftLink link;
-  private final CommandHold commands;
+  private final CommandedActuators commands;
   private long published; // sequence of the reading published last
   private boolean connected;
+  private double announceDueS;
 
   /** Opens the link that the configuration names. */
   public Simulator(ServiceContext context) {
     super(context, "Simulator", POLLS_PER_S);
-    commands = new CommandHold(clock(), getVariable(COMMAND_EXPIRY), CONTROLS);
+    commands = new CommandedActuators(this, CONTROLS.keySet());
     link = new LinkConfiguration(this, context).open();
     registerPublisher(FlightChannels.TRUTH);
-    registerSubscriber(Channels.ACTUATION);
   }
 
-  private static final Set<String> CONTROLS =
-      Set.of(
-          "AILERON",
-          "ELEVATOR",
-          "RUDDER",
-          "THROTTLE",
-          "MIXTURE",
-          "FLAPS",
-          "LEFT BRAKE",
-          "RIGHT BRAKE");
+  /** The controls, with what moving each does to the aircraft. */
+  private static final Map<String, String> CONTROLS =
+      Map.of(
+          "AILERON", "rolls to the right",
+          "ELEVATOR", "lowers the nose",
+          "RUDDER", "turns the nose to the right",
+          "THROTTLE", "power",
+          "MIXTURE", "enriches the fuel",
+          "FLAPS", "lowers the flaps",
+          "LEFT BRAKE", "brakes the left wheel",
+          "RIGHT BRAKE", "brakes the right wheel");
+
+  private static final Set<String> BOTH_WAYS = Set.of("AILERON", "ELEVATOR", "RUDDER");
+
+  @Override
+  protected void begin() {
+    announce();
+  }
+
+  /** Again now and then: over a broker, who comes late gets the last announcement of all only. */
+  private void announce() {
+    new TreeMap<>(CONTROLS)
+        .forEach(
+            (name, effect) ->
+                commands.announce(
+                    new ActuatorAnnouncement()
+                        .actuatorName(name)
+                        .minimum(BOTH_WAYS.contains(name) ? -FULL_PERCENT : 0.0)
+                        .maximum(FULL_PERCENT)
+                        .effect(effect)));
+    announceDueS = nowS() + ANNOUNCE_EVERY_S;
+  }
 
   @Override
   public void callback(U2SAData data) {
-    if (!(data instanceof ActuatorCommand command)) {
+    if (data instanceof ActuatorCommand command) {
+      commands.obey(command);
+    } else if (!commands.heed(data)) {
       unexpected(data);
-    } else if (!commands.accept(command)) {
-      log(
-          LogLevelEnum.WARN,
-          "refused " + command + ": for no control of this aircraft, or too old");
+    } else if (!commands.mayMove()) {
+      link.write(controls()); // an emergency stop does not wait for the next step
     }
   }
 
   @Override
   protected void step(double nowS) {
+    if (nowS >= announceDueS) {
+      announce();
+    }
     link.write(controls());
     AircraftReading reading = link.read(clock().micros());
     report(reading);
@@ -98,11 +120,11 @@ public final class Simulator extends ProprioceptiveSensor {
         fraction("AILERON", 0.0),
         fraction("ELEVATOR", 0.0),
         fraction("RUDDER", 0.0),
-        Math.max(0.0, fraction("THROTTLE", 0.0)),
-        Math.max(0.0, fraction("MIXTURE", RICH)), // a lean mixture would stop the engine for good
-        Math.max(0.0, fraction("FLAPS", 0.0)),
-        Math.max(0.0, fraction("LEFT BRAKE", 0.0)),
-        Math.max(0.0, fraction("RIGHT BRAKE", 0.0)));
+        fraction("THROTTLE", 0.0),
+        fraction("MIXTURE", RICH), // a lean mixture would stop the engine for good
+        fraction("FLAPS", 0.0),
+        fraction("LEFT BRAKE", 0.0),
+        fraction("RIGHT BRAKE", 0.0));
   }
 
   private double fraction(String control, double neutral) {

@@ -21,6 +21,7 @@ public final class Channel<T extends U2SAData> {
   private final MessageType<T> type;
   private final boolean every;
   private final boolean retained;
+  private final boolean urgent;
   private final Function<? super T, String> source;
 
   private Channel(
@@ -28,11 +29,13 @@ public final class Channel<T extends U2SAData> {
       MessageType<T> type,
       boolean every,
       boolean retained,
+      boolean urgent,
       Function<? super T, String> source) {
     this.name = name;
     this.type = type;
     this.every = every;
     this.retained = retained;
+    this.urgent = urgent;
     this.source = source;
   }
 
@@ -45,7 +48,7 @@ public final class Channel<T extends U2SAData> {
    */
   public static <T extends U2SAData> Channel<T> every(String name, MessageType<T> type) {
     return new Channel<>(
-        checked(name), Objects.requireNonNull(type, "type"), true, false, message -> "");
+        checked(name), Objects.requireNonNull(type, "type"), true, false, false, message -> "");
   }
 
   /**
@@ -58,7 +61,8 @@ public final class Channel<T extends U2SAData> {
    */
   public static <T extends U2SAData> Channel<T> latest(
       String name, MessageType<T> type, Function<? super T, String> source) {
-    return new Channel<>(checked(name), Objects.requireNonNull(type, "type"), false, false, source);
+    return new Channel<>(
+        checked(name), Objects.requireNonNull(type, "type"), false, false, false, source);
   }
 
   /**
@@ -66,7 +70,15 @@ public final class Channel<T extends U2SAData> {
    * once.
    */
   public Channel<T> retained() {
-    return new Channel<>(name, type, every, true, source);
+    return new Channel<>(name, type, every, true, urgent, source);
+  }
+
+  /**
+   * This channel, but its messages overtake all others that wait for a service. Of use only where
+   * each message matters.
+   */
+  public Channel<T> urgent() {
+    return new Channel<>(name, type, every, retained, true, source);
   }
 
   /** The name that stands in the topic. */
@@ -87,6 +99,11 @@ public final class Channel<T extends U2SAData> {
   /** Whether a late subscriber is handed the last message of each source. */
   public boolean isRetained() {
     return retained;
+  }
+
+  /** Whether its messages overtake others that wait for a service. */
+  public boolean isUrgent() {
+    return urgent;
   }
 
   /** Which source the message is of; newer messages of one source replace older ones. */

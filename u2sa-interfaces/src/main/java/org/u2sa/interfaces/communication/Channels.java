@@ -102,7 +102,7 @@ public final class Channels {
 
   /** The emergency stop, latched until an operator clears it. */
   public static final Channel<EmergencyStop> EMERGENCY_STOP =
-      Channel.every("emergency-stop", EmergencyStop.TYPE).retained();
+      Channel.every("emergency-stop", EmergencyStop.TYPE).retained().urgent();
 
   /**
    * What the vehicle is to do because something is wrong; to planner, Mission Manager and control.

@@ -1,0 +1,175 @@
+package org.u2sa.service;
+
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.EmergencyStop;
+
+/**
+ * What stands between the actuation channel and the actuators of one service: commands that must
+ * not be obeyed are refused, counted and said, and nothing moves while an emergency stop holds or,
+ * if REQUIRES ARMING, while the vehicle is not armed. In: actuation, emergency-stop, arming-state.
+ *
+ * <p>{@link Actuator} has it built in; services that own several actuators make one in their
+ * constructor and hand it what comes. Belongs to its service's thread.
+ */
+public final class CommandedActuators {
+  static final Variable<Double> COMMAND_EXPIRY =
+      Variable.number("COMMAND EXPIRY", "s")
+          .range(Range.of(0.01, 60.0))
+          .ifAbsent(0.5)
+          .describedAs("Time without a command after which an actuator goes neutral.");
+
+  static final Variable<Double> CLOCK_TOLERANCE =
+      Variable.number("CLOCK TOLERANCE", "s")
+          .range(Range.of(0.0, 60.0))
+          .ifAbsent(1.0)
+          .describedAs("How far ahead of this clock a command's time may be before it is refused.");
+
+  static final Variable<Boolean> REQUIRES_ARMING =
+      Variable.flag("REQUIRES ARMING")
+          .ifAbsent(false)
+          .describedAs("Whether actuators obey only while a Safety Manager says that it is armed.");
+
+  private static final Range ANY_PERCENTAGE = Range.of(-100.0, 100.0);
+
+  private final U2SAService service;
+  private final CommandHold commands;
+  private final EmergencyLatch emergency;
+  private final Map<CommandRefusal, Long> refusals = new EnumMap<>(CommandRefusal.class);
+  private boolean armed;
+
+  /**
+   * Declares its variables with the service and registers for it.
+   *
+   * @param names to which commands are addressed
+   */
+  public CommandedActuators(U2SAService service, Set<String> names) {
+    this.service = service;
+    String systemId = service.context().systemId();
+    Map<String, Range> ranges = new LinkedHashMap<>();
+    names.forEach(name -> ranges.put(name, ANY_PERCENTAGE));
+    commands =
+        new CommandHold(
+            service.clock(),
+            systemId,
+            service.getVariable(COMMAND_EXPIRY),
+            service.getVariable(CLOCK_TOLERANCE),
+            ranges);
+    emergency = new EmergencyLatch(service.clock(), systemId);
+    service.getVariable(REQUIRES_ARMING); // declared before the first command comes
+    service.registerPublisher(Channels.ACTUATORS);
+    service.registerSubscriber(Channels.ACTUATION);
+    service.registerSubscriber(Channels.EMERGENCY_STOP);
+    service.registerSubscriber(Channels.ARMING_STATE);
+  }
+
+  /** Tells control systems of an actuator, and from now on refuses what is outside its extents. */
+  public void announce(ActuatorAnnouncement announcement) {
+    commands.limit(
+        announcement.actuatorName(), Range.of(announcement.minimum(), announcement.maximum()));
+    service.publish(Channels.ACTUATORS, announcement);
+  }
+
+  /**
+   * Takes a command, or refuses it.
+   *
+   * @return whether an actuator here has a new percentage
+   */
+  public boolean obey(ActuatorCommand command) {
+    Optional<CommandRefusal> refusal = refusal(command);
+    refusal.ifPresent(reason -> refuse(command, reason));
+    return refusal.isEmpty();
+  }
+
+  /**
+   * Takes note of an emergency stop or of arming.
+   *
+   * @return false if the message is of another kind
+   */
+  public boolean heed(U2SAData data) {
+    if (data instanceof EmergencyStop stop) {
+      stopOrGo(stop);
+    } else if (data instanceof ArmingState state) {
+      arm(state);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private Optional<CommandRefusal> refusal(ActuatorCommand command) {
+    Optional<CommandRefusal> wrong = commands.accept(command);
+    if (mayMove() || wrong.filter(CommandRefusal.NOT_ADDRESSED::equals).isPresent()) {
+      return wrong;
+    }
+    commands.forget();
+    return Optional.of(
+        emergency.isStopped() ? CommandRefusal.EMERGENCY_STOPPED : CommandRefusal.NOT_ARMED);
+  }
+
+  private void refuse(ActuatorCommand command, CommandRefusal reason) {
+    long count = refusals.merge(reason, 1L, Long::sum);
+    if (reason == CommandRefusal.NOT_ADDRESSED) {
+      return; // the channel is every actuator's
+    }
+    service.health().refused();
+    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      service.log(
+          LogLevelEnum.WARN, "refused " + command + ": " + reason + " (" + count + " so far)");
+    }
+  }
+
+  private void stopOrGo(EmergencyStop message) {
+    if (emergency.accept(message)) {
+      boolean stopped = emergency.isStopped();
+      service.log(
+          stopped ? LogLevelEnum.WARN : LogLevelEnum.INFO,
+          (stopped ? "emergency stop" : "emergency stop cleared")
+              + " by \""
+              + message.operator()
+              + "\": "
+              + message.reason());
+      commands.forget();
+    }
+  }
+
+  private void arm(ArmingState state) {
+    if (state.armed() != armed) {
+      armed = state.armed();
+      service.log(armed ? "armed" : "disarmed: " + state.reasons());
+      if (!mayMove()) {
+        commands.forget();
+      }
+    }
+  }
+
+  /** Whether actuators may move: no emergency stop holds, and it is armed if it must be. */
+  public boolean mayMove() {
+    return !emergency.isStopped() && (armed || !service.getVariable(REQUIRES_ARMING));
+  }
+
+  /**
+   * The percentage that an actuator should hold now, −100…100; empty if it is to be neutral:
+   * without a command in time, stopped, or not armed.
+   */
+  public OptionalDouble percentage(String actuator) {
+    return mayMove() ? commands.percentage(actuator) : OptionalDouble.empty();
+  }
+
+  /** Commands refused for that reason so far. */
+  public long refused(CommandRefusal reason) {
+    return refusals.getOrDefault(reason, 0L);
+  }
+}
