@@ -113,6 +113,11 @@ public abstract class Actuator extends PeriodicService {
     }
   }
 
+  @Override
+  final void releaseSilently() {
+    close();
+  }
+
   /** The name to which commands are addressed. */
   public final String actuatorName() {
     return actuatorName;

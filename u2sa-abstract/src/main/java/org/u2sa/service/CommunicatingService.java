@@ -9,7 +9,6 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Communicator;
 import org.u2sa.interfaces.communication.Publisher;
-import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Subscriber;
 import org.u2sa.messages.U2SAData;
 
@@ -25,7 +24,7 @@ abstract class CommunicatingService extends ConfiguredService
   }
 
   /** What the transport calls with messages; asked for once, while this is being constructed. */
-  abstract Receiver receiver();
+  abstract ServiceReceiver receiver();
 
   final ServiceWiring wiring() {
     return wiring;
@@ -33,7 +32,7 @@ abstract class CommunicatingService extends ConfiguredService
 
   @Override
   public final boolean beginCommunication() {
-    return attempt("connecting", () -> wiring.connection() != null);
+    return attempt("connecting", wiring::isReady);
   }
 
   @Override
@@ -112,6 +111,9 @@ abstract class CommunicatingService extends ConfiguredService
    * Publishes on a channel. Missing system ID and timestamp are filled in; the message is frozen.
    */
   public final boolean publish(Channel<?> channel, U2SAData data) {
+    if (wiring.isSilent()) {
+      return false; // the successor speaks for this service now
+    }
     if (!data.isFrozen()) {
       if (data.systemId().isEmpty()) {
         data.systemId(context().systemId());

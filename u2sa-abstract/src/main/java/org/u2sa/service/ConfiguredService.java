@@ -25,14 +25,20 @@ abstract class ConfiguredService extends Thread implements Logger {
     this.context = context;
     configuration = context.configuration();
     String configuredName = configuration.getVariable(ServiceVariables.SERVICE_NAME);
-    setName(configuredName.isEmpty() ? serviceName : configuredName);
+    Optional<U2SAService> before = context.predecessor();
+    String ownName = configuredName.isEmpty() ? serviceName : configuredName;
+    setName(before.map(U2SAService::getServiceName).orElse(ownName));
     String configuredPath = configuration.getVariable(ServiceVariables.LOG_PATH);
     Path directory = configuredPath.isEmpty() ? context.logDirectory() : Paths.get(configuredPath);
     LogLevelEnum lowest =
         LogLevelEnum.valueOf(configuration.getVariable(ServiceVariables.LOG_LEVEL));
-    logFile =
-        new LogFile(directory.resolve(getName() + ".log"), getName(), lowest, context.clock());
-    context.onAbandon(logFile::close);
+    if (before.isPresent()) {
+      logFile = before.get().logFile(); // goes on in the same file
+    } else {
+      logFile =
+          new LogFile(directory.resolve(getName() + ".log"), getName(), lowest, context.clock());
+      context.onAbandon(logFile::close);
+    }
   }
 
   @Override

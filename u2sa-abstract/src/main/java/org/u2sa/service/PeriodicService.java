@@ -18,6 +18,9 @@ public abstract class PeriodicService extends LoopingService {
   private static final double SLOWEST_HZ = 0.001;
 
   private final long periodMicros;
+  private long
+      dueMicros; // touched by the service's thread, and by a predecessor's before the start
+  private boolean hasSucceeded;
 
   /**
    * See {@link U2SAService#U2SAService}.
@@ -49,6 +52,15 @@ public abstract class PeriodicService extends LoopingService {
     unexpected(data);
   }
 
+  @Override
+  final void succeeds(U2SAService predecessor) {
+    super.succeeds(predecessor);
+    if (predecessor instanceof PeriodicService before) {
+      hasSucceeded = true; // neither a step too many nor a gap
+      dueMicros = Math.min(before.dueMicros, clock().micros() + periodMicros);
+    }
+  }
+
   /** Time between two steps [s]. */
   protected final double periodS() {
     return Clock.seconds(periodMicros);
@@ -56,7 +68,9 @@ public abstract class PeriodicService extends LoopingService {
 
   @Override
   final void loop() throws InterruptedException {
-    long dueMicros = clock().micros();
+    if (!hasSucceeded) {
+      dueMicros = clock().micros();
+    }
     while (isRunning()) {
       handleMessages(dueMicros);
       if (!isRunning()) {

@@ -26,6 +26,7 @@ public final class ServiceContext {
   private final MessageTypes messageTypes;
   private final long seed;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
+  private volatile U2SAService predecessor; // null if there is none, or none any more
 
   private ServiceContext(Builder builder) {
     systemId = Topic.checkSystemId(builder.systemId);
@@ -35,6 +36,7 @@ public final class ServiceContext {
     logDirectory = builder.logDirectory;
     messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
     seed = builder.seed;
+    predecessor = builder.predecessor;
   }
 
   /** Begins a context for a service of the given system with the given configuration. */
@@ -77,6 +79,16 @@ public final class ServiceContext {
     return seed;
   }
 
+  /** Whose place the service is to take, until it has. */
+  Optional<U2SAService> predecessor() {
+    return Optional.ofNullable(predecessor);
+  }
+
+  /** Lets go of the predecessor. */
+  void forgetPredecessor() {
+    predecessor = null;
+  }
+
   /** Takes note of how to close what the service opened while it was being constructed. */
   void onAbandon(Runnable closing) {
     closings.push(closing);
@@ -105,6 +117,7 @@ public final class ServiceContext {
     private Path logDirectory = Paths.get("out", "logs");
     private MessageTypes messageTypes;
     private long seed = 1;
+    private U2SAService predecessor;
 
     private Builder(String systemId, XmlConfiguration configuration) {
       this.systemId = Objects.requireNonNull(systemId, "systemId");
@@ -138,6 +151,15 @@ public final class ServiceContext {
     /** Sets the run's seed. */
     public Builder seed(long value) {
       seed = value;
+      return this;
+    }
+
+    /**
+     * Says that the service is to take the place of one that runs, by a {@link ServiceSwap}: it
+     * gets that one's name, log and connection, and does not connect before.
+     */
+    public Builder inPlaceOf(U2SAService running) {
+      predecessor = Objects.requireNonNull(running, "running");
       return this;
     }
 

@@ -40,6 +40,7 @@ final class ServiceInbox {
   private final Map<Channel<?>, Map<String, Delivery>> newest =
       new HashMap<>(); // deliveries still queued
   private long dropped;
+  private ServiceInbox successor; // null as long as messages stay here
 
   ServiceInbox(int capacity) {
     this.capacity = capacity;
@@ -47,8 +48,11 @@ final class ServiceInbox {
 
   /** Queues a message. Returns whether it is kept; otherwise the queue is full. */
   synchronized boolean put(Channel<?> channel, U2SAData message) {
+    if (successor != null) {
+      return successor.put(channel, message);
+    }
     if (channel.deliversEvery()) {
-      return enqueue(channel.isUrgent() ? urgent : queue, new Delivery(channel, message));
+      return enqueue(lineOf(channel), new Delivery(channel, message));
     }
     Map<String, Delivery> ofChannel = newest.computeIfAbsent(channel, key -> new HashMap<>());
     String source = channel.sourceOf(message);
@@ -64,6 +68,10 @@ final class ServiceInbox {
       ofChannel.put(source, delivery);
     }
     return kept;
+  }
+
+  private ArrayDeque<Delivery> lineOf(Channel<?> channel) {
+    return channel.deliversEvery() && channel.isUrgent() ? urgent : queue;
   }
 
   private boolean enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
@@ -85,6 +93,51 @@ final class ServiceInbox {
       newest.get(delivery.channel).remove(delivery.channel.sourceOf(delivery.message));
     }
     return delivery;
+  }
+
+  /**
+   * Moves all that waits, and all that is put here later, to the inbox of a successor, ahead of
+   * what waits there already: nothing is lost, even beyond its capacity, and nothing is there
+   * twice.
+   *
+   * @param handled what the successor is to see though it was handled already; what is waiting and
+   *     newer stands in for it
+   */
+  synchronized void moveTo(ServiceInbox next, Iterable<Delivery> handled) {
+    synchronized (next) {
+      ArrayDeque<Delivery> ahead = new ArrayDeque<>(next.urgent);
+      ahead.addAll(next.queue);
+      next.urgent.clear();
+      next.queue.clear();
+      next.newest.clear();
+      for (Delivery delivery : handled) {
+        if (!isWaiting(delivery)) {
+          next.append(delivery);
+        }
+      }
+      urgent.forEach(next::append);
+      queue.forEach(next::append);
+      ahead.forEach(next::append);
+      next.dropped += dropped;
+      urgent.clear();
+      queue.clear();
+      newest.clear();
+      successor = next;
+    }
+  }
+
+  private boolean isWaiting(Delivery handled) {
+    Map<String, Delivery> ofChannel = newest.get(handled.channel);
+    return ofChannel != null && ofChannel.containsKey(handled.channel.sourceOf(handled.message));
+  }
+
+  private void append(Delivery delivery) {
+    lineOf(delivery.channel).add(delivery);
+    if (!delivery.channel.deliversEvery()) {
+      newest
+          .computeIfAbsent(delivery.channel, key -> new HashMap<>())
+          .put(delivery.channel.sourceOf(delivery.message), delivery);
+    }
   }
 
   synchronized int depth() {

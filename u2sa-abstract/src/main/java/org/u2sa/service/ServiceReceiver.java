@@ -8,30 +8,63 @@ import org.u2sa.messages.U2SAData;
 /**
  * Sorts what the transport brings: orders to stop are obeyed at once, what concerns the service
  * waits in its inbox. Called on the transport's or another service's thread, so nothing here waits.
+ *
+ * <p>It belongs to the connection rather than to the service: when another service takes the place
+ * of the present one, what comes in goes to the other from one message to the next.
  */
 final class ServiceReceiver implements Receiver {
-  private final U2SAService service;
+  /**
+   * Who is served.
+   *
+   * @param next who prepares to take the place; it gets what the present one has no subscription
+   *     for. Null if nobody does
+   */
+  private record Served(U2SAService present, U2SAService next) {}
+
+  private volatile Served served;
 
   ServiceReceiver(U2SAService service) {
-    this.service = service;
+    served = new Served(service, null);
+  }
+
+  /** Lets messages that only the successor subscribed to wait in the successor's inbox. */
+  void prepare(U2SAService successor) {
+    served = new Served(served.present, successor);
+  }
+
+  /** Takes {@link #prepare} back. */
+  void forget() {
+    served = new Served(served.present, null);
+  }
+
+  /** Brings everything to this service from now on. */
+  void turnTo(U2SAService successor) {
+    served = new Served(successor, null);
   }
 
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
-    if (service.contract().isOrderToStop(message)) {
-      service.askToStop();
-    } else if (service.wiring().isSubscribed(channel) || service.contract().concerns(message)) {
-      ServiceInbox inbox = service.inbox();
-      if (!inbox.put(channel, message) && Long.bitCount(inbox.dropped()) == 1) {
-        service.log(
-            LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
-      }
-      service.wake();
+    Served now = served;
+    if (now.present.contract().isOrderToStop(message)) {
+      now.present.askToStop();
+    } else if (now.present.wiring().isSubscribed(channel)
+        || now.present.contract().concerns(message)) {
+      put(now.present, channel, message);
+    } else if (now.next != null && now.next.wiring().isSubscribed(channel)) {
+      put(now.next, channel, message);
     }
+  }
+
+  private void put(U2SAService service, Channel<?> channel, U2SAData message) {
+    ServiceInbox inbox = service.inbox();
+    if (!inbox.put(channel, message) && Long.bitCount(inbox.dropped()) == 1) {
+      service.log(LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
+    }
+    served.present.wake(); // asked anew: the message may have been moved to a successor
   }
 
   @Override
   public void trouble(String what) {
-    service.log(LogLevelEnum.WARN, what);
+    served.present.log(LogLevelEnum.WARN, what);
   }
 }

@@ -7,11 +7,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.U2SAData;
@@ -21,18 +19,23 @@ final class ServiceWiring {
   private final ServiceRole role;
   private final Transport transport;
   private final String serviceName;
-  private final Receiver receiver;
   private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
   private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
+  private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on the predecessor's
+  private ServiceReceiver receiver; // the connection's
   private volatile Connection connection; // open or null; written under this
+  private volatile boolean staged; // waits for the predecessor's connection
+  private volatile boolean silent; // the connection is a successor's, or never was
   private long refused; // by the connection, when it was closed
   private boolean closed;
 
-  ServiceWiring(ServiceContext context, ServiceRole role, String serviceName, Receiver receiver) {
+  ServiceWiring(
+      ServiceContext context, ServiceRole role, String serviceName, ServiceReceiver receiver) {
     this.role = role;
     this.serviceName = serviceName;
     this.receiver = receiver;
+    staged = context.predecessor().isPresent();
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
@@ -54,7 +57,24 @@ final class ServiceWiring {
     return open != null ? open : connect();
   }
 
+  /** Connects, unless the connection will be a predecessor's. */
+  void begin() {
+    if (!staged) {
+      connection();
+    }
+  }
+
+  /** {@link #begin}, for those who want to hear that it worked. */
+  boolean isReady() {
+    begin();
+    return true;
+  }
+
   private synchronized Connection connect() {
+    if (staged) {
+      throw new CommunicationException(
+          "service \"" + serviceName + "\" has not yet taken over from its predecessor");
+    }
     if (closed) {
       throw new CommunicationException(
           "service \"" + serviceName + "\" has ended its communication");
@@ -74,7 +94,7 @@ final class ServiceWiring {
   }
 
   boolean registerPublisher(Channel<?> channel) {
-    connection();
+    begin();
     if (!published.contains(channel)) {
       published.add(channel);
     }
@@ -85,16 +105,16 @@ final class ServiceWiring {
     return published.remove(channel);
   }
 
-  boolean registerSubscriber(Channel<?> channel) {
+  synchronized boolean registerSubscriber(Channel<?> channel) {
     if (!subscribed.contains(channel)) {
       subscribed.add(channel);
     }
-    return connection().subscribe(channel);
+    return staged || connection().subscribe(channel);
   }
 
   boolean unregisterSubscriber(Channel<?> channel) {
     boolean contract = ContractResponder.CHANNELS.contains(channel);
-    return subscribed.remove(channel) && (contract || connection().unsubscribe(channel));
+    return subscribed.remove(channel) && (contract || staged || connection().unsubscribe(channel));
   }
 
   /** Sets the age at which the channel's messages count as absent [µs]. */
@@ -122,41 +142,97 @@ final class ServiceWiring {
 
   /** The registered channel on which the message goes out; the one with the nearest type wins. */
   Optional<Channel<?>> channelFor(U2SAData data) {
-    Channel<?> nearest = null;
-    for (Channel<?> channel : published) {
-      if (channel.carries(data) && (nearest == null || depth(channel) > depth(nearest))) {
-        nearest = channel;
-      }
-    }
-    return Optional.ofNullable(nearest);
-  }
-
-  private static int depth(Channel<?> channel) {
-    return channel.type().chain().size();
+    return RoleChannels.nearest(published, data);
   }
 
   Channel<?> channelToPublish(Class<? extends U2SAData> dataType) {
-    return role.channelToPublish(dataType)
-        .orElseThrow(() -> noStandardChannel("publishes", dataType));
+    return RoleChannels.toPublish(role, dataType);
   }
 
   Channel<?> channelToSubscribe(Class<? extends U2SAData> dataType) {
-    return role.channelToSubscribe(dataType)
-        .orElseThrow(() -> noStandardChannel("receives", dataType));
+    return RoleChannels.toSubscribe(role, dataType);
   }
 
-  private IllegalArgumentException noStandardChannel(
-      String does, Class<? extends U2SAData> dataType) {
-    return new IllegalArgumentException(
-        "no standard channel on which a "
-            + role
-            + " "
-            + does
-            + " "
-            + dataType.getSimpleName()
-            + ": register with a channel instead, one of "
-            + Channels.all()
-            + " or your own");
+  /**
+   * Subscribes on the predecessor's connection to what only this service wants; it waits in this
+   * service's inbox. Done ahead, as a Communication Manager far away takes its time to answer.
+   */
+  void prepare(ServiceWiring old, U2SAService service) {
+    old.receiver().prepare(service);
+    for (Channel<?> channel : subscribed) {
+      if (!old.listensTo(channel)) {
+        prepared.add(channel);
+        old.connection().subscribe(channel);
+      }
+    }
+  }
+
+  /** Takes a successor's {@link #prepare} back. */
+  void forget(ServiceWiring successor) {
+    receiver().forget();
+    successor.prepared.forEach(this::unsubscribeUnlessNeeded);
+  }
+
+  /**
+   * Hands the open connection and its receiver to a successor; this service is silent from here on.
+   *
+   * @return false if this service's communication has ended
+   */
+  boolean moveTo(ServiceWiring successor) {
+    Connection open;
+    synchronized (this) {
+      if (closed || connection == null) {
+        return false;
+      }
+      open = connection;
+      connection = null;
+      closed = true;
+      silent = true;
+    }
+    successor.adopt(open, receiver(), this);
+    return true;
+  }
+
+  private synchronized void adopt(Connection open, ServiceReceiver its, ServiceWiring old) {
+    connection = open;
+    receiver = its;
+    staged = false;
+    for (Channel<?> channel : subscribed) {
+      if (!old.listensTo(channel) && !prepared.contains(channel)) {
+        open.subscribe(channel); // registered late, while it took over
+      }
+    }
+    prepared.clear();
+  }
+
+  /** Ends what the predecessor had subscribed to and this service has not. */
+  void dropSubscriptionsOnlyOf(ServiceWiring old) {
+    old.subscribed.forEach(this::unsubscribeUnlessNeeded);
+  }
+
+  private synchronized void unsubscribeUnlessNeeded(Channel<?> channel) {
+    Connection open = connection;
+    if (open != null && !listensTo(channel)) {
+      open.unsubscribe(channel);
+    }
+  }
+
+  private boolean listensTo(Channel<?> channel) {
+    return subscribed.contains(channel) || ContractResponder.CHANNELS.contains(channel);
+  }
+
+  /** What the connection calls with messages. */
+  synchronized ServiceReceiver receiver() {
+    return receiver;
+  }
+
+  /** Lets nothing be published any more, without a word in the log. */
+  void silence() {
+    silent = true;
+  }
+
+  boolean isSilent() {
+    return silent;
   }
 
   synchronized long refused() {

@@ -2,11 +2,11 @@ package org.u2sa.service;
 
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
-import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -42,6 +42,7 @@ public abstract class U2SAService extends CommunicatingService {
   private final ServiceInbox inbox;
   private final ContractResponder contract;
   private final ServiceHealth health = new ServiceHealth();
+  private final Succession succession = new Succession();
   private final int maxErrorsInARow;
   private final long healthIntervalMicros;
   private final long createdMicros;
@@ -69,7 +70,7 @@ public abstract class U2SAService extends CommunicatingService {
     contract = new ContractResponder(this, context.configuration(), wiring());
     setUncaughtExceptionHandler((thread, error) -> die(error));
     try {
-      wiring().connection();
+      wiring().begin();
     } catch (CommunicationException e) {
       log(LogLevelEnum.ERROR, e.getMessage());
       context.abandon();
@@ -109,6 +110,22 @@ public abstract class U2SAService extends CommunicatingService {
    * service's thread.
    */
   protected void configurationChanged(String variableName) {}
+
+  /**
+   * Writes down what a service of another class needs to know to take this one's place without a
+   * bump: what was learnt since the start, such as the goal pursued or an integrator. Called on the
+   * service's thread between two messages; this service goes on if the other one refuses.
+   */
+  protected void handOver(HandOver state) {}
+
+  /**
+   * Takes over what the service before it wrote down, which may be of any class of the same role.
+   * Called once, before {@link #start} and only in a {@link ServiceSwap}. Nothing can be published
+   * yet.
+   *
+   * @throws RuntimeException if the service cannot go on from there: the one before stays
+   */
+  protected void takeOver(HandOver state) {}
 
   /**
    * Starts the thread. A service that was told to stop before ends without having run.
@@ -152,6 +169,10 @@ public abstract class U2SAService extends CommunicatingService {
   protected final void handleMessages(long untilMicros) throws InterruptedException {
     int first = inbox.depth();
     while (running) {
+      if (succession.carryOut()) {
+        running = false;
+        return;
+      }
       long now = clock().micros();
       if (now >= healthDueMicros) {
         reportHealth();
@@ -171,6 +192,7 @@ public abstract class U2SAService extends CommunicatingService {
 
   private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
     U2SAData message = delivery.message();
+    succession.note(delivery);
     guarded(
         () -> {
           if (contract.concerns(message)) {
@@ -241,6 +263,22 @@ public abstract class U2SAService extends CommunicatingService {
     askedToStop = true;
     running = false;
     wake();
+    succession.successor().ifPresent(U2SAService::askToStop); // which may take over just now
+  }
+
+  final boolean isAskedToStop() {
+    return askedToStop;
+  }
+
+  /**
+   * Waits until the condition holds, the deadline comes or the service is to end; for the service's
+   * own thread, inside of its code. Asked again at each {@link #wake}.
+   */
+  final void awaitUntil(BooleanSupplier condition, long deadlineMicros)
+      throws InterruptedException {
+    while (running && !condition.getAsBoolean() && clock().micros() < deadlineMicros) {
+      waiter.await(deadlineMicros);
+    }
   }
 
   /** Ends the present wait of the service's thread. */
@@ -270,6 +308,12 @@ public abstract class U2SAService extends CommunicatingService {
       return;
     }
     running = false;
+    if (succession.successor().isPresent()) {
+      status = ServiceStatus.STOPPED;
+      stopWaiting(); // everything else is the successor's now
+      return;
+    }
+    succession.serviceEnds();
     boolean failed = status == ServiceStatus.FAILED;
     status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPING;
     atLast("closing", this::release);
@@ -279,6 +323,42 @@ public abstract class U2SAService extends CommunicatingService {
     atLast("ending the communication", wiring()::close);
     stopWaiting();
     logFile().close();
+  }
+
+  /**
+   * Closes what the subclass opened, but leaves actuators as they are: a successor moves them on.
+   */
+  final void releaseAsPredecessor() {
+    atLast("closing", this::releaseSilently);
+  }
+
+  /** {@link #release} where nothing can be published. */
+  void releaseSilently() {
+    release();
+  }
+
+  /** Takes note of whose place it takes. */
+  void succeeds(U2SAService predecessor) {
+    context().forgetPredecessor();
+  }
+
+  /** Starts; should that fail, it is over as if it had died. */
+  final void startAsSuccessor() {
+    try {
+      start();
+    } catch (RuntimeException | Error e) {
+      die(e);
+    }
+  }
+
+  /** Ends without ever having run, because its predecessor goes on. */
+  final void discard() {
+    if (ended.compareAndSet(false, true)) {
+      status = ServiceStatus.STOPPED;
+      wiring().silence();
+      releaseAsPredecessor();
+      context().forgetPredecessor();
+    }
   }
 
   /** Does one of the last things; should it fail, the others are done all the same. */
@@ -313,12 +393,16 @@ public abstract class U2SAService extends CommunicatingService {
   }
 
   @Override
-  final Receiver receiver() {
+  final ServiceReceiver receiver() {
     return new ServiceReceiver(this);
   }
 
   final ContractResponder contract() {
     return contract;
+  }
+
+  final Succession succession() {
+    return succession;
   }
 
   final ServiceInbox inbox() {

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -34,6 +35,7 @@ public final class XmlConfiguration implements Configurator {
   private final Optional<Path> file;
   private final Map<String, FileVariable> stated;
   private final Set<String> overridden = new HashSet<>();
+  private final Set<String> tolerated = new HashSet<>();
   private final Map<String, Variable<?>> declared = new LinkedHashMap<>();
   private final Map<String, Object> values = new LinkedHashMap<>();
 
@@ -84,6 +86,38 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
+   * This configuration, as it is now, for a service of another class that takes the place of the
+   * present one: what only the present one declares need not be declared again.
+   */
+  public synchronized XmlConfiguration forSuccessor() {
+    XmlConfiguration copy = new XmlConfiguration(origin, file, stated);
+    copy.overridden.addAll(overridden);
+    copy.tolerate(tolerated());
+    return copy;
+  }
+
+  /** Lets variables of the file be there though nobody declares them. */
+  public synchronized void tolerate(Collection<String> variableNames) {
+    tolerated.addAll(variableNames);
+  }
+
+  /**
+   * The variables that a successor need not declare: all that were declared or tolerated so far.
+   */
+  public synchronized Set<String> tolerated() {
+    Set<String> names = new LinkedHashSet<>(tolerated);
+    names.addAll(declared.keySet());
+    return names;
+  }
+
+  /** Variables of the file that are tolerated and that nobody declares: they have no effect. */
+  public synchronized List<String> withoutEffect() {
+    List<String> names = new ArrayList<>(stated.keySet());
+    names.removeIf(name -> declared.containsKey(name) || !tolerated.contains(name));
+    return names;
+  }
+
+  /**
    * The file that a variable names: a relative path is relative to the configuration file, so that
    * a system runs from any working directory; without a file, to the working directory.
    */
@@ -131,7 +165,7 @@ public final class XmlConfiguration implements Configurator {
    */
   public synchronized void refuseUndeclared() {
     for (FileVariable variable : stated.values()) {
-      if (!declared.containsKey(variable.name())) {
+      if (!declared.containsKey(variable.name()) && !tolerated.contains(variable.name())) {
         throw variable.error(
             "no service declares it" + NearestNames.didYouMean(variable.name(), declared.keySet()));
       }

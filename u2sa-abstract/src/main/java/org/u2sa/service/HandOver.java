@@ -1,0 +1,167 @@
+package org.u2sa.service;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * What a service knows at the moment at which another class takes its place: a few named values. A
+ * map rather than an object, so that two algorithms that know nothing of each other may share as
+ * much as both understand.
+ *
+ * <p>The old service writes it in {@link U2SAService#handOver}, the new one reads it in {@link
+ * U2SAService#takeOver}. A value that is not there is empty. Belongs to one thread.
+ */
+public final class HandOver {
+  private final String className;
+  private final Map<String, Object> values = new LinkedHashMap<>();
+
+  /**
+   * Begins an empty one.
+   *
+   * @param className the class of the service that hands over
+   */
+  public HandOver(String className) {
+    this.className = className;
+  }
+
+  /**
+   * The class of the service that hands over: what only this class would know means nothing to
+   * others.
+   */
+  public String className() {
+    return className;
+  }
+
+  /** The names of all values, in the order in which they were set. */
+  public Set<String> names() {
+    return Set.copyOf(values.keySet());
+  }
+
+  /** Sets a text. */
+  public HandOver text(String name, String value) {
+    return set(name, value);
+  }
+
+  /** The text of that name. @throws IllegalArgumentException if the value is no text */
+  public Optional<String> text(String name) {
+    return get(name, String.class, "text");
+  }
+
+  /** Sets a number, in SI units. NaN is left out: it says that there is no value. */
+  public HandOver number(String name, double value) {
+    return Double.isNaN(value) ? this : set(name, value);
+  }
+
+  /** The number of that name. @throws IllegalArgumentException if the value is no number */
+  public OptionalDouble number(String name) {
+    Optional<Double> value = get(name, Double.class, "number");
+    return value.isPresent() ? OptionalDouble.of(value.get()) : OptionalDouble.empty();
+  }
+
+  /** Sets whether something is so. */
+  public HandOver flag(String name, boolean value) {
+    return set(name, value);
+  }
+
+  /** The flag of that name; false without one. @throws IllegalArgumentException if it is no flag */
+  public boolean flag(String name) {
+    return get(name, Boolean.class, "flag").orElse(false);
+  }
+
+  /** Sets a list of texts. */
+  public HandOver texts(String name, Iterable<String> value) {
+    return set(name, list(value));
+  }
+
+  /**
+   * The list of texts of that name; empty without one. @throws IllegalArgumentException if it is
+   * another kind of value
+   */
+  public List<String> texts(String name) {
+    return members(name, String.class, "list of texts");
+  }
+
+  /**
+   * Sets a message. What is not frozen is copied, so that the old service may still change its own.
+   */
+  public HandOver message(String name, U2SAData value) {
+    return set(name, frozen(value));
+  }
+
+  /**
+   * The message of that name, frozen.
+   *
+   * @throws IllegalArgumentException if the value is no message of that class
+   */
+  public <T extends U2SAData> Optional<T> message(String name, Class<T> type) {
+    return get(name, type, type.getSimpleName());
+  }
+
+  /** Sets a list of messages, as {@link #message(String, U2SAData)} does with one. */
+  public HandOver messages(String name, Iterable<? extends U2SAData> value) {
+    List<U2SAData> messages = new ArrayList<>();
+    value.forEach(message -> messages.add(frozen(message)));
+    return set(name, List.copyOf(messages));
+  }
+
+  /**
+   * The messages of that name, frozen; none without such a value.
+   *
+   * @throws IllegalArgumentException if the value is no list of messages of that class
+   */
+  public <T extends U2SAData> List<T> messages(String name, Class<T> type) {
+    return members(name, type, "list of " + type.getSimpleName());
+  }
+
+  private static U2SAData frozen(U2SAData message) {
+    if (message.isFrozen()) {
+      return message;
+    }
+    U2SAData copy = message.copy();
+    copy.freeze();
+    return copy;
+  }
+
+  private static List<String> list(Iterable<String> texts) {
+    List<String> list = new ArrayList<>();
+    texts.forEach(list::add);
+    return List.copyOf(list);
+  }
+
+  private HandOver set(String name, Object value) {
+    if (values.put(name, value) != null) {
+      throw new IllegalArgumentException("value \"" + name + "\" is handed over twice");
+    }
+    return this;
+  }
+
+  private <T> Optional<T> get(String name, Class<T> type, String expected) {
+    Object value = values.get(name);
+    if (value != null && !type.isInstance(value)) {
+      throw wrongKind(name, value, expected);
+    }
+    return Optional.ofNullable(type.cast(value));
+  }
+
+  private <T> List<T> members(String name, Class<T> type, String expected) {
+    List<T> members = new ArrayList<>();
+    for (Object member : get(name, List.class, expected).orElse(List.of())) {
+      if (!type.isInstance(member)) {
+        throw wrongKind(name, member, expected);
+      }
+      members.add(type.cast(member));
+    }
+    return members;
+  }
+
+  private IllegalArgumentException wrongKind(String name, Object value, String expected) {
+    return new IllegalArgumentException(
+        "value \"" + name + "\" of " + className + " is " + value + ", expected " + expected);
+  }
+}

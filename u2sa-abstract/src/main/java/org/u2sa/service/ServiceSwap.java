@@ -1,0 +1,227 @@
+package org.u2sa.service;
+
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.LogLevelEnum;
+
+/**
+ * Puts one service in the place of another that runs (thesis 5.1, user story 8), so that no message
+ * is lost and none is handled twice.
+ *
+ * <pre>
+ *   caller's thread          new service made, not connected ── subscriptions that only it has
+ *   old service's thread     … message │ handOver, takeOver, inbox, connection │ release, ends
+ *   new service's thread                                                  starts │ begin, message …
+ * </pre>
+ *
+ * <p>The new service is made with a context {@link ServiceContext.Builder#inPlaceOf in place of}
+ * the old one. It gets the old one's name, log, connection and waiting messages, and the last
+ * message of each retained channel. Whatever goes wrong until {@link U2SAService#takeOver} has
+ * returned leaves the old one running as if nothing had happened.
+ */
+public final class ServiceSwap {
+  private enum Stage {
+    PREPARING,
+    ORDERED,
+    UNDER_WAY,
+    DONE,
+    REFUSED
+  }
+
+  private final U2SAService old;
+  private final U2SAService successor;
+  private final BooleanSupplier agreement;
+  private final CountDownLatch decided = new CountDownLatch(1);
+  private volatile Stage stage = Stage.PREPARING; // written under this
+  private volatile String refusal = "";
+  private boolean prepared; // touched by the thread that orders, and later by one that refuses
+  private volatile U2SAService
+      waiting; // the service on whose thread the outcome is awaited, or null
+
+  /**
+   * @param successor made with a context in place of the old service, and not started
+   * @param agreement called on the old service's thread when the successor is about to run; false
+   *     if it is to end at once, because all services are ending
+   */
+  public ServiceSwap(U2SAService old, U2SAService successor, BooleanSupplier agreement) {
+    this.old = old;
+    this.successor = successor;
+    this.agreement = agreement;
+  }
+
+  /**
+   * Orders the swap, which happens when the old service has handled its present message. The caller
+   * goes on at once.
+   *
+   * @return this
+   */
+  public ServiceSwap order() {
+    Optional<String> obstacle = obstacle();
+    if (obstacle.isPresent()) {
+      refuse(Stage.PREPARING, obstacle.get());
+    } else if (!old.succession().order(this)) {
+      refuse(Stage.PREPARING, "it is being swapped already");
+    } else {
+      prepare();
+    }
+    return this;
+  }
+
+  private void prepare() {
+    prepared = true;
+    try {
+      successor.wiring().prepare(old.wiring(), successor);
+    } catch (RuntimeException e) {
+      refuse(Stage.PREPARING, "subscribing failed: " + e.getMessage());
+      return;
+    }
+    move(Stage.PREPARING, Stage.ORDERED);
+    old.wake();
+    if (!old.isRunning()) { // if it ended before it could know of the order
+      refuse("it ended before");
+    }
+  }
+
+  private Optional<String> obstacle() {
+    if (!old.isRunning()) {
+      return Optional.of("it does not run (" + old.status() + ")");
+    }
+    if (successor.role() != old.role()) {
+      return Optional.of(
+          successor.getClass().getName()
+              + " is a "
+              + successor.role()
+              + ", expected a "
+              + old.role());
+    }
+    try {
+      successor.context().configuration().refuseUndeclared();
+    } catch (RuntimeException e) {
+      return Optional.of(e.getMessage());
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * Waits until the swap is done or refused. On a service's own thread that is a wait on the run's
+   * clock, so that a simulation goes on meanwhile.
+   *
+   * @param withinS time after which the order is withdrawn [s], as the old service may hang
+   * @return empty if the successor runs; otherwise why not, and the old one is as it was
+   * @throws InterruptedException if the calling thread was interrupted; the order stands
+   */
+  public Optional<String> await(double withinS) throws InterruptedException {
+    if (Thread.currentThread() instanceof U2SAService caller) {
+      waiting = caller;
+      caller.awaitUntil(this::isDecided, caller.clock().micros() + Clock.micros(withinS));
+    } else {
+      decided.await(Clock.micros(withinS), TimeUnit.MICROSECONDS);
+    }
+    if (!isDecided()) {
+      refuse("it did not come to a pause between two messages within " + withinS + " s");
+      decided.await(); // if the swap has begun meanwhile, it ends soon
+    }
+    return outcome();
+  }
+
+  /** Whether the swap is done or refused. */
+  public boolean isDecided() {
+    return decided.getCount() == 0;
+  }
+
+  /** As {@link #await} says, of a swap that {@link #isDecided}. */
+  public Optional<String> outcome() {
+    return stage == Stage.REFUSED ? Optional.of(refusal) : Optional.empty();
+  }
+
+  private synchronized boolean move(Stage from, Stage to) {
+    if (stage != from) {
+      return false;
+    }
+    stage = to;
+    return true;
+  }
+
+  /** Withdraws the order unless it is being carried out. */
+  void refuse(String reason) {
+    refuse(Stage.ORDERED, reason);
+  }
+
+  private void refuse(Stage from, String reason) {
+    synchronized (this) {
+      if (stage != from) {
+        return;
+      }
+      stage = Stage.REFUSED;
+      refusal = reason;
+    }
+    if (prepared) {
+      old.wiring().forget(successor.wiring());
+    }
+    old.succession().forget(this);
+    old.log(
+        LogLevelEnum.WARN,
+        "not swapped for " + successor.getClass().getName() + ": " + reason + ": goes on");
+    successor.discard();
+    decide();
+  }
+
+  private void decide() {
+    decided.countDown();
+    U2SAService caller = waiting;
+    if (caller != null) {
+      caller.wake();
+    }
+  }
+
+  /**
+   * On the old service's thread between two messages. Returns whether the successor has taken over.
+   */
+  boolean carryOut() {
+    if (!move(Stage.ORDERED, Stage.UNDER_WAY)) {
+      return false;
+    }
+    if (!handOver()) {
+      return false;
+    }
+    if (!old.wiring().moveTo(successor.wiring())) {
+      refuse(Stage.UNDER_WAY, "it ended meanwhile");
+      return false;
+    }
+    old.inbox().moveTo(successor.inbox(), old.succession().retained().all());
+    old.succession().succeeded(successor);
+    old.wiring().receiver().turnTo(successor);
+    successor.succeeds(old);
+    boolean agreed = agreement.getAsBoolean();
+    old.releaseAsPredecessor();
+    if (agreed) {
+      old.log("handed over to " + successor.getClass().getName());
+      successor.startAsSuccessor();
+    } else {
+      successor.kill();
+    }
+    if (old.isAskedToStop()) { // while it handed over
+      successor.askToStop();
+    }
+    move(Stage.UNDER_WAY, Stage.DONE);
+    decide();
+    successor.wiring().dropSubscriptionsOnlyOf(old.wiring());
+    return true;
+  }
+
+  private boolean handOver() {
+    try {
+      HandOver values = new HandOver(old.getClass().getName());
+      old.handOver(values);
+      successor.takeOver(values);
+      return true;
+    } catch (Exception | Error e) { // of code that was written for another moment
+      old.logFile().log(LogLevelEnum.ERROR, "handing over failed", e);
+      refuse(Stage.UNDER_WAY, "handing over failed: " + e);
+      return false;
+    }
+  }
+}

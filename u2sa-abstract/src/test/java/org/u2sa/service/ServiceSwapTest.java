@@ -1,0 +1,251 @@
+package org.u2sa.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Optional;
+import java.util.function.Function;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.testkit.ServiceKit;
+
+/** One service takes the place of another, or does not. */
+@Timeout(30)
+class ServiceSwapTest {
+  private final ServiceKit kit = new ServiceKit();
+  private final Counting old = kit.start(Counting::new);
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  private ServiceContext inPlaceOf(U2SAService service) {
+    return ServiceContext.of(ServiceKit.SYSTEM_ID, service.context().configuration().forSuccessor())
+        .clock(kit.clock())
+        .transport(kit.bus())
+        .logDirectory(service.context().logDirectory())
+        .inPlaceOf(service)
+        .build();
+  }
+
+  private <S extends U2SAService> S make(Function<ServiceContext, S> constructor) {
+    return constructor.apply(inPlaceOf(old));
+  }
+
+  private Optional<String> swap(U2SAService successor) {
+    ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
+    kit.settle();
+    assertThat(swap.isDecided()).isTrue();
+    return swap.outcome();
+  }
+
+  private void number(int number) {
+    kit.send(Counting.NUMBERS, new GoalCommand().uid("n" + number));
+  }
+
+  @Test
+  void swap_messagesWaiting_areHandledOnceByOldOrNew() throws InterruptedException {
+    number(1);
+    kit.settle();
+    Counting successor = make(Counting::new);
+    number(2);
+    ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
+    number(3);
+    kit.settle();
+    number(4);
+    kit.settle();
+
+    assertThat(swap.outcome()).isEmpty();
+    assertThat(successor.handled).containsExactly("n1", "n2", "n3", "n4");
+    assertThat(old.handled).containsExactly("n1");
+    old.join();
+    assertThat(successor.isRunning()).isTrue();
+  }
+
+  @Test
+  void swap_done_takesOverBeforeItBeginsAndTheOldOneIsReleasedInSilence() {
+    Counting successor = make(Counting::new);
+
+    assertThat(swap(successor)).isEmpty();
+
+    assertThat(successor.order()).startsWith("takeOver", "begin");
+    assertThat(old.order()).endsWith("release");
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
+    assertThat(kit.published(Channels.HEALTH))
+        .extracting(HealthReport::status)
+        .doesNotContain(ServiceStatus.STOPPED);
+    assertThat(kit.log("Counting")).noneMatch(line -> line.contains("ERROR"));
+  }
+
+  @Test
+  void swap_retainedMessageHandledBefore_isHandedToTheNewOneOnce() {
+    kit.publish(Channels.GOALS, new GoalList());
+    Counting successor = make(Counting::new);
+
+    swap(successor);
+
+    assertThat(successor.order()).containsExactly("takeOver", "begin", "GoalList");
+  }
+
+  @Test
+  void swap_retainedMessageStillWaiting_isHandedToTheNewOneOnce() {
+    kit.publish(Channels.GOALS, new GoalList());
+    Counting successor = make(Counting::new);
+    kit.send(Channels.GOALS, new GoalList());
+
+    swap(successor);
+
+    assertThat(successor.order()).containsExactly("takeOver", "begin", "GoalList");
+  }
+
+  @Test
+  void swap_successorSubscribesToMore_getsIt() {
+    Counting successor =
+        make(
+            context -> {
+              Counting made = new Counting(context);
+              made.registerSubscriber(Channels.GOAL_UPDATES);
+              return made;
+            });
+    swap(successor);
+
+    kit.publish(Channels.GOAL_UPDATES, new Waypoint().horizontalThreshold(1.0).uid("a"));
+
+    assertThat(successor.order()).endsWith("Waypoint");
+  }
+
+  @Test
+  void swap_done_nameAndHealthGoOnAndDiscoverySaysTheNewClass() {
+    Counting successor = make(context -> new Counting(context) {});
+
+    swap(successor);
+    kit.advance(1.0);
+    kit.publish(Channels.DISCOVERY, new DiscoveryRequest());
+
+    assertThat(successor.getServiceName()).isEqualTo("Counting");
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().status()).isEqualTo(ServiceStatus.RUNNING);
+    assertThat(kit.published(Channels.DISCOVERY)).isNotEmpty();
+  }
+
+  @Test
+  void swap_takeOverThrows_oldOneGoesOnWithItsMessages() {
+    Counting successor =
+        make(
+            context ->
+                new Counting(
+                    context,
+                    state -> {
+                      throw new IllegalStateException("wants more");
+                    }));
+    ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
+    number(1);
+    kit.settle();
+
+    assertThat(swap.outcome()).hasValueSatisfying(why -> assertThat(why).contains("wants more"));
+    assertThat(old.isRunning()).isTrue();
+    assertThat(old.handled).containsExactly("n1");
+    assertThat(successor.order()).containsExactly("release");
+    assertThat(swap(make(Counting::new))).isEmpty();
+  }
+
+  @Test
+  void swap_handOverThrows_oldOneGoesOn() {
+    old.inHandOver(
+        state -> {
+          throw new LinkageError("half a jar");
+        });
+
+    assertThat(swap(make(Counting::new)))
+        .hasValueSatisfying(why -> assertThat(why).contains("half a jar"));
+    assertThat(old.isRunning()).isTrue();
+  }
+
+  /** Of another role. */
+  private static final class Planner extends EventDrivenService {
+    Planner(ServiceContext context) {
+      super(context, ServiceRole.PATH_PLANNER, "Planner");
+    }
+
+    @Override
+    public void callback(org.u2sa.messages.U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  @Test
+  void swap_otherRole_isRefused() {
+    assertThat(swap(make(Planner::new)))
+        .hasValueSatisfying(
+            why -> assertThat(why).contains("PATH_PLANNER").contains("expected a OBSERVER"));
+    assertThat(old.isRunning()).isTrue();
+  }
+
+  @Test
+  void swap_twoAtOnce_secondIsRefusedAndTheFirstIsDone() {
+    Counting first = make(Counting::new);
+    ServiceSwap one = new ServiceSwap(old, first, () -> true).order();
+    ServiceSwap two = new ServiceSwap(old, make(Counting::new), () -> true).order();
+    kit.settle();
+
+    assertThat(one.outcome()).isEmpty();
+    assertThat(two.outcome()).contains("it is being swapped already");
+    number(1);
+    kit.settle();
+    assertThat(first.handled).containsExactly("n1");
+  }
+
+  @Test
+  void swap_oldOneEndsBefore_isRefused() {
+    Counting successor = make(Counting::new);
+    ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
+    old.kill();
+
+    assertThat(swap.outcome()).contains("it ended before");
+    assertThat(new ServiceSwap(old, make(Counting::new), () -> true).order().outcome())
+        .contains("it does not run (STOPPED)");
+  }
+
+  @Test
+  void swap_allServicesAreEnding_successorEndsAndReleases() {
+    Counting successor = make(Counting::new);
+    ServiceSwap swap = new ServiceSwap(old, successor, () -> false).order();
+    kit.settle();
+
+    assertThat(swap.isDecided()).isTrue();
+    assertThat(successor.status()).isEqualTo(ServiceStatus.STOPPED);
+    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(1);
+  }
+
+  @Test
+  void swap_stopCommandMeanwhile_endsTheSuccessor() throws InterruptedException {
+    Counting successor = make(Counting::new);
+    old.inHandOver(state -> kit.send(Channels.STOP, new StopCommand().serviceName("Counting")));
+    swap(successor);
+    successor.join();
+
+    assertThat(successor.status()).isEqualTo(ServiceStatus.STOPPED);
+  }
+
+  @Test
+  void await_oldOneHangs_orderIsWithdrawn() throws InterruptedException {
+    // Nobody drives the clock: the old service's thread gets no turn, as if its callback never
+    // returned.
+    Counting successor = make(Counting::new);
+    ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
+
+    assertThat(swap.await(0.05))
+        .hasValueSatisfying(why -> assertThat(why).contains("within 0.05 s"));
+    number(1);
+    kit.settle();
+    assertThat(old.handled).containsExactly("n1");
+  }
+}
