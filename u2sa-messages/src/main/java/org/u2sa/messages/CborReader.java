@@ -117,7 +117,7 @@ final class CborReader {
       if (field != null) {
         field.read(this, message);
       } else if (unknown != null && !key.equals(Schema.TYPE_KEY)) {
-        unknown.put(key, AnyValue.read(this));
+        unknown.put(unicode(key), AnyValue.read(this));
       } else {
         in.skipChildren();
       }
@@ -176,7 +176,13 @@ final class CborReader {
 
   String text() throws IOException, MalformedMessageException {
     expect(JsonToken.VALUE_STRING, "text");
-    return in.getText();
+    return unicode(in.getText());
+  }
+
+  /** Jackson reads halves of surrogate pairs, which no UTF-8 has and nobody could write again. */
+  private static String unicode(String text) {
+    ScalarKinds.requireUnicode(text);
+    return text;
   }
 
   Point point() throws IOException, MalformedMessageException {
@@ -203,7 +209,7 @@ final class CborReader {
     Map<String, Object> map = new LinkedHashMap<>();
     for (String name = in.nextFieldName(); name != null; name = in.nextFieldName()) {
       in.nextToken();
-      if (map.put(name, AnyValue.read(this)) != null) {
+      if (map.put(unicode(name), AnyValue.read(this)) != null) {
         throw malformed("the key \"" + name + "\" comes twice");
       }
     }

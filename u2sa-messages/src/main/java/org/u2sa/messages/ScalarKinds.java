@@ -60,7 +60,7 @@ final class ScalarKinds {
   }
 
   /** Half a surrogate pair is no character, and UTF-8 cannot carry it. */
-  private static void requireUnicode(String text) {
+  static void requireUnicode(String text) {
     for (int i = 0; i < text.length(); i++) {
       if (Character.isSurrogate(text.charAt(i))) {
         boolean pair =

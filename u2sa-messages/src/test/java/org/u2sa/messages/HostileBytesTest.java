@@ -78,6 +78,14 @@ class HostileBytesTest {
     assertRefused("NobodyKnows", "a16171f97e00", "NobodyKnows.q, byte 6: expected a finite number");
   }
 
+  /** Found by fuzzing: U+DE7B as three bytes, in places that no field's own check sees. */
+  @Test
+  void decode_halfASurrogatePairInWhatIsUnknown_isRefused() {
+    assertRefused("NobodyKnows", "a161 71 63edb9bb".replace(" ", ""), "half a surrogate pair");
+    assertRefused("NobodyKnows", "a1 63edb9bb 00".replace(" ", ""), "half a surrogate pair");
+    assertRefused("NobodyKnows", "a161 71 a163edb9bb00".replace(" ", ""), "half a surrogate pair");
+  }
+
   @Test
   void decode_payloadOverOneMebibyte_isRefusedUnread() {
     assertThatThrownBy(() -> codec.decode(STATE, new byte[Limits.PAYLOAD_BYTES + 1]))

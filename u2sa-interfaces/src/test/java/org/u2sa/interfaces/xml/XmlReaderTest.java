@@ -51,6 +51,16 @@ class XmlReaderTest {
     assertThat(y.toString()).isEqualTo("m.xml, line 7, <y>");
   }
 
+  /** Found by fuzzing: the command line and the log take a message for one line. */
+  @Test
+  void read_lineEndsInWhatIsQuoted_messageIsOneLine() {
+    assertRefused(
+        "<?xml version='1.0' encoding='UTF\n\n9'?><mission/>",
+        "m.xml, line 1: unknown encoding \"UTF 9\"; expected UTF-8");
+    assertThatThrownBy(() -> read("<mission a='1'/>").refuseUnknownAttributes("b\u2028c"))
+        .hasMessage("m.xml, line 1, <mission>: unknown attribute \"a\"; expected b c");
+  }
+
   @Test
   void read_file_namesItAsTheUserDid() throws IOException {
     Path file = Files.write(folder.resolve("a.xml"), "<mission/>".getBytes(StandardCharsets.UTF_8));
