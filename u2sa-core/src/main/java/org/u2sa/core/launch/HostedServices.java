@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.service.ServiceSwap;
 import org.u2sa.service.U2SAService;
 
 /**
@@ -18,20 +20,31 @@ import org.u2sa.service.U2SAService;
  * and starts a new one of the same class, name and configuration file. A thread that hangs cannot
  * be ended in Java: it is cut off from all others and given up.
  *
- * <p><b>Hot swap plugs in at {@link #swap}</b>: {@link #present} gives what runs and the entry it
- * was made from, {@link ServiceMaker} makes the successor, and {@link #replace} puts it into the
- * list, so that {@link #services}, a later restart (of the new class) and the end of the system all
- * know it.
+ * <p>A swap puts another class in the place of a service that runs ({@link ServiceSwap}), with the
+ * configuration that the old one has. A restart after it starts the class that ran last; the next
+ * run of the system starts what the system file says.
  */
 final class HostedServices implements ServiceHost {
+  /** As long as an end waits for a service's thread. */
+  private static final double SWAP_WITHIN_S = 2.0;
+
   private final ServiceMaker maker;
   private final boolean supervised;
   private final Consumer<String> console;
   private final List<Hosted> list = new ArrayList<>(); // in the order of the system file
   private boolean closing;
 
-  /** A service and the entry of the system file that it was made from. */
-  record Hosted(SystemFile.Entry entry, U2SAService service) {}
+  /**
+   * A service.
+   *
+   * @param entry of the system file, whose configuration it has
+   * @param className its class: the entry's until it is swapped
+   */
+  record Hosted(
+      SystemFile.Entry entry,
+      String className,
+      XmlConfiguration configuration,
+      U2SAService service) {}
 
   /**
    * @param supervised whether somebody outside this process starts and restarts its service
@@ -48,7 +61,7 @@ final class HostedServices implements ServiceHost {
     for (SystemFile.Entry entry : entries) {
       XmlConfiguration configuration = maker.configuration(entry);
       configurations.add(configuration);
-      add(new Hosted(entry, maker.make(entry, configuration)));
+      add(new Hosted(entry, entry.className(), configuration, maker.make(entry, configuration)));
     }
     configurations.forEach(XmlConfiguration::refuseUndeclared);
   }
@@ -105,14 +118,41 @@ final class HostedServices implements ServiceHost {
 
   @Override
   public Optional<String> swap(String serviceName, String className) {
-    return Optional.of("a service cannot be swapped by this launcher");
+    Hosted old = present(serviceName).orElseThrow();
+    XmlConfiguration configuration = old.configuration().forSuccessor();
+    try {
+      U2SAService made = maker.makeInPlaceOf(old.service(), className, configuration);
+      Hosted successor = new Hosted(old.entry(), className, configuration, made);
+      Optional<String> refusal =
+          new ServiceSwap(old.service(), made, () -> replace(old, successor))
+              .order()
+              .await(SWAP_WITHIN_S);
+      if (refusal.isEmpty() && !configuration.withoutEffect().isEmpty()) {
+        made.log("declares no " + configuration.withoutEffect() + ": without effect");
+      }
+      return refusal;
+    } catch (RuntimeException | LinkageError e) { // no such class, wrong variable, half a jar
+      return Optional.of(e instanceof BadInputException ? e.getMessage() : e.toString());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.of("the launcher was interrupted; what comes of it stands in the log");
+    }
   }
 
   private Optional<String> startAnew(Hosted old) {
     end(old.service());
     try {
       XmlConfiguration configuration = maker.configuration(old.entry());
-      Hosted successor = new Hosted(old.entry(), maker.make(old.entry(), configuration));
+      if (!old.className().equals(old.entry().className())) { // was swapped
+        configuration.override("SERVICE NAME", old.service().getServiceName());
+        configuration.tolerate(old.configuration().tolerated());
+      }
+      Hosted successor =
+          new Hosted(
+              old.entry(),
+              old.className(),
+              configuration,
+              maker.make(old.className(), configuration));
       if (!replace(old, successor)) {
         successor.service().kill();
         return Optional.of("the system is ending");

@@ -2,46 +2,96 @@ package org.u2sa.core.launch;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
-/** Makes a service from the class name in a system file. */
+/** Makes a service from the name of its class, as it stands in a system file or in an order. */
 final class ServiceFactory {
   private ServiceFactory() {}
 
   /**
-   * Finds the class.
+   * Finds the class that a system file names.
    *
-   * @throws org.u2sa.interfaces.BadInputException if there is no such class or it is no service;
-   *     names file, line and class
+   * @throws BadInputException if there is no such class or it is no service; names file, line and
+   *     class
    */
   static Constructor<? extends U2SAService> constructor(SystemFile.Entry entry) {
-    XmlElement element = entry.element();
+    return constructor(entry.className(), entry.element());
+  }
+
+  private static Constructor<? extends U2SAService> constructor(
+      String className, XmlElement element) {
     try {
-      Class<?> found = Class.forName(entry.className());
-      if (!U2SAService.class.isAssignableFrom(found)) {
-        throw element.error(
-            "class \"" + entry.className() + "\" is no service: it does not extend U2SAService");
-      }
-      return found.asSubclass(U2SAService.class).getConstructor(ServiceContext.class);
-    } catch (ClassNotFoundException e) {
-      throw element.error(
-          "class \""
-              + entry.className()
-              + "\" is not on the class path; expected the full name of a service class");
-    } catch (NoSuchMethodException e) {
-      throw element.error(
-          "class \""
-              + entry.className()
-              + "\" cannot be started: expected a public constructor (ServiceContext)");
+      return constructor(className);
+    } catch (BadInputException e) {
+      throw element.error(e.getMessage());
     }
   }
 
-  static U2SAService create(SystemFile.Entry entry, ServiceContext context) {
-    XmlElement element = entry.element();
+  /**
+   * Finds a class, without running anything of it.
+   *
+   * @throws BadInputException if there is no such class or it is no service; names the class
+   */
+  static Constructor<? extends U2SAService> constructor(String className) {
     try {
-      return constructor(entry).newInstance(context);
+      Class<?> found = Class.forName(className, false, ServiceFactory.class.getClassLoader());
+      if (!U2SAService.class.isAssignableFrom(found)) {
+        throw new BadInputException(
+            "class \"" + className + "\" is no service: it does not extend U2SAService");
+      }
+      return found.asSubclass(U2SAService.class).getConstructor(ServiceContext.class);
+    } catch (ClassNotFoundException e) {
+      throw new BadInputException(
+          "class \""
+              + className
+              + "\" is not on the class path; expected the full name of a service class",
+          e);
+    } catch (NoSuchMethodException e) {
+      throw new BadInputException(
+          "class \""
+              + className
+              + "\" cannot be started: expected a public constructor (ServiceContext)",
+          e);
+    } catch (LinkageError e) {
+      throw new BadInputException("class \"" + className + "\" cannot be loaded: " + e, e);
+    }
+  }
+
+  /**
+   * Makes the service that a system file names.
+   *
+   * @throws BadInputException if it cannot be made; names file, line and class
+   */
+  static U2SAService create(SystemFile.Entry entry, ServiceContext context) {
+    constructor(entry);
+    try {
+      return create(entry.className(), context);
+    } catch (NotMadeException e) {
+      throw entry.element().error(e.getMessage());
+    }
+  }
+
+  /** The class, not its code, is at fault. */
+  private static final class NotMadeException extends BadInputException {
+    private static final long serialVersionUID = 1L;
+
+    NotMadeException(String message, Throwable cause) {
+      super(message, cause);
+    }
+  }
+
+  /**
+   * Makes a service.
+   *
+   * @throws BadInputException if there is no such class or it is no service; names the class
+   * @throws RuntimeException what its constructor threw
+   */
+  static U2SAService create(String className, ServiceContext context) {
+    try {
+      return constructor(className).newInstance(context);
     } catch (InvocationTargetException e) {
       if (e.getCause() instanceof RuntimeException cause) {
         throw cause; // the service's own words: a wrong variable, a missing device
@@ -49,13 +99,12 @@ final class ServiceFactory {
       if (e.getCause() instanceof Error cause) {
         throw cause;
       }
-      throw new IllegalStateException(
-          element.error(entry.className() + " failed: " + e.getCause()).getMessage(), e);
+      throw new NotMadeException(className + " failed: " + e.getCause(), e);
     } catch (InstantiationException e) {
-      throw element.error(
-          "class \"" + entry.className() + "\" is abstract; expected one of its implementations");
+      throw new NotMadeException(
+          "class \"" + className + "\" is abstract; expected one of its implementations", e);
     } catch (IllegalAccessException e) {
-      throw element.error("class \"" + entry.className() + "\" is not public");
+      throw new NotMadeException("class \"" + className + "\" is not public", e);
     }
   }
 }

@@ -3,6 +3,7 @@ package org.u2sa.core.launch;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.MessageTypes;
@@ -38,13 +39,16 @@ final class ServiceMaker {
   }
 
   ServiceContext context(XmlConfiguration configuration) {
+    return builder(configuration).build();
+  }
+
+  private ServiceContext.Builder builder(XmlConfiguration configuration) {
     return ServiceContext.of(systemId, configuration)
         .clock(options.clock())
         .transport(transport)
         .logDirectory(options.logDirectory())
         .messageTypes(types)
-        .seed(options.seed())
-        .build();
+        .seed(options.seed());
   }
 
   /**
@@ -54,9 +58,33 @@ final class ServiceMaker {
    * @throws org.u2sa.interfaces.communication.CommunicationException if it cannot connect
    */
   U2SAService make(SystemFile.Entry entry, XmlConfiguration configuration) {
-    ServiceContext context = context(configuration);
+    return make(context(configuration), context -> ServiceFactory.create(entry, context));
+  }
+
+  /**
+   * Makes a service of a class that stands in no system file.
+   *
+   * @throws RuntimeException if the class is no service or its constructor refuses
+   */
+  U2SAService make(String className, XmlConfiguration configuration) {
+    return make(context(configuration), context -> ServiceFactory.create(className, context));
+  }
+
+  /**
+   * Makes a service that is to take the place of one that runs; it is not connected.
+   *
+   * @throws RuntimeException if the class is no service or its constructor refuses
+   */
+  U2SAService makeInPlaceOf(U2SAService running, String className, XmlConfiguration configuration) {
+    return make(
+        builder(configuration).inPlaceOf(running).build(),
+        context -> ServiceFactory.create(className, context));
+  }
+
+  private static U2SAService make(
+      ServiceContext context, Function<ServiceContext, U2SAService> constructor) {
     try {
-      return ServiceFactory.create(entry, context);
+      return constructor.apply(context);
     } catch (RuntimeException | Error e) {
       context.abandon(); // nobody else knows the half-made service
       throw e;

@@ -1,0 +1,272 @@
+package org.u2sa.core.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.LockstepClock;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
+
+/** Orders to put another class in the place of a service, and why they may be refused. */
+@Timeout(30)
+class SwapOrderTest {
+  private static final Variable<Double> GAIN =
+      Variable.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
+  private static final Variable<Double> TRIM = Variable.number("TRIM", "").ifAbsent(0.0);
+  private static final Variable<Double> STRICT =
+      Variable.number("GAIN", "").range(Range.of(0.0, 0.1)).ifAbsent(0.0);
+
+  @TempDir private Path directory;
+  private final LockstepClock clock = new LockstepClock();
+  private final List<ServiceOrderResult> results = new ArrayList<>();
+  private RunningSystem system;
+  private EventDrivenService operator;
+
+  /** A service with two variables and something to hand over. */
+  public static class First extends EventDrivenService {
+    public First(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Worker");
+      getVariable(GAIN);
+      getVariable(TRIM);
+    }
+
+    @Override
+    protected void handOver(HandOver state) {
+      state.text("FROM", getServiceName());
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  /** One that may take its place, though it knows one variable only. */
+  public static class Second extends EventDrivenService {
+    private final AtomicReference<String> from = new AtomicReference<>("nobody");
+
+    public Second(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Second");
+      getVariable(GAIN);
+    }
+
+    @Override
+    protected void takeOver(HandOver state) {
+      from.set(state.text("FROM").orElse("silence"));
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  /** One whose configuration is narrower. */
+  public static final class Narrow extends Second {
+    public Narrow(ServiceContext context) {
+      super(context);
+      getVariable(STRICT);
+    }
+  }
+
+  /** One that cannot be made. */
+  public static final class Broken extends Second {
+    public Broken(ServiceContext context) {
+      super(context);
+      throw new IllegalStateException("no such device");
+    }
+  }
+
+  /** One that wants more than it is handed. */
+  public static final class Choosy extends Second {
+    public Choosy(ServiceContext context) {
+      super(context);
+    }
+
+    @Override
+    protected void takeOver(HandOver state) {
+      throw new IllegalArgumentException("FROM is not enough");
+    }
+  }
+
+  /** One of another role. */
+  public static final class Planner extends EventDrivenService {
+    public Planner(ServiceContext context) {
+      super(context, ServiceRole.PATH_PLANNER, "Planner");
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  @BeforeEach
+  void start() throws IOException, InterruptedException {
+    write("Manager.xml", "<variable name=\"BROKER\" type=\"string\" value=\"none\"/>");
+    write("Worker.xml", "<variable name=\"TRIM\" type=\"double\" value=\"2\"/>");
+    String text =
+        "<system id=\"test\"><communication configuration=\"Manager.xml\"/><service class=\""
+            + First.class.getName()
+            + "\" configuration=\"Worker.xml\"/></system>";
+    system =
+        RunningSystem.start(
+            SystemFile.read(Files.writeString(directory.resolve("system.xml"), text)),
+            new LaunchOptions()
+                .clock(clock)
+                .logDirectory(directory.resolve("logs"))
+                .override("First", "GAIN", 0.75));
+    operator =
+        new EventDrivenService(
+            system.contextFor(XmlConfiguration.inMemory("test", Map.of())),
+            ServiceRole.OBSERVER,
+            "Operator") {
+          @Override
+          public void callback(U2SAData data) {
+            if (data instanceof ServiceOrderResult result) {
+              results.add(result);
+            }
+          }
+        };
+    operator.registerSubscriber(Channels.SERVICE_ORDERS);
+    operator.start();
+    clock.advance(0);
+  }
+
+  private void write(String name, String variables) throws IOException {
+    Files.writeString(directory.resolve(name), "<configuration>" + variables + "</configuration>");
+  }
+
+  @AfterEach
+  void close() {
+    operator.kill();
+    system.close();
+  }
+
+  private ServiceOrderResult order(ServiceAction action, String className)
+      throws InterruptedException {
+    ServiceOrder order =
+        new ServiceOrder().requestId("1").serviceName("Worker").action(action).operator("test");
+    operator.publish(
+        Channels.SERVICE_ORDERS, className == null ? order : order.className(className));
+    clock.advance(0);
+    assertThat(results).hasSize(1);
+    return results.remove(0);
+  }
+
+  private ServiceOrderResult swap(Class<?> type) throws InterruptedException {
+    return order(ServiceAction.SWAP, type.getName());
+  }
+
+  private U2SAService present() {
+    assertThat(system.services()).hasSize(1);
+    return system.services().get(0);
+  }
+
+  private void assertRefused(ServiceOrderResult result, String... words) {
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.reason()).contains(words);
+    assertThat(present()).isInstanceOf(First.class);
+    assertThat(present().isRunning()).isTrue();
+  }
+
+  @Test
+  void swap_serviceOfTheSameRole_runsInItsPlaceWithItsNameStateAndConfiguration()
+      throws InterruptedException {
+    U2SAService before = present();
+
+    ServiceOrderResult result = swap(Second.class);
+
+    assertThat(result.accepted()).as(result.reason()).isTrue();
+    assertThat(present()).isInstanceOf(Second.class);
+    assertThat(present().isRunning()).isTrue();
+    assertThat(((Second) present()).from).hasValue("Worker");
+    assertThat(present().getServiceName()).isEqualTo("Worker");
+    assertThat(present().getVariable("GAIN")).isEqualTo(0.75); // the run's own override
+    before.join();
+  }
+
+  @Test
+  void swap_thereAndBack_servesTheFirstClassAgain() throws InterruptedException {
+    swap(Second.class);
+
+    assertThat(swap(First.class).accepted()).isTrue();
+
+    assertThat(present()).isInstanceOf(First.class);
+    assertThat(present().getVariable("TRIM")).isEqualTo(2.0);
+  }
+
+  @Test
+  void restart_afterASwap_startsTheClassThatRanLast() throws InterruptedException {
+    swap(Second.class);
+
+    assertThat(order(ServiceAction.RESTART, null).accepted()).isTrue();
+
+    assertThat(present()).isInstanceOf(Second.class);
+    assertThat(present().isRunning()).isTrue();
+    assertThat(present().getServiceName()).isEqualTo("Worker");
+  }
+
+  @Test
+  void swap_noClassNamed_isRefused() throws InterruptedException {
+    assertRefused(order(ServiceAction.SWAP, null), "className", "missing");
+  }
+
+  @Test
+  void swap_unknownClass_isRefused() throws InterruptedException {
+    assertRefused(
+        order(ServiceAction.SWAP, "org.example.Nothing"), "org.example.Nothing", "class path");
+  }
+
+  @Test
+  void swap_noService_isRefused() throws InterruptedException {
+    assertRefused(swap(String.class), "is no service");
+  }
+
+  @Test
+  void swap_withoutAPublicConstructor_isRefused() throws InterruptedException {
+    assertRefused(swap(EventDrivenService.class), "expected a public constructor");
+  }
+
+  @Test
+  void swap_otherRole_isRefused() throws InterruptedException {
+    assertRefused(swap(Planner.class), "PATH_PLANNER", "OBSERVER");
+  }
+
+  @Test
+  void swap_constructorThrows_isRefused() throws InterruptedException {
+    assertRefused(swap(Broken.class), "no such device");
+  }
+
+  @Test
+  void swap_configurationIsWrongForIt_isRefused() throws InterruptedException {
+    assertRefused(swap(Narrow.class), "GAIN", "0.75");
+  }
+
+  @Test
+  void swap_takeOverThrows_isRefused() throws InterruptedException {
+    assertRefused(swap(Choosy.class), "FROM is not enough");
+  }
+}
