@@ -3,8 +3,11 @@ package org.u2sa.service;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
+import org.u2sa.interfaces.ChangeOrigin;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogFile;
 import org.u2sa.interfaces.LogLevelEnum;
@@ -53,16 +56,30 @@ abstract class ConfiguredService extends Thread implements Logger {
 
   @Override
   public final boolean setVariable(String variableName, Object value) {
-    return changeVariable(variableName, value).isEmpty();
-  }
-
-  /** {@link #setVariable}, with the reason if the variable was not set. */
-  final Optional<String> changeVariable(String variableName, Object value) {
-    Optional<String> refusal = configuration.change(variableName, value);
+    ChangeOrigin self = new ChangeOrigin(clock().micros(), getName(), getName());
+    Optional<String> refusal =
+        configuration
+            .change(
+                Collections.singletonMap(variableName, value),
+                OptionalLong.empty(),
+                self,
+                this::configurationRefusal)
+            .refusal();
     refusal.ifPresent(
         reason ->
             log(LogLevelEnum.ERROR, "variable \"" + variableName + "\" was not set: " + reason));
-    return refusal;
+    return refusal.isEmpty();
+  }
+
+  /**
+   * Why these values would not do together, though each is allowed; empty if they would. Asked
+   * before a change or an undo is written, which is refused with this reason. May be asked from any
+   * thread that calls {@link #setVariable}: judges its argument alone.
+   *
+   * @param values every variable of this service as it would be, in the declared units
+   */
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return Optional.empty();
   }
 
   @Override

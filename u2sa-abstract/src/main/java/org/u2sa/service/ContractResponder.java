@@ -3,14 +3,11 @@ package org.u2sa.service;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.contract.ConfigurationChange;
-import org.u2sa.messages.contract.ConfigurationChangeResult;
-import org.u2sa.messages.contract.ConfigurationRequest;
-import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
@@ -19,7 +16,7 @@ import org.u2sa.messages.contract.StopCommand;
 
 /**
  * Answers what the service contract says every service answers (thesis 3.2.2.1): discovery,
- * functionality discovery and configuration. Runs on the service's thread; the stop command is
+ * functionality discovery and, by its {@link ConfigurationResponder}, configuration. Runs on the service's thread; the stop command is
  * judged here but obeyed by the service.
  */
 final class ContractResponder {
@@ -28,12 +25,12 @@ final class ContractResponder {
       List.of(Channels.DISCOVERY, Channels.FUNCTIONALITY, Channels.STOP, Channels.CONFIGURATION);
 
   private final U2SAService service;
-  private final XmlConfiguration configuration;
+  private final ConfigurationResponder configuration;
   private final ServiceWiring wiring;
 
   ContractResponder(U2SAService service, XmlConfiguration configuration, ServiceWiring wiring) {
     this.service = service;
-    this.configuration = configuration;
+    this.configuration = new ConfigurationResponder(service, configuration);
     this.wiring = wiring;
   }
 
@@ -48,34 +45,23 @@ final class ContractResponder {
     if (message instanceof FunctionalityRequest request) {
       return isForThis(request.serviceName());
     }
-    if (message instanceof ConfigurationRequest request) {
-      return isForThis(request.serviceName());
-    }
-    if (message instanceof ConfigurationChange change) {
-      return change.serviceName().equals(service.getServiceName());
-    }
-    return message instanceof DiscoveryRequest;
+    return message instanceof DiscoveryRequest || configuration.concerns(message);
   }
 
   private boolean isForThis(String serviceName) {
     return serviceName.isEmpty() || serviceName.equals(service.getServiceName());
   }
 
-  /**
-   * Answers a request that concerns this service. Returns the name of the variable that it changed,
-   * if it did.
-   */
-  Optional<String> answer(U2SAData request) {
+  /** Answers a request that concerns this service. Returns the variables that it changed. */
+  Set<String> answer(U2SAData request) {
     if (request instanceof DiscoveryRequest) {
       service.publish(Channels.DISCOVERY, discovery());
     } else if (request instanceof FunctionalityRequest) {
       service.publish(Channels.FUNCTIONALITY, functionality());
-    } else if (request instanceof ConfigurationRequest) {
-      service.publish(Channels.CONFIGURATION, configuration());
-    } else if (request instanceof ConfigurationChange change) {
-      return change(change);
+    } else {
+      return configuration.answer(request);
     }
-    return Optional.empty();
+    return Set.of();
   }
 
   private DiscoveryResponse discovery() {
@@ -106,28 +92,5 @@ final class ContractResponder {
       lines.add(channel.name() + "/" + String.join("/", channel.type().chain()));
     }
     return lines;
-  }
-
-  private ConfigurationResponse configuration() {
-    return new ConfigurationResponse()
-        .serviceName(service.getServiceName())
-        .variables(configuration.describe());
-  }
-
-  private Optional<String> change(ConfigurationChange change) {
-    String name = change.variableName();
-    Optional<String> refusal = service.changeVariable(name, change.value());
-    ConfigurationChangeResult result =
-        new ConfigurationChangeResult()
-            .serviceName(service.getServiceName())
-            .variableName(name)
-            .accepted(refusal.isEmpty())
-            .value(
-                refusal.isEmpty()
-                    ? String.valueOf(configuration.getVariable(name))
-                    : change.value());
-    refusal.ifPresent(result::reason);
-    service.publish(Channels.CONFIGURATION, result);
-    return refusal.isEmpty() ? Optional.of(name) : Optional.empty();
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.Clock;
@@ -106,10 +107,12 @@ public abstract class U2SAService extends CommunicatingService {
   protected void release() {}
 
   /**
-   * Takes note that a variable was changed by {@link #setVariable} from outside. Called on the
-   * service's thread.
+   * Takes note that variables were changed from outside, by {@link #setVariable}'s rules: once for
+   * all that were changed together. Called on the service's thread.
+   *
+   * @param variableNames those that have another value than before; at least one
    */
-  protected void configurationChanged(String variableName) {}
+  protected void configurationChanged(Set<String> variableNames) {}
 
   /**
    * Writes down what a service of another class needs to know to take this one's place without a
@@ -196,7 +199,10 @@ public abstract class U2SAService extends CommunicatingService {
     guarded(
         () -> {
           if (contract.concerns(message)) {
-            contract.answer(message).ifPresent(this::configurationChanged);
+            Set<String> changed = contract.answer(message);
+            if (!changed.isEmpty()) {
+              configurationChanged(changed);
+            }
           }
           if (wiring().isSubscribed(delivery.channel()) && isInTime(delivery)) {
             callback(message);

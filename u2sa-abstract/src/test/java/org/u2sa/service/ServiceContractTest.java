@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -51,8 +52,8 @@ class ServiceContractTest {
     }
 
     @Override
-    protected void configurationChanged(String variableName) {
-      changed.add(variableName + "=" + getVariable(variableName));
+    protected void configurationChanged(Set<String> variableNames) {
+      variableNames.forEach(name -> changed.add(name + "=" + getVariable(name)));
     }
   }
 

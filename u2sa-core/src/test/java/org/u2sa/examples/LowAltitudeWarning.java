@@ -1,6 +1,7 @@
 package org.u2sa.examples;
 
 import java.util.Locale;
+import java.util.Set;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
@@ -32,14 +33,14 @@ public final class LowAltitudeWarning extends EventDrivenService {
   /** Reads the variables and registers; the launcher calls this. */
   public LowAltitudeWarning(ServiceContext context) {
     super(context, ServiceRole.OBSERVER, "LowAltitudeWarning");
-    configurationChanged("");
+    configurationChanged(Set.of());
     registerSubscriber(StateInformation.class); // an observer's standard channel for it: state
     registerPublisher(AltitudeWarning.CHANNEL);
   }
 
   /** Also called when somebody changes a variable while the service runs. */
   @Override
-  protected void configurationChanged(String variableName) {
+  protected void configurationChanged(Set<String> variableNames) {
     lowestM = getVariable(LOWEST_ALTITUDE);
     marginM = getVariable(MARGIN);
   }

@@ -1,5 +1,7 @@
 package org.u2sa.interfaces;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
@@ -118,6 +120,12 @@ final class BoundVariable {
             .value(String.valueOf(value))
             .unit(unit())
             .description(description());
+    List<String> choices = new ArrayList<>();
+    declared.ifPresent(
+        variable -> variable.choices().forEach(choice -> choices.add(String.valueOf(choice))));
+    if (!choices.isEmpty()) {
+      message.choices(choices);
+    }
     if (limits.min() != Double.NEGATIVE_INFINITY) {
       message.min(limits.min());
     }

@@ -8,7 +8,10 @@ import java.util.Optional;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlText;
 
-/** The configuration file of one service as it stands on the disk at one moment. Immutable. */
+/**
+ * The configuration file of one service as it stands on the disk at one moment, or is to stand.
+ * Immutable.
+ */
 final class ConfigurationFile {
   private static final String ROOT = "configuration";
 
@@ -18,9 +21,9 @@ final class ConfigurationFile {
   private final Map<String, XmlElement> elements = new LinkedHashMap<>();
   private final Map<String, FileVariable> variables = new LinkedHashMap<>();
 
-  private ConfigurationFile(Path path) {
+  private ConfigurationFile(Path path, XmlText text) {
     this.path = path;
-    text = XmlText.read(path);
+    this.text = text;
     root = text.root(ROOT);
     root.refuseUnknownAttributes();
     root.refuseText();
@@ -42,7 +45,7 @@ final class ConfigurationFile {
    */
   static ConfigurationFile read(Path path) {
     try {
-      return new ConfigurationFile(path);
+      return new ConfigurationFile(path, XmlText.read(path));
     } catch (ConfigurationException e) {
       throw e;
     } catch (BadInputException e) {
@@ -61,19 +64,32 @@ final class ConfigurationFile {
   }
 
   /**
-   * Writes the file with the value of {@code variable}, which is added if it is not there; nothing
-   * else changes.
+   * The file with the value of {@code variable}, which is added if it is not there; nothing else
+   * changes.
    *
-   * @throws IOException if it could not be written: then the old file stands
    * @throws IllegalArgumentException if XML cannot hold the value
    */
-  void write(FileVariable variable) throws IOException {
+  ConfigurationFile with(FileVariable variable) {
     XmlElement element = elements.get(variable.name());
-    XmlText changed =
+    return new ConfigurationFile(
+        path,
         element != null
             ? text.withAttribute(element, "value", variable.text())
-            : text.withLastChild(root, FileVariable.ELEMENT, attributes(variable));
-    WholeFile.replace(path, changed.bytes());
+            : text.withLastChild(root, FileVariable.ELEMENT, attributes(variable)));
+  }
+
+  /** The file without a variable that it has. */
+  ConfigurationFile without(String name) {
+    return new ConfigurationFile(path, text.without(elements.get(name)));
+  }
+
+  /**
+   * Puts this in the place of the file on the disk.
+   *
+   * @throws IOException if it could not be written: then the old file stands
+   */
+  void write() throws IOException {
+    WholeFile.replace(path, text.bytes());
   }
 
   private static Map<String, String> attributes(FileVariable variable) {

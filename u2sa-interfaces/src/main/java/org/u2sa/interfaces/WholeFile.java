@@ -55,9 +55,10 @@ final class WholeFile {
     }
   }
 
-  // The rename itself must reach the disk. Not every system can open a directory (Windows cannot);
-  // there the file is whole all the same, only the newest change may be lost with the power.
-  private static void sync(Path directory) {
+  /** Has the names of a directory reach the disk: of files that were renamed or made. */
+  // Not every system can open a directory (Windows cannot); there the files are whole all the
+  // same, only the newest change may be lost with the power.
+  static void sync(Path directory) {
     boolean interrupted = Thread.interrupted(); // would close the channel; given back below
     try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
       channel.force(true);

@@ -1,19 +1,16 @@
 package org.u2sa.interfaces;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
-import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashSet;
+import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
-import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
@@ -27,23 +24,30 @@ import org.u2sa.messages.contract.ConfigurationVariable;
  * }</pre>
  *
  * <p>The file is read once. A change rewrites the one value in the text that the file then has: its
- * comments, its order and what others changed meanwhile stay. One process writes a file, any number
- * of threads may call.
+ * comments, its order and what others changed meanwhile stay. Several variables change together or
+ * not at all; the audit log beside the file says who changed what, and a change can be taken back.
+ * Any number of processes and threads may write.
  */
 public final class XmlConfiguration implements Configurator {
-  private final String origin;
   private final Optional<Path> file;
-  private final Map<String, FileVariable> stated;
-  private final Set<String> overridden = new HashSet<>();
-  private final Set<String> tolerated = new HashSet<>();
-  private final Map<String, Variable<?>> declared = new LinkedHashMap<>();
-  private final Map<String, Object> values = new LinkedHashMap<>();
+  private final ConfigurationValues values;
+  private final ConfigurationChanges changes;
 
-  private XmlConfiguration(String origin, Optional<Path> file, Map<String, FileVariable> stated) {
-    this.origin = origin;
+  private XmlConfiguration(
+      String origin,
+      Optional<Path> file,
+      Map<String, FileVariable> stated,
+      Optional<ConfigurationFile> content) {
     this.file = file;
-    this.stated = new LinkedHashMap<>(stated);
-    stated.forEach((name, variable) -> values.put(name, variable.value()));
+    values = new ConfigurationValues(origin, file.isPresent(), stated);
+    changes = new ConfigurationChanges(values, file);
+    changes.begin(content);
+  }
+
+  private XmlConfiguration(XmlConfiguration predecessor) {
+    file = predecessor.file;
+    values = predecessor.values.forSuccessor();
+    changes = predecessor.changes.forSuccessor(values);
   }
 
   /**
@@ -53,8 +57,9 @@ public final class XmlConfiguration implements Configurator {
    *     line, variable, value and what was expected
    */
   public static XmlConfiguration load(Path file) {
+    ConfigurationFile content = ConfigurationFile.read(file);
     return new XmlConfiguration(
-        file.toString(), Optional.of(file), ConfigurationFile.read(file).variables());
+        file.toString(), Optional.of(file), content.variables(), Optional.of(content));
   }
 
   /**
@@ -68,7 +73,7 @@ public final class XmlConfiguration implements Configurator {
     Map<String, FileVariable> stated = new LinkedHashMap<>();
     values.forEach(
         (variable, value) -> stated.put(variable, FileVariable.inMemory(name, variable, value)));
-    return new XmlConfiguration(name, Optional.empty(), stated);
+    return new XmlConfiguration(name, Optional.empty(), stated, Optional.empty());
   }
 
   /**
@@ -79,10 +84,7 @@ public final class XmlConfiguration implements Configurator {
    * @throws IllegalArgumentException if the value is of another class
    */
   public synchronized void override(String variableName, Object value) {
-    FileVariable statement = FileVariable.inMemory(origin, variableName, value);
-    overridden.add(variableName);
-    stated.put(variableName, statement);
-    values.put(variableName, statement.value());
+    values.override(variableName, value);
   }
 
   /**
@@ -90,31 +92,24 @@ public final class XmlConfiguration implements Configurator {
    * present one: what only the present one declares need not be declared again.
    */
   public synchronized XmlConfiguration forSuccessor() {
-    XmlConfiguration copy = new XmlConfiguration(origin, file, stated);
-    copy.overridden.addAll(overridden);
-    copy.tolerate(tolerated());
-    return copy;
+    return new XmlConfiguration(this);
   }
 
   /** Lets variables of the file be there though nobody declares them. */
   public synchronized void tolerate(Collection<String> variableNames) {
-    tolerated.addAll(variableNames);
+    values.tolerate(variableNames);
   }
 
   /**
    * The variables that a successor need not declare: all that were declared or tolerated so far.
    */
   public synchronized Set<String> tolerated() {
-    Set<String> names = new LinkedHashSet<>(tolerated);
-    names.addAll(declared.keySet());
-    return names;
+    return values.tolerated();
   }
 
   /** Variables of the file that are tolerated and that nobody declares: they have no effect. */
   public synchronized List<String> withoutEffect() {
-    List<String> names = new ArrayList<>(stated.keySet());
-    names.removeIf(name -> declared.containsKey(name) || !tolerated.contains(name));
-    return names;
+    return values.withoutEffect();
   }
 
   /**
@@ -127,35 +122,17 @@ public final class XmlConfiguration implements Configurator {
 
   /** The file, or the name of a configuration without one. */
   public String origin() {
-    return origin;
+    return values.origin();
   }
 
   @Override
   public synchronized Object getVariable(String variableName) {
-    Object value = values.get(variableName);
-    if (value == null) {
-      throw new ConfigurationException(origin + ", " + unknown(variableName));
-    }
-    return value;
+    return values.value(variableName);
   }
 
   @Override
   public synchronized <T> T getVariable(Variable<T> variable) {
-    String name = variable.name();
-    if (declared.get(name) != variable) {
-      FileVariable statement = stated.get(name);
-      if (statement != null && (!file.isPresent() || overridden.contains(name))) {
-        statement = statement.withType(variable.type());
-      }
-      BoundVariable bound =
-          new BoundVariable(origin, name, Optional.of(variable), Optional.ofNullable(statement));
-      values.put(name, bound.value());
-      declared.put(name, variable);
-      if (statement != null) {
-        stated.put(name, statement);
-      }
-    }
-    return variable.cast(values.get(name));
+    return values.declare(variable);
   }
 
   /**
@@ -164,17 +141,12 @@ public final class XmlConfiguration implements Configurator {
    * @throws ConfigurationException naming the first of them and the nearest declared name
    */
   public synchronized void refuseUndeclared() {
-    for (FileVariable variable : stated.values()) {
-      if (!declared.containsKey(variable.name()) && !tolerated.contains(variable.name())) {
-        throw variable.error(
-            "no service declares it" + NearestNames.didYouMean(variable.name(), declared.keySet()));
-      }
-    }
+    values.refuseUndeclared();
   }
 
   /** What has been declared so far, in that order; the list is the caller's own. */
   public synchronized List<Variable<?>> declared() {
-    return new ArrayList<>(declared.values());
+    return values.declared();
   }
 
   @Override
@@ -188,48 +160,50 @@ public final class XmlConfiguration implements Configurator {
    * @return empty if the variable has the new value, in memory and on file; otherwise the reason
    *     for the log, and the old value stays
    */
-  public synchronized Optional<String> change(String variableName, Object value) {
-    try {
-      if (!values.containsKey(variableName)) {
-        return Optional.of(origin + ", " + unknown(variableName));
-      }
-      Optional<ConfigurationFile> now = file.map(ConfigurationFile::read);
-      Optional<FileVariable> before =
-          now.isPresent()
-              ? now.get().variable(variableName)
-              : Optional.ofNullable(stated.get(variableName));
-      BoundVariable bound = bound(variableName, before);
-      FileVariable after = bound.restated(bound.checked(value));
-      Object newValue = bound(variableName, Optional.of(after)).value();
-      if (now.isPresent()) {
-        now.get().write(after);
-      }
-      stated.put(variableName, after);
-      values.put(variableName, newValue);
-      return Optional.empty();
-    } catch (ConfigurationException e) {
-      return Optional.of(e.getMessage());
-    } catch (IllegalArgumentException e) {
-      return Optional.of(origin + ", variable \"" + variableName + "\": " + e.getMessage());
-    } catch (IOException e) {
-      return Optional.of(
-          origin
-              + ", variable \""
-              + variableName
-              + "\": cannot be written, the old value stays: "
-              + e);
-    }
+  public Optional<String> change(String variableName, Object value) {
+    return change(
+            Collections.singletonMap(variableName, value),
+            OptionalLong.empty(),
+            ChangeOrigin.here(),
+            ConfigurationCheck.NONE)
+        .refusal();
+  }
+
+  /**
+   * Changes several variables at once, in memory and on file: all of them or none.
+   *
+   * @param wanted values of the variables' types, or their texts, in the declared units
+   * @param seen the {@link #revision} that the author relies on: if it is another one by now,
+   *     nothing is changed; empty: the last one wins
+   * @param check judges the values together, before anything is written
+   */
+  public synchronized ConfigurationOutcome change(
+      Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
+    return changes.change(wanted, seen, by, check);
+  }
+
+  /**
+   * Takes the newest change back that was not taken back yet; the next undo takes back the one
+   * before it. The audit log remembers some hundred, whichever process made them.
+   *
+   * @param check judges the values together, before anything is written
+   */
+  public synchronized ConfigurationOutcome undo(ChangeOrigin by, ConfigurationCheck check) {
+    return changes.undo(by, check);
+  }
+
+  /** Counts the changes of the configuration, as far as this object has seen them. */
+  public synchronized long revision() {
+    return changes.revision();
   }
 
   /**
    * Why {@link #setVariable} would refuse this value or text; empty if it would try to write it.
    */
   public synchronized Optional<String> reasonOfRefusal(String variableName, Object valueOrText) {
-    if (!values.containsKey(variableName)) {
-      return Optional.of(origin + ", " + unknown(variableName));
-    }
     try {
-      bound(variableName, Optional.ofNullable(stated.get(variableName))).checked(valueOrText);
+      values.value(variableName); // there is one
+      values.bound(variableName, values.stated(variableName)).checked(valueOrText);
       return Optional.empty();
     } catch (ConfigurationException e) {
       return Optional.of(e.getMessage());
@@ -238,31 +212,11 @@ public final class XmlConfiguration implements Configurator {
 
   @Override
   public synchronized ArrayList<Map.Entry<String, Object>> enumerateFields() {
-    ArrayList<Map.Entry<String, Object>> fields = new ArrayList<>();
-    values.forEach((name, value) -> fields.add(new SimpleImmutableEntry<>(name, value)));
-    return fields;
+    return values.enumerated();
   }
 
   /** Every variable with type, value, unit, limits and meaning, for a configuration response. */
   public synchronized List<ConfigurationVariable> describe() {
-    List<ConfigurationVariable> all = new ArrayList<>();
-    values.forEach(
-        (name, value) ->
-            all.add(bound(name, Optional.ofNullable(stated.get(name))).described(value)));
-    return all;
-  }
-
-  private BoundVariable bound(String name, Optional<FileVariable> statement) {
-    Optional<Variable<?>> declaration = Optional.ofNullable(declared.get(name));
-    if (!declaration.isPresent() && !statement.isPresent()) {
-      throw new ConfigurationException(
-          origin + ", variable \"" + name + "\": no longer stands in the file");
-    }
-    return new BoundVariable(origin, name, declaration, statement);
-  }
-
-  private String unknown(String name) {
-    Set<String> known = new LinkedHashSet<>(values.keySet());
-    return "variable \"" + name + "\": there is none" + NearestNames.didYouMean(name, known);
+    return values.described();
   }
 }

@@ -91,8 +91,9 @@ public final class MissionManager extends EventDrivenService {
   }
 
   @Override
-  protected void configurationChanged(String variableName) {
-    if (variableName.equals(MISSION.name()) || variableName.equals(DEFAULT_THRESHOLD.name())) {
+  protected void configurationChanged(Set<String> variableNames) {
+    if (variableNames.contains(MISSION.name())
+        || variableNames.contains(DEFAULT_THRESHOLD.name())) {
       beginAnew();
     } else {
       sequence.rules(getVariable(LOOP), options());

@@ -2,6 +2,7 @@ package org.u2sa.core.planning;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
@@ -50,7 +51,7 @@ public final class PathPlanner extends EventDrivenService {
   }
 
   @Override
-  protected void configurationChanged(String variableName) {
+  protected void configurationChanged(Set<String> variableNames) {
     settings = PlanningSettings.of(this);
     registerSubscriber(Channels.STATE, settings.staleAfterS());
     end.leave(); // a circle of the new radius

@@ -148,6 +148,24 @@ public final class XmlText {
         : with(end, end, newline + childIndent + child + newline + parentIndent);
   }
 
+  /**
+   * This text without {@code element}, read from this very text; without its line, too, if nothing
+   * else stands on it.
+   */
+  public XmlText without(XmlElement element) {
+    int from = element.span().start();
+    int close = XmlAttributes.tagEnd(text, from);
+    boolean empty = text.charAt(close - 1) == '/';
+    int to = 1 + (empty ? close : text.indexOf('>', element.span().endTag()));
+    int lineStart = text.lastIndexOf('\n', from - 1) + 1;
+    int lineEnd = text.indexOf('\n', to) + 1;
+    boolean ownLine =
+        lineEnd > 0
+            && text.substring(lineStart, from).trim().isEmpty()
+            && text.substring(to, lineEnd).trim().isEmpty();
+    return ownLine ? with(lineStart, lineEnd, "") : with(from, to, "");
+  }
+
   /** The bytes of the file. */
   public byte[] bytes() {
     return text.getBytes(charset);
