@@ -126,14 +126,10 @@ final class ConfigurationResponder {
       }
     }
     return configuration.change(
-        wanted,
-        transaction.revision(),
-        by(transaction.author()),
-        service::configurationRefusal);
+        wanted, transaction.revision(), by(transaction.author()), service::configurationRefusal);
   }
 
-  private Set<String> once(
-      String requestId, String author, Supplier<ConfigurationOutcome> act) {
+  private Set<String> once(String requestId, String author, Supplier<ConfigurationOutcome> act) {
     ConfigurationTransactionResult before = answered.get(requestId);
     if (before != null) {
       service.publish(Channels.CONFIGURATION, before);

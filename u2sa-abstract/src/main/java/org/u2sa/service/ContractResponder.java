@@ -16,8 +16,8 @@ import org.u2sa.messages.contract.StopCommand;
 
 /**
  * Answers what the service contract says every service answers (thesis 3.2.2.1): discovery,
- * functionality discovery and, by its {@link ConfigurationResponder}, configuration. Runs on the service's thread; the stop command is
- * judged here but obeyed by the service.
+ * functionality discovery and, by its {@link ConfigurationResponder}, configuration. Runs on the
+ * service's thread; the stop command is judged here but obeyed by the service.
  */
 final class ContractResponder {
   /** Where requests to every service come in. */

@@ -2,6 +2,8 @@ package org.u2sa.core.mission;
 
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
@@ -71,12 +73,29 @@ public final class MissionManager extends EventDrivenService {
     registerSubscriber(Channels.GOAL_COMMANDS);
   }
 
+  private Mission read(String file, double thresholdM) {
+    return Mission.load(
+        context().configuration().resolve(file), context().messageTypes(), thresholdM);
+  }
+
+  /** Refuses a mission that cannot be read, before it takes the place of one that can. */
+  @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    String file = (String) values.get(MISSION.name());
+    double thresholdM = (Double) values.get(DEFAULT_THRESHOLD.name());
+    if (file.equals(getVariable(MISSION)) && thresholdM == getVariable(DEFAULT_THRESHOLD)) {
+      return Optional.empty();
+    }
+    try {
+      read(file, thresholdM);
+      return Optional.empty();
+    } catch (BadInputException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
   private GoalSequence load() {
-    Mission mission =
-        Mission.load(
-            context().configuration().resolve(getVariable(MISSION)),
-            context().messageTypes(),
-            getVariable(DEFAULT_THRESHOLD));
+    Mission mission = read(getVariable(MISSION), getVariable(DEFAULT_THRESHOLD));
     log("mission " + mission.origin() + " with goals " + names(mission.goals()));
     mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded = new GoalSequence(mission.goals(), getVariable(LOOP), options());

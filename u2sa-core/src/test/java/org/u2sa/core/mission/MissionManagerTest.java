@@ -177,13 +177,14 @@ class MissionManagerTest {
   }
 
   @Test
-  void configurationChange_toAWrongMission_goesOnWithTheOneBefore() {
-    kit.start(MissionManager::new);
+  void configurationChange_toAWrongMission_isRefusedAndTheOneBeforeGoesOn() {
+    MissionManager manager = kit.start(MissionManager::new);
     kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
     change("MISSION", "no/such.xml");
 
     assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("2");
-    assertThat(logged("goes on with the mission before")).isTrue();
+    assertThat(logged("no/such.xml: there is no such file")).isTrue();
+    assertThat(manager.getVariable("MISSION")).isEqualTo(file.toString());
   }
 
   @Test
