@@ -41,6 +41,8 @@ final class CborReader {
   private final CBORParser in;
   private String path; // type and fields around what is being read, for errors
   private String key; // the field being read; null between fields
+  private int depth; // maps around what is being read
+  private Origin origin; // as the outermost map says; else null
 
   private CborReader(MessageTypes types, CBORParser in, String path) {
     this.types = types;
@@ -64,6 +66,7 @@ final class CborReader {
     try {
       in.nextToken();
       U2SAData message = map(nearest, chain);
+      message.cameFrom(origin);
       if (in.currentLocation().getByteOffset() < length) {
         throw malformed("expected the end of the message, not more bytes");
       }
@@ -108,6 +111,7 @@ final class CborReader {
     String outerKey = key;
     path = where();
     Set<String> skipped = new HashSet<>();
+    depth++;
     for (key = in.nextFieldName(); key != null; key = in.nextFieldName()) {
       MessageField<U2SAData> field = message.ownType().fieldOrNull(key);
       if (field == null ? !skipped.add(key) : field.isSet(message)) {
@@ -116,6 +120,8 @@ final class CborReader {
       in.nextToken();
       if (field != null) {
         field.read(this, message);
+      } else if (depth == 1 && key.equals(Origin.KEY)) {
+        origin = origin();
       } else if (unknown != null && !key.equals(Schema.TYPE_KEY)) {
         unknown.put(unicode(key), AnyValue.read(this));
       } else {
@@ -123,8 +129,21 @@ final class CborReader {
       }
     }
     expect(JsonToken.END_OBJECT, "a text key or the end of the map");
+    depth--;
     path = outerPath;
     key = outerKey;
+  }
+
+  /** What the parser stands on, as [sender, sequence]. */
+  private Origin origin() throws IOException, MalformedMessageException {
+    expect(JsonToken.START_ARRAY, "an array of sender and sequence");
+    in.nextToken();
+    String sender = text();
+    in.nextToken();
+    long sequence = count();
+    in.nextToken();
+    expect(JsonToken.END_ARRAY, "the end of the array after sender and sequence");
+    return new Origin(sender, sequence);
   }
 
   private void requireComplete(U2SAData message) throws MalformedMessageException {

@@ -23,10 +23,11 @@ final class CborWriter {
     this.out = out;
   }
 
-  static byte[] bytes(U2SAData message) {
+  /** The message, and who sends it unless that is null. */
+  static byte[] bytes(U2SAData message, Origin origin) {
     ByteArrayBuilder buffer = new ByteArrayBuilder(TYPICAL_BYTES);
     try (CBORGenerator generator = FACTORY.createGenerator(buffer)) {
-      new CborWriter(generator).message(message, false);
+      new CborWriter(generator).message(message, origin, false);
     } catch (IOException e) {
       throw new UncheckedIOException("memory refused bytes", e);
     }
@@ -43,10 +44,10 @@ final class CborWriter {
     return bytes;
   }
 
-  private void message(U2SAData message, boolean withType) throws IOException {
+  private void message(U2SAData message, Origin origin, boolean withType) throws IOException {
     List<MessageField<U2SAData>> fields = message.ownType().fields();
     Map<String, Object> unknown = message.unknownFields();
-    int size = unknown.size() + (withType ? 1 : 0);
+    int size = unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1);
     for (MessageField<U2SAData> field : fields) {
       if (field.isWritten(message)) {
         size++;
@@ -72,11 +73,18 @@ final class CborWriter {
       out.writeFieldName(entry.getKey());
       AnyValue.write(this, entry.getValue());
     }
+    if (origin != null) {
+      out.writeFieldName(Origin.KEY);
+      beginList(Origin.ELEMENTS);
+      out.writeString(origin.sender());
+      out.writeNumber(origin.sequence());
+      endList();
+    }
     out.writeEndObject();
   }
 
   void nested(U2SAData message) throws IOException {
-    message(message, true);
+    message(message, null, true);
   }
 
   void number(double value) throws IOException {

@@ -238,6 +238,7 @@ public final class Schema<T extends U2SAData> {
   private <F extends MessageField<T>> F added(F field) {
     boolean taken =
         field.name().equals(TYPE_KEY)
+            || field.name().equals(Origin.KEY)
             || fields.stream().anyMatch(other -> other.name().equals(field.name()));
     if (taken) {
       throw new IllegalArgumentException(field.path() + ": the name is taken");

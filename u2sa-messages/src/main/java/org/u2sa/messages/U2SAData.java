@@ -29,6 +29,7 @@ public abstract class U2SAData {
   private final FieldStorage storage;
   private UnknownPart
       unknown; // what a subclass unknown here had, for messages that stand for one; else null
+  private Origin origin; // of one that came over MQTT; else null
 
   /** An empty message of the type that {@link #type()} names. */
   protected U2SAData() {
@@ -89,7 +90,18 @@ public abstract class U2SAData {
    */
   public final byte[] serialize() {
     requireComplete();
-    return CborWriter.bytes(this);
+    return CborWriter.bytes(this, null);
+  }
+
+  /** {@link #serialize()} with a word about who sends it. */
+  public final byte[] serialize(Origin sentFrom) {
+    requireComplete();
+    return CborWriter.bytes(this, sentFrom);
+  }
+
+  /** Who sent the bytes that this was read from; empty if they did not say, or there were none. */
+  public final Optional<Origin> origin() {
+    return Optional.ofNullable(origin);
   }
 
   /** Every field with its unit and value, absent ones empty, in wire order (thesis 3.2.3.1). */
@@ -209,6 +221,10 @@ public abstract class U2SAData {
   final ReferenceFrame frame() {
     ValueField<?, ReferenceFrame> field = type().frameField();
     return field == null ? ReferenceFrame.BODY : storage.get(field);
+  }
+
+  final void cameFrom(Origin sentFrom) {
+    origin = sentFrom;
   }
 
   final void keepUnknown(UnknownPart part) {

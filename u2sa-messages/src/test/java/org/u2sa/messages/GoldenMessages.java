@@ -241,6 +241,11 @@ final class GoldenMessages {
             .serviceName("PathPlanner")
             .variables(List.of(broker))
             .revision(7));
+    HealthReport missing = new HealthReport().serviceName("PathPlanner");
+    add("HealthReport-missed", missing.status(ServiceStatus.RUNNING).missed(12));
+    ConnectionLost missingToo = new ConnectionLost();
+    missingToo.serviceName("PathPlanner").status(ServiceStatus.FAILED).missed(12);
+    add("ConnectionLost-missed", missingToo);
     add(
         "EmergencyStop",
         new EmergencyStop().active(true).operator("anna").reason("person on the runway"));

@@ -41,6 +41,7 @@ public class HealthReport extends U2SAData {
   private static final ValueField<HealthReport, Long> PUBLISHED =
       SCHEMA.optionalCount("published", "");
   private static final ValueField<HealthReport, Long> EXPIRED = SCHEMA.optionalCount("expired", "");
+  private static final ValueField<HealthReport, Long> MISSED = SCHEMA.optionalCount("missed", "");
 
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
@@ -249,6 +250,17 @@ public class HealthReport extends U2SAData {
   /** Sets {@link #expired()}. */
   public HealthReport expired(long value) {
     put(EXPIRED, value);
+    return this;
+  }
+
+  /** Messages that others sent to it over MQTT and that were lost on the way. */
+  public OptionalLong missed() {
+    return optional(MISSED);
+  }
+
+  /** Sets {@link #missed()}. */
+  public HealthReport missed(long value) {
+    put(MISSED, value);
     return this;
   }
 
