@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
@@ -44,7 +45,8 @@ final class ServiceWiring {
         context.configuration().getVariable(ServiceVariables.MANAGER_IP),
         context.configuration().getVariable(ServiceVariables.MANAGER_PORT),
         context.systemId(),
-        new MessageCodec(context.messageTypes()));
+        new MessageCodec(context.messageTypes()),
+        BrokerAccess.configured(context.configuration()));
   }
 
   /**

@@ -1,11 +1,14 @@
 package org.u2sa.core.communication;
 
 import java.net.InetSocketAddress;
+import java.nio.file.Paths;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
@@ -24,6 +27,8 @@ import org.u2sa.messages.U2SAData;
  * external} all services use another MQTT broker, and with {@code none} nothing leaves the process.
  */
 public final class CommunicationManager implements AutoCloseable {
+  private static final String LOOPBACK = "127.0.0.1";
+
   /** Which broker carries the messages. */
   public static final Variable<String> BROKER =
       Variable.text("BROKER")
@@ -35,9 +40,9 @@ public final class CommunicationManager implements AutoCloseable {
   /** Address on which the embedded broker listens. */
   public static final Variable<String> BIND_ADDRESS =
       Variable.text("BIND ADDRESS")
-          .ifAbsent("127.0.0.1")
+          .ifAbsent(LOOPBACK)
           .describedAs(
-              "Address on which the embedded broker listens; 0.0.0.0 opens it to the network.");
+              "Address on which the embedded broker listens; 0.0.0.0 opens it to the network, which needs SECURITY DIRECTORY.");
 
   static final Variable<String> HOST =
       Variable.text("COMMUNICATION MANAGER IP")
@@ -75,16 +80,48 @@ public final class CommunicationManager implements AutoCloseable {
     String bindAddress = configuration.getVariable(BIND_ADDRESS);
     String host = configuration.getVariable(HOST);
     int port = configuration.getVariable(PORT);
+    BrokerLimits limits = BrokerLimits.of(configuration);
+    BrokerSecurity.Settings settings = BrokerSecurity.settings(configuration);
+    Access access = Access.of(configuration);
     MessageCodec codec = new MessageCodec(types);
     if (kind.equals("external")) {
-      MqttTransport transport = new MqttTransport(host, port, systemId, codec);
+      MqttTransport transport =
+          new MqttTransport(host, port, systemId, codec, access.beside(settings.directory()));
       transport.connect("CommunicationManager", new Probe()).close();
       return new CommunicationManager(transport, null);
     }
     LocalBus bus = new LocalBus(systemId);
     EmbeddedBroker broker =
-        kind.equals("none") ? null : EmbeddedBroker.start(bus, codec, bindAddress, port, log);
+        kind.equals("none")
+            ? null
+            : EmbeddedBroker.start(
+                bus,
+                codec,
+                new InetSocketAddress(bindAddress, port),
+                BrokerSecurity.of(settings, bindAddress, log),
+                limits,
+                log);
     return new CommunicationManager(bus, broker);
+  }
+
+  /** As whom and how the services of this process come to an external broker. */
+  private record Access(String user, String passwordFile, boolean tls, String caFile) {
+    static Access of(Configurator configuration) {
+      return new Access(
+          configuration.getVariable(BrokerAccess.USER),
+          configuration.getVariable(BrokerAccess.PASSWORD_FILE),
+          configuration.getVariable(BrokerAccess.TLS),
+          configuration.getVariable(BrokerAccess.CA_FILE));
+    }
+
+    /** With the same configuration as the secured broker, its authority is the one to trust. */
+    BrokerAccess beside(String directory) {
+      String authority =
+          caFile.isEmpty() && !directory.isEmpty()
+              ? new SecurityDirectory(Paths.get(directory)).authority().toString()
+              : caFile;
+      return BrokerAccess.of(user, passwordFile, tls, authority);
+    }
   }
 
   /** The way to it for the services of this process. */

@@ -4,6 +4,7 @@ import io.moquette.BrokerConstants;
 import io.moquette.broker.Server;
 import io.moquette.broker.config.IConfig;
 import io.moquette.broker.config.MemoryConfig;
+import io.moquette.broker.security.PermitAllAuthorizatorPolicy;
 import io.moquette.interception.AbstractInterceptHandler;
 import io.moquette.interception.messages.InterceptConnectionLostMessage;
 import io.moquette.interception.messages.InterceptDisconnectMessage;
@@ -19,6 +20,7 @@ import java.util.List;
 import java.util.Properties;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
@@ -44,9 +46,15 @@ final class EmbeddedBroker implements AutoCloseable {
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final AtomicLong unreadable = new AtomicLong();
   private final OutgoingCopies copies;
+  private final BrokerDoor door;
 
   private EmbeddedBroker(
-      LocalBus bus, MessageCodec codec, InetSocketAddress address, Consumer<String> log) {
+      LocalBus bus,
+      MessageCodec codec,
+      InetSocketAddress address,
+      BrokerDoor door,
+      Consumer<String> log) {
+    this.door = door;
     this.bus = bus;
     this.codec = codec;
     this.address = address;
@@ -55,40 +63,61 @@ final class EmbeddedBroker implements AutoCloseable {
   }
 
   static EmbeddedBroker start(
-      LocalBus bus, MessageCodec codec, String host, int port, Consumer<String> log) {
-    EmbeddedBroker broker = new EmbeddedBroker(bus, codec, new InetSocketAddress(host, port), log);
-    Properties properties = new Properties();
-    properties.setProperty(IConfig.HOST_PROPERTY_NAME, host);
-    properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(port));
-    properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "true");
-    properties.setProperty( // mosquitto_sub names itself so unless told otherwise
-        BrokerConstants.ALLOW_ZERO_BYTE_CLIENT_ID_PROPERTY_NAME, "true");
-    properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
-    properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
-    properties.setProperty(IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(LARGEST_PACKET));
-    properties.setProperty(
-        IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush at once: latency counts
-    broker.refuseTakenPort();
+      LocalBus bus,
+      MessageCodec codec,
+      InetSocketAddress address,
+      BrokerSecurity security,
+      BrokerLimits limits,
+      Consumer<String> log) {
+    refuseTakenPort(address);
+    BrokerDoor door = new BrokerDoor(limits, codec, new SystemClock(), security.users(log), log);
+    EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, door, log);
     try {
-      broker.server.startServer(new MemoryConfig(properties), List.of(broker.new Listener()));
+      broker.server.startServer(
+          new MemoryConfig(properties(address, security)),
+          List.of(broker.new Listener()),
+          security::tls,
+          (clientId, user, password) -> door.letIn(password),
+          new PermitAllAuthorizatorPolicy()); // the door has looked at each packet
+      DoorFrame.hang(door, broker.server);
     } catch (IOException | RuntimeException e) {
-      throw broker.cannotListen(e);
+      door.close();
+      throw cannotListen(address, e);
     }
     broker.copies.start();
     bus.attach(broker.copies);
     return broker;
   }
 
+  private static Properties properties(InetSocketAddress address, BrokerSecurity security) {
+    Properties properties = new Properties();
+    String port = String.valueOf(address.getPort());
+    properties.setProperty(IConfig.HOST_PROPERTY_NAME, address.getHostString());
+    if (security.isOn()) {
+      properties.setProperty(IConfig.PORT_PROPERTY_NAME, BrokerConstants.DISABLED_PORT_BIND);
+      properties.setProperty(IConfig.SSL_PORT_PROPERTY_NAME, port);
+    } else {
+      properties.setProperty(IConfig.PORT_PROPERTY_NAME, port);
+    }
+    properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the door names all
+    properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
+    properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
+    properties.setProperty(IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(LARGEST_PACKET));
+    properties.setProperty(
+        IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush at once: latency counts
+    return properties;
+  }
+
   /** Tries the port first: Moquette tells a taken one in a log of its own, with a stack trace. */
-  private void refuseTakenPort() {
+  private static void refuseTakenPort(InetSocketAddress address) {
     try (ServerSocket probe = new ServerSocket()) {
       probe.bind(address);
     } catch (IOException | IllegalArgumentException e) {
-      throw cannotListen(e);
+      throw cannotListen(address, e);
     }
   }
 
-  private CommunicationException cannotListen(Exception e) {
+  private static CommunicationException cannotListen(InetSocketAddress address, Exception e) {
     return new CommunicationException(
         "the Communication Manager cannot listen on "
             + address.getHostString()
@@ -104,8 +133,13 @@ final class EmbeddedBroker implements AutoCloseable {
     return address;
   }
 
+  /** What the door has refused and given up, for tests. */
+  BrokerDoor door() {
+    return door;
+  }
+
   long dropped() {
-    return copies.dropped();
+    return copies.dropped() + door.dropped();
   }
 
   @Override
@@ -113,6 +147,7 @@ final class EmbeddedBroker implements AutoCloseable {
     bus.attach((channel, message) -> {});
     copies.close();
     server.stopServer();
+    door.close();
   }
 
   private void deliver(String topicName, byte[] payload) {
@@ -159,6 +194,7 @@ final class EmbeddedBroker implements AutoCloseable {
     @Override
     public void onPublish(InterceptPublishMessage message) {
       ByteBuf payload = message.getPayload();
+      door.backlog().out();
       try {
         deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
       } finally {

@@ -54,13 +54,20 @@ final class MqttConnection implements Connection {
     client.setCallback(new Callback());
   }
 
-  void open() {
+  void open(BrokerAccess access) {
     MqttConnectOptions options = new MqttConnectOptions();
     options.setCleanSession(true);
     options.setAutomaticReconnect(true);
     options.setMaxReconnectDelay(RECONNECT_AT_MOST_EVERY_MS);
     options.setKeepAliveInterval(KEEP_ALIVE_S);
-    options.setSocketFactory(new PromptSockets());
+    options.setSocketFactory(access.sockets());
+    access
+        .user()
+        .ifPresent(
+            user -> {
+              options.setUserName(user);
+              options.setPassword(access.password());
+            });
     options.setMaxInflight(MAX_IN_FLIGHT);
     options.setConnectionTimeout((int) (ANSWER_WITHIN_MS / 1_000));
     try {

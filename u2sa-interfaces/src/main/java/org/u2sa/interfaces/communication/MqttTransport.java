@@ -12,6 +12,7 @@ public final class MqttTransport implements Transport {
   private final int port;
   private final String systemId;
   private final MessageCodec codec;
+  private final BrokerAccess access;
 
   /**
    * A transport that connects each service with a client of its own.
@@ -23,6 +24,16 @@ public final class MqttTransport implements Transport {
    * @param codec what reads incoming messages
    */
   public MqttTransport(String host, int port, String systemId, MessageCodec codec) {
+    this(host, port, systemId, codec, BrokerAccess.open());
+  }
+
+  /**
+   * A transport for a broker that wants a user or encryption.
+   *
+   * @param access as whom and how each client comes; the rest as above
+   */
+  public MqttTransport(
+      String host, int port, String systemId, MessageCodec codec, BrokerAccess access) {
     if (port < 1 || port > 65_535) {
       throw new IllegalArgumentException("port: " + port + " is outside 1…65535");
     }
@@ -30,13 +41,15 @@ public final class MqttTransport implements Transport {
     this.port = port;
     this.systemId = systemId.equals(Topic.ANY_SYSTEM) ? systemId : Topic.checkSystemId(systemId);
     this.codec = Objects.requireNonNull(codec, "codec");
+    this.access = Objects.requireNonNull(access, "access");
   }
 
   @Override
   public Connection connect(String serviceName, Receiver receiver) {
     MqttConnection connection =
-        new MqttConnection("tcp://" + host + ":" + port, systemId, serviceName, codec, receiver);
-    connection.open();
+        new MqttConnection(
+            access.scheme() + "://" + host + ":" + port, systemId, serviceName, codec, receiver);
+    connection.open(access);
     return connection;
   }
 

@@ -1,0 +1,48 @@
+package org.u2sa.core.communication;
+
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * Messages that were let into Moquette and have not come out of it yet. Its queues drop what does
+ * not fit without a word; so clients are read more slowly before that, and what stays in there is
+ * taken for lost. Safe for several threads.
+ */
+final class Backlog {
+  private final AtomicLong in = new AtomicLong();
+  private final AtomicLong out = new AtomicLong();
+  private final AtomicLong lost = new AtomicLong();
+  private long inBefore; // guarded by this
+  private long outBefore; // guarded by this
+
+  void in() {
+    in.incrementAndGet();
+  }
+
+  void out() {
+    out.incrementAndGet();
+  }
+
+  boolean isFull() {
+    return in.get() - out.get() - lost.get() >= BrokerLimits.ON_THE_WAY;
+  }
+
+  /**
+   * To be called about every second: if nothing moved since the last call, what is inside will not
+   * come out any more.
+   *
+   * @return how many were found lost
+   */
+  synchronized long settle() {
+    long inNow = in.get();
+    long outNow = out.get();
+    boolean moved = inNow != inBefore || outNow != outBefore;
+    inBefore = inNow;
+    outBefore = outNow;
+    long inside = inNow - outNow - lost.get();
+    if (moved || inside == 0) {
+      return 0;
+    }
+    lost.addAndGet(inside); // negative if Moquette published by itself, as it does wills
+    return Math.max(0, inside);
+  }
+}

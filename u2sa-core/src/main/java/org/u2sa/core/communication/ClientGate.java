@@ -1,0 +1,272 @@
+package org.u2sa.core.communication;
+
+import io.netty.channel.ChannelFutureListener;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.handler.codec.mqtt.MqttConnectMessage;
+import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
+import io.netty.handler.codec.mqtt.MqttMessage;
+import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttPublishMessage;
+import io.netty.handler.codec.mqtt.MqttQoS;
+import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
+import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
+import io.netty.util.ReferenceCountUtil;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import org.u2sa.core.security.User;
+
+/**
+ * One client's way in: first it says who it is, then each of its packets is looked at before
+ * Moquette sees it. Belongs to its connection's thread.
+ */
+final class ClientGate extends ChannelInboundHandlerAdapter {
+  private enum Stage {
+    STRANGER,
+    CHECKED, // its password is being looked at
+    IN,
+    OUT
+  }
+
+  private final BrokerDoor door;
+  private final Outflow outflow;
+  private Inflow inflow;
+  private Stage stage = Stage.STRANGER;
+  private PacketRules rules;
+  private String clientId = "";
+  private volatile String name = BrokerDoor.ANONYMOUS;
+  private User user; // null: anonymous
+  private InetAddress from;
+  private long since;
+  private ScheduledFuture<?> watch;
+  private volatile ChannelHandlerContext context;
+
+  ClientGate(BrokerDoor door, Outflow outflow) {
+    this.door = door;
+    this.outflow = outflow;
+  }
+
+  void inflow(Inflow before) {
+    inflow = before;
+  }
+
+  /** The user's name. */
+  String name() {
+    return name;
+  }
+
+  /** Whether the next packet may come. */
+  boolean isReady() {
+    return stage != Stage.CHECKED;
+  }
+
+  @Override
+  public void handlerAdded(ChannelHandlerContext ctx) {
+    context = ctx;
+    since = door.nowMicros();
+    from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
+    for (ClientGate longest : door.strangers().add(this, from)) {
+      longest.putOut("stranger put out for a newer one");
+    }
+    watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
+  }
+
+  /** May be called on any thread. */
+  private void putOut(String kind) {
+    ChannelHandlerContext ctx = context;
+    ctx.executor().execute(() -> putOut(ctx, kind, ""));
+  }
+
+  private void putOut(ChannelHandlerContext ctx, String kind, String details) {
+    if (stage != Stage.OUT) {
+      stage = Stage.OUT;
+      door.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
+      ctx.close();
+    }
+  }
+
+  private String who() {
+    return "user "
+        + Refusals.shown(name)
+        + ", client "
+        + Refusals.shown(clientId)
+        + ", from "
+        + from.getHostAddress();
+  }
+
+  private void look(ChannelHandlerContext ctx) {
+    if (stage == Stage.STRANGER
+        && door.nowMicros() - since > 1_000 * BrokerLimits.INTRODUCTION_WITHIN_MS) {
+      putOut(ctx, "connection closed, it does not say who it is", "");
+    } else if (stage == Stage.IN) {
+      outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, "client put out, it is too slow", why));
+      if (user != null && !door.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
+        putOut(ctx, "client put out, its user was changed or removed", "");
+      }
+    }
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext ctx, Object message) {
+    MqttMessage packet = (MqttMessage) message;
+    boolean handedOn = false;
+    try {
+      if (stage == Stage.OUT) {
+        return;
+      }
+      if (packet.decoderResult() != null && packet.decoderResult().isFailure()
+          || packet.fixedHeader() == null) {
+        Throwable cause = packet.decoderResult() == null ? null : packet.decoderResult().cause();
+        putOut(
+            ctx, "malformed packet", cause == null ? "" : Refusals.shown("" + cause.getMessage()));
+      } else if (stage == Stage.STRANGER) {
+        introduce(ctx, packet);
+      } else {
+        handedOn = examine(ctx, packet);
+      }
+    } finally {
+      if (!handedOn) {
+        ReferenceCountUtil.release(message);
+      }
+    }
+  }
+
+  private void introduce(ChannelHandlerContext ctx, MqttMessage packet) {
+    if (!(packet instanceof MqttConnectMessage)) {
+      putOut(ctx, "malformed packet", "the first one is no CONNECT");
+      return;
+    }
+    Introduction said = Introduction.of((MqttConnectMessage) packet, door.pass());
+    clientId = said.clientId();
+    Optional<String> fault = said.fault();
+    if (fault.isPresent()) {
+      refuse(
+          ctx, MqttConnectReturnCode.CONNECTION_REFUSED_UNACCEPTABLE_PROTOCOL_VERSION, fault.get());
+    } else if (door.users().isEmpty()) {
+      admit(ctx, said);
+    } else if (said.user().isEmpty()) {
+      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it says no user");
+    } else {
+      name = said.user();
+      stage = Stage.CHECKED;
+      door.desk()
+          .check(
+              name,
+              said.password(),
+              from,
+              verdict -> ctx.executor().execute(() -> judged(ctx, said, verdict)));
+    }
+  }
+
+  private void judged(ChannelHandlerContext ctx, Introduction said, LoginDesk.Verdict verdict) {
+    if (stage != Stage.CHECKED) {
+      return; // gone meanwhile
+    }
+    if (verdict.user().isEmpty()) {
+      refuse(
+          ctx,
+          MqttConnectReturnCode.CONNECTION_REFUSED_BAD_USER_NAME_OR_PASSWORD,
+          verdict.reason());
+      return;
+    }
+    user = verdict.user().get();
+    admit(ctx, said);
+    ctx.fireChannelReadComplete();
+  }
+
+  private void admit(ChannelHandlerContext ctx, Introduction said) {
+    rules = new PacketRules(door, user, clientId);
+    Optional<String> will = said.willTopic().flatMap(topic -> rules.refusalOfWill(topic, said));
+    if (will.isPresent()) {
+      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, will.get());
+      return;
+    }
+    Optional<String> taken = door.enter(clientId, this);
+    if (taken.isPresent()) {
+      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED, taken.get());
+      return;
+    }
+    stage = Stage.IN;
+    door.strangers().remove(this);
+    outflow.admitted(user, clientId);
+    ctx.fireChannelRead(said.forMoquette(name));
+  }
+
+  private void refuse(ChannelHandlerContext ctx, MqttConnectReturnCode code, String why) {
+    stage = Stage.OUT;
+    door.refusals().add("log-in refused, " + why, who());
+    ctx.writeAndFlush(MqttMessageBuilders.connAck().returnCode(code).build())
+        .addListener(ChannelFutureListener.CLOSE);
+  }
+
+  private boolean examine(ChannelHandlerContext ctx, MqttMessage packet) {
+    switch (packet.fixedHeader().messageType()) {
+      case PUBLISH:
+        return examine(ctx, (MqttPublishMessage) packet);
+      case SUBSCRIBE:
+        MqttSubscribeMessage wanted = (MqttSubscribeMessage) packet;
+        Optional<String> refused = rules.refusalOf(wanted);
+        if (refused.isPresent()) {
+          door.refusals().add("subscription refused, " + refused.get(), who());
+          ctx.writeAndFlush(PacketRules.refusedAnswer(wanted));
+          return false;
+        }
+        break;
+      case UNSUBSCRIBE:
+        rules.unsubscribed((MqttUnsubscribeMessage) packet);
+        break;
+      case PUBACK:
+      case PINGREQ:
+      case DISCONNECT:
+        break;
+      default: // QoS 2, a second CONNECT, or what only a broker says
+        putOut(ctx, "unexpected packet", packet.fixedHeader().messageType().toString());
+        return false;
+    }
+    ctx.fireChannelRead(packet);
+    return true;
+  }
+
+  private boolean examine(ChannelHandlerContext ctx, MqttPublishMessage publish) {
+    MqttQoS qos = publish.fixedHeader().qosLevel();
+    if (qos == MqttQoS.EXACTLY_ONCE) {
+      putOut(ctx, "unexpected packet", "QoS 2, which no channel of U2SA uses");
+      return false;
+    }
+    Optional<String> refused = rules.refusalOf(publish);
+    if (refused.isPresent()) {
+      String topic = Refusals.shown(publish.variableHeader().topicName());
+      door.refusals().add("message refused, " + refused.get(), who() + ", topic " + topic);
+      if (qos == MqttQoS.AT_LEAST_ONCE) { // MQTT 3.1.1 knows no other answer
+        int packet = publish.variableHeader().packetId();
+        ctx.writeAndFlush(MqttMessageBuilders.pubAck().packetId(packet).build());
+      }
+      return false;
+    }
+    door.backlog().in();
+    ctx.fireChannelRead(publish);
+    return true;
+  }
+
+  @Override
+  public void channelInactive(ChannelHandlerContext ctx) {
+    stage = Stage.OUT;
+    ctx.fireChannelInactive();
+  }
+
+  @Override
+  public void handlerRemoved(ChannelHandlerContext ctx) {
+    stage = Stage.OUT;
+    watch.cancel(false);
+    door.strangers().remove(this);
+    door.leave(clientId, this);
+  }
+
+  @Override
+  public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
+    putOut(ctx, "connection failed", Refusals.shown("" + cause.getMessage()));
+  }
+}

@@ -1,0 +1,63 @@
+package org.u2sa.core.communication;
+
+import io.moquette.broker.Server;
+import io.netty.channel.Channel;
+import io.netty.channel.EventLoop;
+import io.netty.channel.EventLoopGroup;
+import io.netty.channel.ServerChannel;
+import io.netty.channel.SingleThreadEventLoop;
+import io.netty.util.concurrent.EventExecutor;
+import java.lang.reflect.Field;
+import java.util.Iterator;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import org.u2sa.interfaces.communication.CommunicationException;
+
+/**
+ * Hangs the door into Moquette's listening socket. Moquette has no way of its own for that, so its
+ * private field is read; should a later version keep it elsewhere, the broker does not start. What
+ * connects before the door hangs has no pass and is not let in.
+ */
+final class DoorFrame {
+  private DoorFrame() {}
+
+  static void hang(BrokerDoor door, Server server) {
+    int hung = 0;
+    try {
+      Object acceptor = field(server, "acceptor");
+      EventLoopGroup listening = (EventLoopGroup) field(acceptor, "bossGroup");
+      for (EventExecutor executor : listening) {
+        hung += executor.submit(() -> hang(door, (EventLoop) executor)).get();
+      }
+    } catch (ReflectiveOperationException | ExecutionException e) {
+      throw new CommunicationException("this version of Moquette cannot be secured: " + e, e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new CommunicationException("interrupted while the broker started", e);
+    }
+    if (hung == 0) {
+      throw new CommunicationException("this version of Moquette cannot be secured: no socket");
+    }
+  }
+
+  private static Object field(Object owner, String name) throws ReflectiveOperationException {
+    Field field = owner.getClass().getDeclaredField(name);
+    field.setAccessible(true);
+    return field.get(owner);
+  }
+
+  /** On the loop's own thread, as its channels may be looked at there only. */
+  private static int hang(BrokerDoor door, EventLoop loop) {
+    int hung = 0;
+    Iterator<Channel> channels = ((SingleThreadEventLoop) loop).registeredChannelsIterator();
+    while (channels.hasNext()) {
+      Channel channel = channels.next();
+      if (channel instanceof ServerChannel) {
+        channel.pipeline().addFirst(door.new Acceptor());
+        loop.scheduleAtFixedRate(door::tidy, 1, 1, TimeUnit.SECONDS);
+        hung++;
+      }
+    }
+    return hung;
+  }
+}

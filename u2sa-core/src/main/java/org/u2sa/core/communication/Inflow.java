@@ -1,0 +1,89 @@
+package org.u2sa.core.communication;
+
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.handler.codec.mqtt.MqttPublishMessage;
+import io.netty.util.ReferenceCountUtil;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Lets a client's packets in as fast as it may, and reads no more of them meanwhile, so that they
+ * wait at the client and none is lost. Belongs to its connection's thread.
+ */
+final class Inflow extends ChannelInboundHandlerAdapter {
+  private static final long LOOK_AGAIN_MS = 2;
+
+  private final BrokerDoor door;
+  private final ClientGate gate;
+  private final Deque<Object> held = new ArrayDeque<>(); // what was read already
+  private final Allowance messages;
+  private final Allowance bytes;
+  private boolean paused;
+
+  Inflow(BrokerDoor door, ClientGate gate) {
+    this.door = door;
+    this.gate = gate;
+    long now = door.nowMicros();
+    messages = new Allowance(door.limits().messagesPerS(), now);
+    bytes = new Allowance(door.limits().bytesPerS(), now);
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext ctx, Object message) {
+    if (held.isEmpty() && isOpen()) {
+      letIn(ctx, message);
+    } else {
+      held.add(message);
+      pause(ctx);
+    }
+  }
+
+  private boolean isOpen() {
+    long now = door.nowMicros();
+    return gate.isReady() && messages.isOpen(now) && bytes.isOpen(now) && !door.backlog().isFull();
+  }
+
+  private void letIn(ChannelHandlerContext ctx, Object message) {
+    messages.take(1.0);
+    if (message instanceof MqttPublishMessage) {
+      bytes.take(((MqttPublishMessage) message).content().readableBytes());
+    }
+    ctx.fireChannelRead(message);
+  }
+
+  private void pause(ChannelHandlerContext ctx) {
+    ctx.channel().config().setAutoRead(false);
+    if (!paused) {
+      paused = true;
+      ctx.executor().schedule(() -> resume(ctx), LOOK_AGAIN_MS, TimeUnit.MILLISECONDS);
+    }
+  }
+
+  private void resume(ChannelHandlerContext ctx) {
+    paused = false;
+    if (ctx.isRemoved()) {
+      return;
+    }
+    boolean any = false;
+    while (!held.isEmpty() && isOpen()) {
+      letIn(ctx, held.poll());
+      any = true;
+    }
+    if (any) {
+      ctx.fireChannelReadComplete();
+    }
+    if (held.isEmpty() && isOpen()) {
+      ctx.channel().config().setAutoRead(true);
+    } else {
+      pause(ctx);
+    }
+  }
+
+  @Override
+  public void handlerRemoved(ChannelHandlerContext ctx) {
+    held.forEach(ReferenceCountUtil::release);
+    held.clear();
+  }
+}

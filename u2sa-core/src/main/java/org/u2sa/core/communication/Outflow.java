@@ -1,0 +1,109 @@
+package org.u2sa.core.communication;
+
+import io.netty.channel.ChannelDuplexHandler;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelPromise;
+import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttMessageType;
+import io.netty.handler.codec.mqtt.MqttPubAckMessage;
+import io.netty.handler.codec.mqtt.MqttPublishMessage;
+import io.netty.handler.codec.mqtt.MqttQoS;
+import io.netty.util.ReferenceCountUtil;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.core.security.User;
+
+/**
+ * What goes out to one client: only of systems that it may listen to, and no more than it takes.
+ * Belongs to its connection's thread.
+ */
+final class Outflow extends ChannelDuplexHandler {
+  private static final String SYSTEMS = "u2sa/";
+
+  private final BrokerDoor door;
+  private final Map<Integer, Long> unacknowledged = new LinkedHashMap<>(); // packet: since [µs]
+  private User user; // null: may listen to everything
+  private String client = "";
+  private long unreadSince = Long.MAX_VALUE; // [µs]
+  private long leastUnread;
+
+  Outflow(BrokerDoor door) {
+    this.door = door;
+  }
+
+  void admitted(User whom, String clientId) {
+    user = whom;
+    client = clientId;
+  }
+
+  @Override
+  public void write(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
+    if (!(message instanceof MqttPublishMessage)) {
+      ctx.write(message, promise);
+      return;
+    }
+    MqttPublishMessage publish = (MqttPublishMessage) message;
+    boolean acknowledged = publish.fixedHeader().qosLevel() != MqttQoS.AT_MOST_ONCE;
+    int packet = publish.variableHeader().packetId();
+    if (!mayHear(publish.variableHeader().topicName())) {
+      ReferenceCountUtil.release(message);
+      promise.trySuccess();
+      if (acknowledged) { // for Moquette it has arrived, or it would send it again and again
+        ctx.executor()
+            .execute(
+                () -> ctx.fireChannelRead(MqttMessageBuilders.pubAck().packetId(packet).build()));
+      }
+    } else if (!acknowledged && unread(ctx) > BrokerLimits.UNREAD_BYTES) {
+      ReferenceCountUtil.release(message);
+      promise.trySuccess();
+      door.unsent(Refusals.shown(client));
+    } else {
+      if (acknowledged) {
+        unacknowledged.putIfAbsent(packet, door.nowMicros());
+      }
+      ctx.write(message, promise);
+    }
+  }
+
+  private boolean mayHear(String topic) {
+    if (user == null) {
+      return true;
+    }
+    int end = topic.indexOf('/', SYSTEMS.length());
+    return topic.startsWith(SYSTEMS)
+        && end > 0
+        && user.mayEnter(topic.substring(SYSTEMS.length(), end));
+  }
+
+  private static long unread(ChannelHandlerContext ctx) {
+    return ctx.channel().config().getWriteBufferHighWaterMark()
+        - ctx.channel().bytesBeforeUnwritable();
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext ctx, Object message) {
+    if (message instanceof MqttPubAckMessage
+        && ((MqttPubAckMessage) message).fixedHeader().messageType() == MqttMessageType.PUBACK) {
+      unacknowledged.remove(((MqttPubAckMessage) message).variableHeader().messageId());
+    }
+    ctx.fireChannelRead(message);
+  }
+
+  /** Why the client is to be put out; to be asked about every second. */
+  Optional<String> tooSlow(ChannelHandlerContext ctx) {
+    long now = door.nowMicros();
+    long unread = unread(ctx);
+    if (unread == 0 || unread < leastUnread || unreadSince == Long.MAX_VALUE) {
+      leastUnread = unread;
+      unreadSince = unread == 0 ? Long.MAX_VALUE : now;
+    } else if (now - unreadSince > BrokerLimits.PATIENCE_MICROS) {
+      return Optional.of("it reads nothing");
+    }
+    if (!unacknowledged.isEmpty()
+        && now - unacknowledged.values().iterator().next() > BrokerLimits.PATIENCE_MICROS) {
+      return Optional.of("it acknowledges nothing");
+    }
+    return Optional.empty();
+  }
+}

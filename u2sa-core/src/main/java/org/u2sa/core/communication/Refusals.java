@@ -1,0 +1,53 @@
+package org.u2sa.core.communication;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+
+/**
+ * Counts and tells what the broker refuses or gives up, each kind at its 1st, 2nd, 4th, 8th … time,
+ * so that a flood does not fill the log. Safe for several threads.
+ */
+final class Refusals {
+  private static final int KINDS_AT_MOST = 512;
+  private static final int LONGEST_NAME = 120;
+
+  private final Consumer<String> log;
+  private final AtomicLong total = new AtomicLong();
+  private final Map<String, AtomicLong> byKind = new ConcurrentHashMap<>();
+
+  Refusals(Consumer<String> log) {
+    this.log = log;
+  }
+
+  /**
+   * @param kind what is counted together; no text of a client's choice
+   * @param details who, from where, on what; may hold what a client said
+   */
+  void add(String kind, String details) {
+    total.incrementAndGet();
+    String key = byKind.size() < KINDS_AT_MOST || byKind.containsKey(kind) ? kind : "others";
+    long count = byKind.computeIfAbsent(key, name -> new AtomicLong()).incrementAndGet();
+    if (Long.bitCount(count) == 1) {
+      log.accept(kind + ": " + details + " (" + count + " so far)");
+    }
+  }
+
+  /** All of them. */
+  long total() {
+    return total.get();
+  }
+
+  /** Those of a kind. */
+  long of(String kind) {
+    AtomicLong count = byKind.get(kind);
+    return count == null ? 0 : count.get();
+  }
+
+  /** A client's own text, made fit for a line of a log. */
+  static String shown(String text) {
+    String cut = text.length() > LONGEST_NAME ? text.substring(0, LONGEST_NAME) + "…" : text;
+    return "\"" + cut.replaceAll("\\p{Cntrl}", "?") + "\"";
+  }
+}

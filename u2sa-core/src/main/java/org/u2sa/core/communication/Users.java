@@ -1,0 +1,68 @@
+package org.u2sa.core.communication;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import org.u2sa.core.security.User;
+import org.u2sa.core.security.UserFile;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * The users of a running broker: those of the file, which is read again when it changes, and those
+ * of this run only. Safe for several threads.
+ */
+final class Users {
+  private final Path file;
+  private final Consumer<String> log;
+  private final Map<String, User> ofThisRun = new ConcurrentHashMap<>();
+  private volatile Map<String, User> ofFile;
+  private FileTime readAt; // guarded by this
+
+  /**
+   * @throws BadInputException if the file is wrong
+   */
+  Users(Path file, Consumer<String> log) {
+    this.file = file;
+    this.log = log;
+    readAt = changedAt();
+    ofFile = UserFile.read(file);
+  }
+
+  Optional<User> named(String name) {
+    User temporary = ofThisRun.get(name);
+    return Optional.ofNullable(temporary != null ? temporary : ofFile.get(name));
+  }
+
+  /** Adds one that is gone when the broker ends. */
+  void add(User user) {
+    ofThisRun.put(user.name(), user);
+  }
+
+  /** Reads the file again if it has changed; a wrong one is told, and the users before stay. */
+  synchronized void refresh() {
+    FileTime changed = changedAt();
+    if (changed.equals(readAt)) {
+      return;
+    }
+    readAt = changed;
+    try {
+      ofFile = UserFile.read(file);
+      log.accept("users read again: " + ofFile.size() + " in " + file);
+    } catch (BadInputException e) {
+      log.accept("users stay as they were: " + e.getMessage());
+    }
+  }
+
+  private FileTime changedAt() {
+    try {
+      return Files.getLastModifiedTime(file);
+    } catch (IOException e) {
+      return FileTime.fromMillis(0); // gone: reading it tells so
+    }
+  }
+}

@@ -1,0 +1,108 @@
+package org.u2sa.core.security;
+
+import java.security.GeneralSecurityException;
+import java.security.MessageDigest;
+import java.security.SecureRandom;
+import java.util.Base64;
+import javax.crypto.SecretKeyFactory;
+import javax.crypto.spec.PBEKeySpec;
+
+/**
+ * A password as it is kept: PBKDF2 with HMAC-SHA-512, salted, so that neither equal passwords nor
+ * the words behind them show. Whoever has the file must spend the time of a log-in on each guess.
+ *
+ * @param iterations rounds of the function
+ * @param salt random, another for each user
+ * @param hash 64 bytes
+ */
+public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
+  /** OWASP's advice for PBKDF2-HMAC-SHA512 (Password Storage Cheat Sheet, 2023). */
+  public static final int ITERATIONS = 210_000;
+
+  private static final String NAME = "pbkdf2-sha512";
+  private static final String ALGORITHM = "PBKDF2WithHmacSHA512";
+  private static final int MOST_ITERATIONS = 10_000_000;
+  private static final int SALT_BYTES = 16;
+  private static final int HASH_BYTES = 64;
+  private static final int PARTS = 4;
+
+  public PasswordHash {
+    salt = salt.clone();
+    hash = hash.clone();
+  }
+
+  @Override
+  public byte[] salt() {
+    return salt.clone();
+  }
+
+  @Override
+  public byte[] hash() {
+    return hash.clone();
+  }
+
+  /** Hashes a new password with a new salt. */
+  public static PasswordHash of(char[] password, SecureRandom random) {
+    return of(password, random, ITERATIONS);
+  }
+
+  /** As {@link #of(char[], SecureRandom)}, for those who need another number of rounds. */
+  public static PasswordHash of(char[] password, SecureRandom random, int iterations) {
+    byte[] salt = new byte[SALT_BYTES];
+    random.nextBytes(salt);
+    return new PasswordHash(iterations, salt, derive(password, salt, iterations));
+  }
+
+  /** Whether it is the password. Takes as long whether it is or not. */
+  public boolean matches(char[] password) {
+    return MessageDigest.isEqual(hash, derive(password, salt, iterations));
+  }
+
+  private static byte[] derive(char[] password, byte[] salt, int iterations) {
+    PBEKeySpec spec = new PBEKeySpec(password, salt, iterations, HASH_BYTES * Byte.SIZE);
+    try {
+      return SecretKeyFactory.getInstance(ALGORITHM).generateSecret(spec).getEncoded();
+    } catch (GeneralSecurityException e) {
+      throw new IllegalStateException("this Java has no " + ALGORITHM, e);
+    } finally {
+      spec.clearPassword();
+    }
+  }
+
+  /**
+   * Reads {@link #toString}.
+   *
+   * @throws IllegalArgumentException if it is not of that form
+   */
+  static PasswordHash parse(String text) {
+    String[] parts = text.split("\\$", -1);
+    if (parts.length != PARTS || !parts[0].equals(NAME)) {
+      throw new IllegalArgumentException("expected " + NAME + "$iterations$salt$hash");
+    }
+    int iterations = Integer.parseInt(parts[1]);
+    byte[] salt = Base64.getDecoder().decode(parts[2]);
+    byte[] hash = Base64.getDecoder().decode(parts[3]);
+    if (iterations < 1 || iterations > MOST_ITERATIONS || hash.length != HASH_BYTES) {
+      throw new IllegalArgumentException(
+          "expected 1…" + MOST_ITERATIONS + " iterations and a hash of " + HASH_BYTES + " bytes");
+    }
+    return new PasswordHash(iterations, salt, hash);
+  }
+
+  /** As it stands in Mosquitto's password file: {@code $7$iterations$salt$hash}. */
+  public String forMosquitto() {
+    Base64.Encoder base64 = Base64.getEncoder();
+    return "$7$"
+        + iterations
+        + "$"
+        + base64.encodeToString(salt)
+        + "$"
+        + base64.encodeToString(hash);
+  }
+
+  /** As it stands in the users' file. */
+  @Override
+  public String toString() {
+    return NAME + forMosquitto().substring(2);
+  }
+}

@@ -1,0 +1,73 @@
+package org.u2sa.core.security;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.EnumSet;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.interfaces.BadInputException;
+
+/** Files that only their owner may read: keys, passwords, users. */
+public final class SecretFile {
+  private static final Set<PosixFilePermission> OWNER_ONLY =
+      PosixFilePermissions.fromString("rw-------");
+
+  private SecretFile() {}
+
+  /**
+   * Writes the file, whole or not at all; it is never there with wider permissions.
+   *
+   * @throws BadInputException if it cannot be written
+   */
+  public static void write(Path file, byte[] content) {
+    Path beside = file.resolveSibling(file.getFileName() + ".new");
+    try {
+      Files.deleteIfExists(beside);
+      if (isPosix(file)) {
+        Files.createFile(beside, PosixFilePermissions.asFileAttribute(OWNER_ONLY));
+      } else {
+        Files.createFile(beside);
+      }
+      try (FileChannel out = FileChannel.open(beside, StandardOpenOption.WRITE)) {
+        ByteBuffer left = ByteBuffer.wrap(content);
+        while (left.hasRemaining()) {
+          out.write(left);
+        }
+        out.force(true);
+      }
+      Files.move(beside, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      throw new BadInputException(file + ": cannot be written: " + e, e);
+    }
+  }
+
+  /** What is wrong with the file's permissions; empty if only its owner may read and write it. */
+  public static Optional<String> tooOpen(Path file) {
+    try {
+      if (!isPosix(file)) {
+        return Optional.empty(); // another kind of permissions, which Java does not tell
+      }
+      Set<PosixFilePermission> others =
+          new HashSet<>(Files.getPosixFilePermissions(file, LinkOption.NOFOLLOW_LINKS));
+      others.removeAll(EnumSet.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE));
+      return others.isEmpty()
+          ? Optional.empty()
+          : Optional.of(file + ": others than its owner may use it; chmod 600 it");
+    } catch (IOException e) {
+      return Optional.of(file + ": its permissions cannot be read: " + e);
+    }
+  }
+
+  private static boolean isPosix(Path file) {
+    return file.getFileSystem().supportedFileAttributeViews().contains("posix");
+  }
+}

@@ -1,0 +1,125 @@
+package org.u2sa.core.security;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.communication.Topic;
+
+/**
+ * One user of the broker: a person, a service or a host.
+ *
+ * @param name 1…64 letters, digits, '_', '.' or '-'
+ * @param roles what the user may do: all that any of them allows; at least one
+ * @param systems in which systems; at least one, {@link #EVERY_SYSTEM} for all
+ * @param password its hash
+ */
+public record User(
+    String name, Set<AccessRole> roles, List<String> systems, PasswordHash password) {
+  /** In place of system IDs: every system on the broker. */
+  public static final String EVERY_SYSTEM = "*";
+
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.-]{0,63}");
+  private static final int PARTS = 4;
+
+  /** Checks the names. @throws IllegalArgumentException if one is wrong */
+  public User {
+    if (!NAME.matcher(name).matches()) {
+      throw new IllegalArgumentException(
+          "user \"" + name + "\": expected 1 to 64 letters, digits, '_', '.' or '-'");
+    }
+    if (roles.isEmpty() || systems.isEmpty()) {
+      throw new IllegalArgumentException(
+          "user \"" + name + "\": expected at least one role and one system");
+    }
+    for (String system : systems) {
+      if (!system.equals(EVERY_SYSTEM)) {
+        Topic.checkSystemId(system);
+      }
+    }
+    roles = Set.copyOf(roles);
+    systems = List.copyOf(systems);
+  }
+
+  /** Whether the user may act and listen in the system. */
+  public boolean mayEnter(String systemId) {
+    return systems.contains(EVERY_SYSTEM) || systems.contains(systemId);
+  }
+
+  /** Whether the user may publish the message of that topic. */
+  public boolean mayPublish(Topic topic) {
+    if (!mayEnter(topic.systemId())) {
+      return false;
+    }
+    for (AccessRole role : roles) {
+      if (role.mayPublish(topic)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether the user may clear an emergency stop; others may at most set one. */
+  public boolean mayClearEmergencyStop() {
+    return roles.contains(AccessRole.OPERATOR);
+  }
+
+  /** The names of the roles, joined by commas. */
+  public String rolesText() {
+    return roles.stream().sorted().map(AccessRole::text).collect(Collectors.joining(","));
+  }
+
+  /** As it stands in the users' file. */
+  String line() {
+    return name + ":" + rolesText() + ":" + String.join(",", systems) + ":" + password;
+  }
+
+  /**
+   * Reads {@link #line}.
+   *
+   * @throws IllegalArgumentException if it is not of that form
+   */
+  static User parse(String line) {
+    String[] parts = line.split(":", -1);
+    if (parts.length != PARTS) {
+      throw new IllegalArgumentException("expected name:roles:systems:password");
+    }
+    return new User(parts[0], rolesOf(parts[1]), listOf(parts[2]), PasswordHash.parse(parts[3]));
+  }
+
+  /**
+   * The roles of a text such as {@code control,launcher}.
+   *
+   * @throws IllegalArgumentException if one is unknown
+   */
+  public static Set<AccessRole> rolesOf(String text) {
+    Set<AccessRole> roles = EnumSet.noneOf(AccessRole.class);
+    for (String name : listOf(text)) {
+      roles.add(
+          AccessRole.named(name)
+              .orElseThrow(
+                  () ->
+                      new IllegalArgumentException(
+                          "role \"" + name + "\": expected one of " + roleNames())));
+    }
+    return roles;
+  }
+
+  private static String roleNames() {
+    return EnumSet.allOf(AccessRole.class).stream()
+        .map(AccessRole::text)
+        .collect(Collectors.joining(", "));
+  }
+
+  private static List<String> listOf(String text) {
+    List<String> list = new ArrayList<>();
+    for (String part : text.split(",")) {
+      if (!part.trim().isEmpty()) {
+        list.add(part.trim());
+      }
+    }
+    return list;
+  }
+}

@@ -1,0 +1,194 @@
+package org.u2sa.interfaces.communication;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.security.cert.Certificate;
+import java.security.cert.CertificateFactory;
+import java.util.Collection;
+import java.util.Optional;
+import javax.net.SocketFactory;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.TrustManagerFactory;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Variable;
+
+/**
+ * As whom and how a client comes to the Communication Manager: user, password and encryption.
+ * Immutable; the files are read once, when it is made.
+ */
+public final class BrokerAccess {
+  /** Name of the user; empty: none is said. */
+  public static final Variable<String> USER =
+      Variable.text("USER")
+          .ifAbsent("")
+          .describedAs(
+              "User at the Communication Manager, if it runs in another process; empty: none.");
+
+  /** File whose first line is the user's password. */
+  public static final Variable<String> PASSWORD_FILE =
+      Variable.text("PASSWORD FILE")
+          .ifAbsent("")
+          .describedAs("File whose first line is USER's password.");
+
+  /** Whether the connection is encrypted. */
+  public static final Variable<Boolean> TLS =
+      Variable.flag("TLS")
+          .ifAbsent(false)
+          .describedAs(
+              "Whether the way to the Communication Manager in another process is encrypted.");
+
+  /** Certificates of the authorities whose brokers are trusted. */
+  public static final Variable<String> CA_FILE =
+      Variable.text("CA FILE")
+          .ifAbsent("")
+          .describedAs(
+              "Certificates (PEM) of whom to trust with TLS, which it switches on; empty: those that Java trusts.");
+
+  private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);
+
+  private final String user;
+  private final char[] password;
+  private final SSLContext tls; // null: not encrypted
+
+  private BrokerAccess(String user, char[] password, SSLContext tls) {
+    this.user = user;
+    this.password = password;
+    this.tls = tls;
+  }
+
+  /** Without user, without encryption: what the broker of the same host takes by default. */
+  public static BrokerAccess open() {
+    return OPEN;
+  }
+
+  /**
+   * Reads {@link #USER}, {@link #PASSWORD_FILE}, {@link #TLS} and {@link #CA_FILE}.
+   *
+   * @throws BadInputException if a file is missing or wrong, or they contradict each other
+   */
+  public static BrokerAccess configured(Configurator configuration) {
+    return of(
+        configuration.getVariable(USER),
+        configuration.getVariable(PASSWORD_FILE),
+        configuration.getVariable(TLS),
+        configuration.getVariable(CA_FILE));
+  }
+
+  /**
+   * Access with these settings; an empty text stands for none.
+   *
+   * @param user as whom to come
+   * @param passwordFile first line: the password
+   * @param encrypted whether to use TLS; a CA file switches it on
+   * @param caFile certificates (PEM) of the trusted authorities
+   * @throws BadInputException if a file is missing or wrong, or they contradict each other
+   */
+  public static BrokerAccess of(
+      String user, String passwordFile, boolean encrypted, String caFile) {
+    if (user.isEmpty() != passwordFile.isEmpty()) {
+      throw new BadInputException(
+          "USER \""
+              + user
+              + "\" and PASSWORD FILE \""
+              + passwordFile
+              + "\": expected both or neither");
+    }
+    boolean tls = encrypted || !caFile.isEmpty();
+    if (user.isEmpty() && !tls) {
+      return OPEN;
+    }
+    char[] password = passwordFile.isEmpty() ? new char[0] : firstLine(passwordFile);
+    return new BrokerAccess(user, password, tls ? context(caFile) : null);
+  }
+
+  private static char[] firstLine(String file) {
+    try (InputStream in = Files.newInputStream(path("PASSWORD FILE", file))) {
+      byte[] bytes = new byte[1024]; // far longer than any password
+      int length = in.read(bytes);
+      String[] lines =
+          new String(bytes, 0, Math.max(0, length), StandardCharsets.UTF_8).split("\\R", 2);
+      if (lines[0].isEmpty()) {
+        throw new BadInputException(
+            "PASSWORD FILE \"" + file + "\": its first line is empty; expected the password");
+      }
+      return lines[0].toCharArray();
+    } catch (IOException e) {
+      throw new BadInputException("PASSWORD FILE \"" + file + "\" cannot be read: " + e, e);
+    }
+  }
+
+  private static SSLContext context(String caFile) {
+    try {
+      SSLContext context = SSLContext.getInstance("TLS");
+      if (caFile.isEmpty()) {
+        context.init(null, null, null);
+        return context;
+      }
+      KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
+      trusted.load(null, null);
+      int count = 0;
+      for (Certificate certificate : certificates(caFile)) {
+        trusted.setCertificateEntry("authority" + count++, certificate);
+      }
+      TrustManagerFactory managers =
+          TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+      managers.init(trusted);
+      context.init(null, managers.getTrustManagers(), null);
+      return context;
+    } catch (GeneralSecurityException | IOException e) {
+      throw new BadInputException("CA FILE \"" + caFile + "\" cannot be used: " + e, e);
+    }
+  }
+
+  private static Collection<? extends Certificate> certificates(String caFile)
+      throws GeneralSecurityException, IOException {
+    try (InputStream in = Files.newInputStream(path("CA FILE", caFile))) {
+      Collection<? extends Certificate> found =
+          CertificateFactory.getInstance("X.509").generateCertificates(in);
+      if (found.isEmpty()) {
+        throw new BadInputException(
+            "CA FILE \"" + caFile + "\" holds no certificate; expected one or more in PEM");
+      }
+      return found;
+    }
+  }
+
+  private static Path path(String variable, String file) {
+    try {
+      return Paths.get(file);
+    } catch (InvalidPathException e) {
+      throw new BadInputException(variable + " \"" + file + "\" is no path: " + e.getMessage(), e);
+    }
+  }
+
+  /** The user; empty if none is said. */
+  public Optional<String> user() {
+    return user.isEmpty() ? Optional.empty() : Optional.of(user);
+  }
+
+  /** Whether the connection is encrypted. */
+  public boolean isEncrypted() {
+    return tls != null;
+  }
+
+  char[] password() {
+    return password.clone();
+  }
+
+  /** How Paho names the way to a broker. */
+  String scheme() {
+    return tls == null ? "tcp" : "ssl";
+  }
+
+  SocketFactory sockets() {
+    return tls == null ? new PromptSockets() : new PromptTlsSockets(tls.getSocketFactory());
+  }
+}
