@@ -65,13 +65,17 @@ final class ContractResponder {
   }
 
   private DiscoveryResponse discovery() {
-    return new DiscoveryResponse()
-        .serviceName(service.getServiceName())
-        .serviceType(service.role().name())
-        .status(service.status())
-        .host(HostName.get())
-        .uptime(service.uptimeS())
-        .version(version());
+    DiscoveryResponse response =
+        new DiscoveryResponse()
+            .serviceName(service.getServiceName())
+            .serviceType(service.role().name())
+            .status(service.status())
+            .host(HostName.get())
+            .uptime(service.uptimeS())
+            .version(version())
+            .className(service.getClass().getName());
+    wiring.instance().ifPresent(response::instance);
+    return response;
   }
 
   private String version() {

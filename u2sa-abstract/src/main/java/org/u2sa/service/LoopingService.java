@@ -31,6 +31,11 @@ abstract class LoopingService extends U2SAService {
   }
 
   @Override
+  final boolean endsSurely() {
+    return true;
+  }
+
+  @Override
   public final void kill() {
     stopWaiting();
     if (Thread.currentThread() == this) {

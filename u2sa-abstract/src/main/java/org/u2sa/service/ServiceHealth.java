@@ -2,6 +2,7 @@ package org.u2sa.service;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.messages.contract.HealthReport;
@@ -12,6 +13,7 @@ import org.u2sa.messages.contract.HealthReport;
  */
 final class ServiceHealth {
   private static final int REMEMBERED_CALLBACKS = 256;
+  private static final long IDLE = Long.MAX_VALUE;
   private static final double MEDIAN = 0.50;
   private static final double WORST_PERCENT = 0.99;
 
@@ -26,6 +28,8 @@ final class ServiceHealth {
   private long expired;
   private String lastError;
   private Exception lastException;
+  private boolean died;
+  private volatile long busySinceMicros = IDLE; // of the stopwatch; written by the service's thread
 
   /**
    * Runs author's code, measures it, and lets no exception out. Returns whether it ended without
@@ -33,6 +37,7 @@ final class ServiceHealth {
    */
   boolean run(CallbackCode code) throws InterruptedException {
     long began = stopwatch.micros();
+    busySinceMicros = began;
     try {
       code.run();
       succeeded(stopwatch.micros() - began);
@@ -42,7 +47,22 @@ final class ServiceHealth {
     } catch (Exception e) { // also undeclared checked ones, as Kotlin's functions throw
       failed(e, stopwatch.micros() - began);
       return false;
+    } finally {
+      busySinceMicros = IDLE;
     }
+  }
+
+  /** Takes note that the service's thread is back in its author's code, or waits again. */
+  void busy(boolean isBusy) {
+    busySinceMicros = isBusy ? stopwatch.micros() : IDLE;
+  }
+
+  /** How long the author's code that runs now has been running [s]; empty if none does. */
+  OptionalDouble runningS() {
+    long since = busySinceMicros;
+    return since == IDLE
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(Clock.seconds(Math.max(0, stopwatch.micros() - since)));
   }
 
   /** Code of a service's author. */
@@ -84,6 +104,16 @@ final class ServiceHealth {
 
   synchronized void error(String what) {
     lastError = what;
+  }
+
+  /** Takes note that the service's thread died of something. */
+  synchronized void died(String ofWhat) {
+    died = true;
+    lastError = ofWhat;
+  }
+
+  synchronized boolean hasDied() {
+    return died;
   }
 
   synchronized int exceptionsInRow() {

@@ -28,7 +28,9 @@ final class ServiceWiring {
   private volatile Connection connection; // open or null; written under this
   private volatile boolean staged; // waits for the predecessor's connection
   private volatile boolean silent; // the connection is a successor's, or never was
-  private long refused; // by the connection, when it was closed
+  private volatile long refused; // by the connection, when it was closed
+  private volatile String instance; // of the connection, also after it was closed
+  private final PublishedData data;
   private boolean closed;
 
   ServiceWiring(
@@ -37,6 +39,7 @@ final class ServiceWiring {
     this.serviceName = serviceName;
     this.receiver = receiver;
     staged = context.predecessor().isPresent();
+    data = new PublishedData(context.clock());
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
@@ -83,6 +86,7 @@ final class ServiceWiring {
     }
     if (connection == null) {
       Connection made = transport.connect(serviceName, receiver);
+      instance = made.instance();
       connection = made;
       for (Channel<?> channel : ContractResponder.CHANNELS) {
         made.subscribe(channel);
@@ -91,8 +95,22 @@ final class ServiceWiring {
     return connection;
   }
 
-  boolean publish(Channel<?> channel, U2SAData data) {
-    return connection().publish(channel, data);
+  boolean publish(Channel<?> channel, U2SAData message) {
+    if (!connection().publish(channel, message)) {
+      return false;
+    }
+    data.note(channel);
+    return true;
+  }
+
+  /** What tells this connection from others of the same service; empty before the first. */
+  Optional<String> instance() {
+    return Optional.ofNullable(instance);
+  }
+
+  /** What was published so far. */
+  PublishedData data() {
+    return data;
   }
 
   boolean registerPublisher(Channel<?> channel) {
@@ -196,6 +214,7 @@ final class ServiceWiring {
   }
 
   private synchronized void adopt(Connection open, ServiceReceiver its, ServiceWiring old) {
+    instance = open.instance();
     connection = open;
     receiver = its;
     staged = false;
@@ -237,8 +256,10 @@ final class ServiceWiring {
     return silent;
   }
 
-  synchronized long refused() {
-    return connection == null ? refused : connection.refused();
+  /** Messages that were not taken or could not be read. Never waits for the connection. */
+  long refused() {
+    Connection open = connection;
+    return open == null ? refused : open.refused();
   }
 
   synchronized void close() {

@@ -1,0 +1,83 @@
+package org.u2sa.service;
+
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+
+/**
+ * Says how a service is (thesis 3.5.3): by itself at its interval, and what others may say on its
+ * behalf when it is silent.
+ */
+final class HealthReporter {
+  /** Intervals without a report after which a service is silent. */
+  private static final long SILENT_AFTER = 3;
+
+  private final U2SAService service;
+  private final long intervalMicros;
+  private long dueMicros = Long.MIN_VALUE; // touched by the service's thread only
+  private volatile long reportedMicros = Long.MIN_VALUE;
+  private volatile boolean lastSaid;
+
+  HealthReporter(U2SAService service, double intervalS) {
+    this.service = service;
+    intervalMicros = Clock.micros(intervalS);
+  }
+
+  /** When the next report is due [µs]. */
+  long dueMicros() {
+    return dueMicros;
+  }
+
+  /** Reports if it is time. Called on the service's thread. */
+  void reportIfDue(long nowMicros) {
+    if (nowMicros >= dueMicros) {
+      service.publish(Channels.HEALTH, report());
+      reportedMicros = nowMicros;
+      dueMicros = nowMicros + intervalMicros;
+    }
+  }
+
+  /** Reports that the service has ended. */
+  void reportLast() {
+    HealthReport last = report();
+    if (service.health().hasDied()) {
+      last.threadAlive(false);
+    }
+    lastSaid = service.publish(Channels.HEALTH, last);
+  }
+
+  /**
+   * What is to be said on behalf of the service because its own report is overdue; empty if it
+   * speaks for itself, has not been started, or has said its last.
+   */
+  Optional<HealthReport> onBehalf(long nowMicros) {
+    if (service.status() == ServiceStatus.CREATED || lastSaid) {
+      return Optional.empty();
+    }
+    boolean alive = service.isAlive();
+    long heardMicros = Math.max(service.startedMicros(), reportedMicros);
+    if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
+      return Optional.empty();
+    }
+    HealthReport report = report().threadAlive(alive);
+    service.health().runningS().ifPresent(report::callbackRunning);
+    return Optional.of(report);
+  }
+
+  private HealthReport report() {
+    HealthReport report =
+        new HealthReport()
+            .serviceName(service.getName())
+            .status(service.status())
+            .interval(Clock.seconds(intervalMicros))
+            .inboxDepth(service.inbox().depth())
+            .dropped(service.inbox().dropped())
+            .refused(service.wiring().refused())
+            .published(service.wiring().data().published());
+    service.wiring().instance().ifPresent(report::instance);
+    service.wiring().data().ageS().ifPresent(report::dataAge);
+    return service.health().addTo(report);
+  }
+}
