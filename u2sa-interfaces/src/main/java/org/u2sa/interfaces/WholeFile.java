@@ -15,16 +15,14 @@ import java.nio.file.attribute.PosixFileAttributeView;
  * synced, renamed over it.
  */
 final class WholeFile {
-  /** Age at which a temporary file is a leftover of a power cut, not of another writer [ms]. */
-  private static final long LEFTOVER_MS = 60_000L;
-
   private static final String SUFFIX = ".tmp";
 
   private WholeFile() {}
 
   /**
    * Replaces the content of {@code file}, which exists; its permissions stay, a link to it stays
-   * one.
+   * one. To be called under the folder's lock: other writers' temporary files are taken for
+   * leftovers of a power cut.
    *
    * @throws IOException if that failed: then the old content stands
    */
@@ -32,6 +30,7 @@ final class WholeFile {
     Path target = file.toRealPath();
     Path directory = target.getParent();
     String prefix = "." + target.getFileName() + ".";
+    deleteLeftovers(directory, prefix);
     Path temporary = Files.createTempFile(directory, prefix, SUFFIX);
     try {
       copyPermissions(target, temporary);
@@ -39,7 +38,6 @@ final class WholeFile {
         out.write(content);
         out.getFD().sync();
       }
-      deleteLeftovers(directory, prefix, temporary.toFile().lastModified());
       Files.move(
           temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
       sync(directory);
@@ -72,15 +70,12 @@ final class WholeFile {
   }
 
   // What cannot be listed or deleted stays: it is no reason to refuse the change.
-  private static void deleteLeftovers(Path directory, String prefix, long nowMs) {
+  private static void deleteLeftovers(Path directory, String prefix) {
     File[] leftovers =
         directory
             .toFile()
             .listFiles(
-                entry ->
-                    entry.getName().startsWith(prefix)
-                        && entry.getName().endsWith(SUFFIX)
-                        && nowMs - entry.lastModified() > LEFTOVER_MS);
+                entry -> entry.getName().startsWith(prefix) && entry.getName().endsWith(SUFFIX));
     for (File leftover : leftovers == null ? new File[0] : leftovers) {
       leftover.delete();
     }

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
@@ -187,16 +186,15 @@ class ConfigurationWritingTest {
   }
 
   @Test
-  void setVariable_leftoverOfAPowerCut_isDeletedWhenOld() throws IOException {
+  void setVariable_leftoverOfAPowerCut_isDeleted() throws IOException {
     Path file = write("X.xml", two(1, "x"));
-    Path old = write(".X.xml.1.tmp", "<conf");
-    Path young = write(".X.xml.2.tmp", "<conf");
-    Files.setLastModifiedTime(old, FileTime.fromMillis(0));
+    Path leftover = write(".X.xml.1.tmp", "<conf");
+    Path others = write(".Y.xml.1.tmp", "<conf");
 
     assertThat(XmlConfiguration.load(file).setVariable("A", 2)).isTrue();
 
-    assertThat(old).doesNotExist();
-    assertThat(young).exists();
+    assertThat(leftover).doesNotExist();
+    assertThat(others).exists();
   }
 
   @Test

@@ -9,17 +9,25 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Kills a process that changes its configuration without pause: the file is old or new, whole. */
+/**
+ * Kills a process that changes its configuration without pause: the file is old or new, whole; both
+ * variables of a change have changed or neither; the audit log agrees.
+ */
 class PowerCutTest {
-  private static final int KILLS = 6;
-  private static final int LOOKS = 40;
+  private static final int SHORT_KILLS = 6;
+  private static final int LONG_KILLS = 150;
+  private static final int MOST_LOOKS = 40;
   private static final int PADDING = 400_000; // makes a write last, so that kills fall into it
 
   @TempDir Path folder;
@@ -31,7 +39,15 @@ class PowerCutTest {
     public static void main(String[] arguments) {
       XmlConfiguration configuration = XmlConfiguration.load(Paths.get(arguments[0]));
       for (int i = (Integer) configuration.getVariable("N") + 1; true; i++) {
-        String problem = configuration.change("N", i).orElse("");
+        String problem =
+            configuration
+                .change(
+                    Map.of("N", i, "SQUARE", (double) i * i),
+                    OptionalLong.empty(),
+                    new ChangeOrigin(i, "Writer", "test"),
+                    ConfigurationCheck.NONE)
+                .refusal()
+                .orElse("");
         System.out.print((problem.isEmpty() ? String.valueOf(i) : problem) + "\n");
         System.out.flush();
       }
@@ -43,25 +59,54 @@ class PowerCutTest {
         + n
         + "\"/>\n<!-- "
         + padding
-        + " -->\n</configuration>\n";
+        + " -->\n<variable name=\"SQUARE\" type=\"double\" value=\""
+        + (double) n * n
+        + "\"/>\n</configuration>\n";
   }
 
   @Test
   @Timeout(60)
-  void setVariable_processKilled_fileIsOldOrNewAndWhole() throws Exception {
+  void change_processKilledAFewTimes_fileIsOldOrNewAndWhole() throws Exception {
+    killAndLook(SHORT_KILLS, 11);
+  }
+
+  @Test
+  @Tag("long")
+  @Timeout(900)
+  void change_processKilledOften_fileIsOldOrNewAndWhole() throws Exception {
+    killAndLook(LONG_KILLS, 12);
+  }
+
+  private void killAndLook(int kills, long seed) throws Exception {
+    Random random = new Random(seed);
     StringBuilder padding = new StringBuilder();
     while (padding.length() < PADDING) {
       padding.append("comment ");
     }
     Path file = folder.resolve("X.xml");
     Files.write(file, text(0, padding.toString()).getBytes(StandardCharsets.UTF_8));
-    for (int kill = 1; kill <= KILLS; kill++) {
-      int last = writeAndKill(file, 3 + kill, padding.toString());
+    int torn = 0;
+    for (int kill = 1; kill <= kills; kill++) {
+      int last = writeAndKill(file, 1 + random.nextInt(6), random, padding.toString());
 
       int n = assertWhole(file, padding.toString());
       assertThat(n).as("kill %d", kill).isBetween(last, last + 1);
-      assertThat(XmlConfiguration.load(file).getVariable("N")).isEqualTo(n);
+      XmlConfiguration configuration = XmlConfiguration.load(file);
+      assertThat(configuration.getVariable("N")).isEqualTo(n);
+      assertThat(configuration.revision()).as("each change is in the log").isEqualTo(n);
+      torn += temporaryFiles();
+      assertThat(temporaryFiles()).as("left by this kill alone").isLessThanOrEqualTo(1);
     }
+    System.out.println(kills + " kills, " + torn + " of them in the middle of a file");
+    ConfigurationOutcome undone =
+        XmlConfiguration.load(file)
+            .undo(new ChangeOrigin(0, "Test", "test"), ConfigurationCheck.NONE);
+    assertThat(undone.refusal()).isEmpty();
+    assertThat(temporaryFiles()).isZero();
+  }
+
+  private int temporaryFiles() {
+    return folder.toFile().list((directory, name) -> name.endsWith(".tmp")).length;
   }
 
   private static int assertWhole(Path file, String padding) throws IOException {
@@ -76,7 +121,7 @@ class PowerCutTest {
   /**
    * Runs the writer until it has reported some changes, kills it, and gives the last reported one.
    */
-  private static int writeAndKill(Path file, int changes, String padding)
+  private static int writeAndKill(Path file, int changes, Random random, String padding)
       throws IOException, InterruptedException {
     Process process =
         new ProcessBuilder(
@@ -97,7 +142,7 @@ class PowerCutTest {
         last = Integer.parseInt(lines.readLine());
       }
       // A reader sees what a kill at that moment would leave.
-      for (int i = 0; i < LOOKS; i++) {
+      for (int i = random.nextInt(MOST_LOOKS); i > 0; i--) {
         assertWhole(file, padding);
       }
       process.toHandle().destroyForcibly(); // SIGKILL; what it had said can still be read
