@@ -1,0 +1,63 @@
+package org.u2sa.gcs.configuration;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa config list}. */
+@Command(
+    name = "list",
+    description = {
+      "List the variables with value, type, what is allowed, and meaning.",
+      "",
+      "Of all services it collects answers for as long as --timeout says."
+    })
+final class ListCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "SERVICE",
+      description = "The service. Default: all of them.")
+  private String service;
+
+  @Option(names = "--json", description = "Print JSON.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    try (RemoteLink link = remote.connect()) {
+      RemoteConfiguration configuration = new RemoteConfiguration(link);
+      List<ConfigurationResponse> answers =
+          service == null ? configuration.all() : List.of(configuration.of(service));
+      if (answers.isEmpty()) {
+        throw new RunFailedException(
+            "no service of system \""
+                + link.systemId()
+                + "\" answered within "
+                + link.timeoutS()
+                + " s");
+      }
+      PrintWriter out = command.commandLine().getOut();
+      if (json) {
+        out.println(ConfigurationJson.text(link.systemId(), answers));
+      } else {
+        ConfigurationTable.lines(answers).forEach(out::println);
+      }
+      out.flush();
+      return ExitCode.DONE;
+    }
+  }
+}

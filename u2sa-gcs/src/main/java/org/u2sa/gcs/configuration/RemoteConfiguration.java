@@ -1,0 +1,174 @@
+package org.u2sa.gcs.configuration;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.UUID;
+import java.util.stream.Collectors;
+import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.remote.Question;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ConfigurationAssignment;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.contract.ConfigurationVariable;
+
+/** The configuration of a running system's services, asked for and changed over its line. */
+final class RemoteConfiguration {
+  private final RemoteLink link;
+
+  RemoteConfiguration(RemoteLink link) {
+    this.link = link;
+  }
+
+  /** What every service answers within the link's time, by name. */
+  List<ConfigurationResponse> all() throws InterruptedException {
+    return sorted(link.ask(everybody()));
+  }
+
+  /**
+   * What one service answers.
+   *
+   * @throws BadInputException if others answer and it does not
+   * @throws RunFailedException if nobody answers
+   */
+  ConfigurationResponse of(String service) throws InterruptedException {
+    List<ConfigurationResponse> answers = sorted(link.ask(everybody().expecting(Set.of(service))));
+    for (ConfigurationResponse answer : answers) {
+      if (answer.serviceName().equals(service)) {
+        return answer;
+      }
+    }
+    if (answers.isEmpty()) {
+      throw nobody(service);
+    }
+    Set<String> there =
+        answers.stream()
+            .map(ConfigurationResponse::serviceName)
+            .collect(Collectors.toCollection(TreeSet::new));
+    throw new BadInputException(
+        "no service \""
+            + service
+            + "\" answered in system \""
+            + link.systemId()
+            + "\" within "
+            + link.timeoutS()
+            + " s; there are "
+            + String.join(", ", there)
+            + NearestNames.didYouMean(service, there));
+  }
+
+  // Everybody is asked even where one is meant: who does answer helps those who mistyped a name.
+  private static Question<ConfigurationResponse> everybody() {
+    return new Question<>(
+            Channels.CONFIGURATION,
+            new ConfigurationRequest().serviceName(""),
+            ConfigurationResponse.class)
+        .oneOfEach(ConfigurationResponse::serviceName);
+  }
+
+  private static List<ConfigurationResponse> sorted(List<ConfigurationResponse> answers) {
+    answers.sort(Comparator.comparing(ConfigurationResponse::serviceName));
+    return answers;
+  }
+
+  /**
+   * The variable of that name.
+   *
+   * @throws BadInputException if the service has none
+   */
+  static ConfigurationVariable variable(ConfigurationResponse of, String name) {
+    List<String> names =
+        of.variables().stream().map(ConfigurationVariable::name).collect(Collectors.toList());
+    int index = names.indexOf(name);
+    if (index < 0) {
+      throw new BadInputException(
+          of.serviceName()
+              + ", variable \""
+              + name
+              + "\": there is none"
+              + NearestNames.didYouMean(name, names));
+    }
+    return of.variables().get(index);
+  }
+
+  /**
+   * Has a service change variables.
+   *
+   * @param transaction without request ID and author
+   * @throws RunFailedException if it was refused, in the service's words, or not answered
+   */
+  ConfigurationTransactionResult change(ConfigurationTransaction transaction)
+      throws InterruptedException {
+    String id = UUID.randomUUID().toString();
+    return result(
+        transaction.requestId(id).author(RemoteSystem.operator()), id, transaction.serviceName());
+  }
+
+  /**
+   * Has a service take its last change back.
+   *
+   * @throws RunFailedException if it was refused, in the service's words, or not answered
+   */
+  ConfigurationTransactionResult undo(String service) throws InterruptedException {
+    String id = UUID.randomUUID().toString();
+    return result(
+        new ConfigurationUndo().requestId(id).serviceName(service).author(RemoteSystem.operator()),
+        id,
+        service);
+  }
+
+  private ConfigurationTransactionResult result(U2SAData request, String id, String service)
+      throws InterruptedException {
+    List<ConfigurationTransactionResult> results =
+        link.ask(
+            new Question<>(Channels.CONFIGURATION, request, ConfigurationTransactionResult.class)
+                .only(result -> result.requestId().equals(id))
+                .first());
+    if (results.isEmpty()) {
+      throw nobody(service);
+    }
+    if (!results.get(0).accepted()) {
+      throw new RunFailedException(results.get(0).reason());
+    }
+    return results.get(0);
+  }
+
+  private RunFailedException nobody(String service) {
+    return new RunFailedException(
+        service
+            + " of system \""
+            + link.systemId()
+            + "\" did not answer within "
+            + link.timeoutS()
+            + " s; ./u2sa config list tells who does");
+  }
+
+  /** What was changed, a line for each variable, and the revision. */
+  static List<String> told(ConfigurationTransactionResult result, ConfigurationResponse before) {
+    List<String> lines =
+        result.assignments().stream()
+            .map(assignment -> told(assignment, variable(before, assignment.variableName())))
+            .collect(Collectors.toList());
+    lines.add(result.serviceName() + " is at revision " + result.revision());
+    return lines;
+  }
+
+  private static String told(ConfigurationAssignment assignment, ConfigurationVariable variable) {
+    String unit = variable.unit().isEmpty() ? "" : " " + variable.unit();
+    return assignment.variableName()
+        + ": "
+        + assignment.previous().map(previous -> previous + " → ").orElse("")
+        + assignment.value()
+        + unit;
+  }
+}
