@@ -28,6 +28,8 @@ final class HostedServices implements ServiceHost {
   /** As long as an end waits for a service's thread. */
   private static final double SWAP_WITHIN_S = 2.0;
 
+  private static final long END_WITHIN_MS = 5_000;
+
   private final ServiceMaker maker;
   private final boolean supervised;
   private final Consumer<String> console;
@@ -164,15 +166,36 @@ final class HostedServices implements ServiceHost {
     }
   }
 
+  /** Ends a service if that can be done; returns within a few seconds in any case. */
   private void end(U2SAService service) {
-    service.kill();
+    if (service.overdueHealth().isEmpty() && endsByKill(service)) {
+      return;
+    }
+    service.abandon();
     if (service.isAlive()) {
       console.accept(
           "Service "
               + service.getServiceName()
               + " hangs and cannot be ended: its thread is given up, cut off from all others.");
-      service.interrupt(); // in case it waits for something
     }
+  }
+
+  /** On a thread of its own, as the service's release may hang. */
+  private static boolean endsByKill(U2SAService service) {
+    Thread ending = new Thread(service::kill, service.getServiceName() + "-end");
+    ending.setDaemon(true);
+    ending.start();
+    boolean interrupted = false;
+    try {
+      ending.join(END_WITHIN_MS);
+    } catch (InterruptedException e) {
+      interrupted = true;
+      service.kill(); // whoever interrupts wants it to end, not to be given up
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    return !service.isAlive() && !ending.isAlive();
   }
 
   /** Ends all services, last started first. Nothing is started from here on. */
@@ -185,7 +208,7 @@ final class HostedServices implements ServiceHost {
     // Last started, first ended: control says its neutral commands while the services that carry
     // them out still run.
     for (int i = all.size() - 1; i >= 0; i--) {
-      all.get(i).kill();
+      end(all.get(i));
     }
   }
 }

@@ -24,6 +24,7 @@ public final class RunningSystem implements AutoCloseable {
   private volatile ServiceMaker maker;
   private volatile HostedServices hosted;
   private volatile Launcher launcher; // null if there is no service to start
+  private volatile HealthWatch watch; // likewise
 
   private RunningSystem(SystemFile file, LaunchOptions options) {
     this.file = file;
@@ -45,6 +46,7 @@ public final class RunningSystem implements AutoCloseable {
       system.services().forEach(U2SAService::start);
       if (system.launcher != null) {
         system.launcher.start();
+        system.startWatch();
       }
     } catch (RuntimeException | Error e) {
       system.closeAfter(e);
@@ -65,6 +67,11 @@ public final class RunningSystem implements AutoCloseable {
     if (!file.services().isEmpty()) {
       launcher = makeLauncher();
     }
+  }
+
+  private void startWatch() {
+    watch = new HealthWatch(options.clock(), this::services, launcher, !options.supervised());
+    watch.start();
   }
 
   private Launcher makeLauncher() {
@@ -142,6 +149,9 @@ public final class RunningSystem implements AutoCloseable {
    */
   @Override
   public synchronized void close() {
+    if (watch != null) {
+      watch.close();
+    }
     if (launcher != null) {
       launcher.kill(); // first, so that nothing is started while the others end
     }

@@ -1,0 +1,167 @@
+package org.u2sa.core.health;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Watches how the services are and has the failed ones started again (thesis 3.5.3). In: health,
+ * with the wills of broken connections; stop; service-orders, the results; conditions, those that a
+ * monitor before it said. Out: conditions, at each change; service-orders.
+ *
+ * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. What is done is
+ * each service's policy. It does not watch itself: its process's {@code HealthWatch} does, or its
+ * supervisor.
+ */
+public final class HealthMonitor extends PeriodicService {
+  private static final double LOOKS_PER_S = 4.0;
+
+  /** Steps that the monitor itself may miss before it no longer trusts what it did not hear. */
+  private static final double DEAF_AFTER_PERIODS = 4.0;
+
+  private final Map<String, WatchedService> services = new TreeMap<>();
+  private MonitorSettings settings;
+  private double lookedS = Double.NaN;
+  private long orders;
+
+  /** Called by the launcher. */
+  public HealthMonitor(ServiceContext context) {
+    super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
+    settings = new MonitorSettings(context.configuration());
+    registerPublisher(Channels.CONDITIONS);
+    registerPublisher(Channels.SERVICE_ORDERS);
+    registerSubscriber(Channels.CONDITIONS);
+    registerSubscriber(Channels.HEALTH);
+    registerSubscriber(Channels.STOP);
+    registerSubscriber(Channels.SERVICE_ORDERS);
+  }
+
+  @Override
+  protected void begin() {
+    settings.watched().forEach(this::service);
+  }
+
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    settings = new MonitorSettings(context().configuration());
+    services.keySet().removeIf(name -> !settings.watches(name));
+    settings.watched().forEach(this::service);
+  }
+
+  private WatchedService service(String name) {
+    return services.computeIfAbsent(name, key -> new WatchedService(key, nowS()));
+  }
+
+  private Optional<WatchedService> known(String name) {
+    return Optional.ofNullable(services.get(name));
+  }
+
+  private boolean watches(String name) {
+    return settings.watches(name) && !name.equals(getServiceName());
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof HealthReport report) {
+      hear(report);
+    } else if (data instanceof StopCommand stop) {
+      stop.serviceName().flatMap(this::known).ifPresent(WatchedService::toldToStop);
+    } else if (data instanceof ServiceOrderResult result) {
+      hear(result);
+    } else if (data instanceof ServiceCondition before) {
+      remember(before);
+    } else if (!(data instanceof ServiceOrder)) {
+      unexpected(data);
+    }
+  }
+
+  private void hear(HealthReport report) {
+    if (!watches(report.serviceName())) {
+      return;
+    }
+    WatchedService service = service(report.serviceName());
+    service.hear(report, nowS());
+    if (report.status() != ServiceStatus.RUNNING || report.threadAlive().isPresent()) {
+      look(service); // at once, not at the next step
+    }
+  }
+
+  private void hear(ServiceOrderResult result) {
+    Optional<WatchedService> service = known(result.serviceName());
+    if (service.isEmpty()) {
+      return;
+    }
+    if (result.requestId().startsWith(requestPrefix())) {
+      service.get().answered(result.accepted(), result.reason(), nowS());
+      if (!result.accepted()) {
+        log(LogLevelEnum.ERROR, result.serviceName() + " not restarted: " + result.reason());
+      }
+    } else if (result.accepted()) {
+      service.get().startedByOthers();
+    }
+  }
+
+  private String requestPrefix() {
+    return getServiceName() + " " + getThreadID() + " ";
+  }
+
+  /** What is retained of an earlier monitor; of what this one said it is told too. */
+  private void remember(ServiceCondition before) {
+    if (watches(before.serviceName())) {
+      service(before.serviceName()).remember(before);
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    if (nowS - lookedS > DEAF_AFTER_PERIODS * periodS()) {
+      log(LogLevelEnum.WARN, "did not look for " + (nowS - lookedS) + " s: judges nobody by it");
+      services.values().forEach(service -> service.excuse(nowS));
+    }
+    lookedS = nowS;
+    services.values().forEach(this::look);
+  }
+
+  private void look(WatchedService service) {
+    if (service.look(settings, nowS())) {
+      order(service.name());
+    }
+    service.news().ifPresent(this::say);
+  }
+
+  private void order(String name) {
+    publish(
+        Channels.SERVICE_ORDERS,
+        new ServiceOrder()
+            .requestId(requestPrefix() + clock().micros() + " " + ++orders)
+            .serviceName(name)
+            .action(ServiceAction.RESTART)
+            .operator(getServiceName()));
+  }
+
+  private void say(ServiceCondition condition) {
+    boolean well =
+        condition.condition() == Condition.ALIVE || condition.condition() == Condition.STOPPED;
+    String because = condition.reason().isEmpty() ? "" : ": " + condition.reason();
+    String then = condition.action().isEmpty() ? "" : "; " + condition.action();
+    log(
+        well ? LogLevelEnum.INFO : LogLevelEnum.WARN,
+        condition.serviceName() + " is " + condition.condition() + because + then);
+    publish(Channels.CONDITIONS, condition);
+  }
+}

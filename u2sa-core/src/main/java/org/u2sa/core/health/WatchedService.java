@@ -1,0 +1,178 @@
+package org.u2sa.core.health;
+
+import java.util.EnumSet;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceStatus;
+
+/**
+ * One service under watch: how it is, and what its policy makes of it. Restarts wait longer each
+ * time; when they do not help, the service is given up until somebody else starts it. A service
+ * that was told to stop is left alone.
+ */
+final class WatchedService {
+  /** What a policy is for. */
+  private static final Set<Condition> BROKEN =
+      EnumSet.of(
+          Condition.HUNG, Condition.DEAD, Condition.LOST, Condition.STALLED, Condition.FAILED);
+
+  private static final String GIVEN_UP = "given up";
+
+  private final String name;
+  private final Observation observation;
+  private final RestartCount restarts = new RestartCount();
+  private Observation.Finding finding = new Observation.Finding(Condition.SILENT, "not heard yet");
+  private double sinceS; // of the finding's condition
+  private String action = "";
+  private boolean toldToStop;
+  private boolean givenUp;
+  private String givenUpWords = "";
+  private double orderedS = Double.NaN; // when a restart was ordered that has not shown yet
+  private String orderedInstance = ""; // which one it is to replace
+  private String said = ""; // what was published last
+
+  WatchedService(String name, double nowS) {
+    this.name = name;
+    observation = new Observation(nowS);
+    sinceS = nowS;
+  }
+
+  void hear(HealthReport report, double nowS) {
+    boolean ofReplaced = report.instance().equals(Optional.of(orderedInstance));
+    if (isPending() && ofReplaced && report.status() != ServiceStatus.RUNNING) {
+      return; // it ends because it is being replaced
+    }
+    if (observation.hear(report, nowS)) {
+      toldToStop = false;
+      givenUp = false;
+    }
+  }
+
+  private boolean isPending() {
+    return !Double.isNaN(orderedS);
+  }
+
+  /** Takes over what an earlier monitor said of the service, unless this one has said more. */
+  void remember(ServiceCondition before) {
+    if (!said.isEmpty()) {
+      return;
+    }
+    before.instance().ifPresent(observation::remember);
+    restarts.remember(before.restarts());
+    toldToStop |= before.condition() == Condition.STOPPED;
+    if (before.action().contains(GIVEN_UP)) {
+      givenUp = true;
+      givenUpWords = before.action();
+    }
+  }
+
+  /** Somebody told it to stop: that it is gone then is no failure. */
+  void toldToStop() {
+    toldToStop = true;
+  }
+
+  /** Somebody else had it started or restarted. */
+  void startedByOthers() {
+    toldToStop = false;
+    givenUp = false;
+  }
+
+  /** Takes note of what came of the restart that was ordered. */
+  void answered(boolean accepted, String reason, double nowS) {
+    if (accepted) {
+      observation.expectAnother(orderedInstance, nowS);
+    } else {
+      orderedS = Double.NaN;
+      action = "restart failed: " + reason;
+    }
+  }
+
+  void excuse(double nowS) {
+    observation.excuse(nowS);
+  }
+
+  /**
+   * Looks at the service anew.
+   *
+   * @return whether it is to be started anew now
+   */
+  boolean look(MonitorSettings settings, double nowS) {
+    Observation.Finding found = observation.judge(settings, settings.dataTimeoutS(name), nowS);
+    if (toldToStop && found.condition() == Condition.LOST) {
+      found = new Observation.Finding(Condition.STOPPED, "it was told to");
+    }
+    if (isPending()) {
+      boolean shown = found.condition() == Condition.ALIVE;
+      if (!shown && nowS - orderedS <= settings.startWithinS()) {
+        return false; // what was said stands until the new one is heard, or overdue
+      }
+      orderedS = Double.NaN;
+    }
+    if (found.condition() != finding.condition()) {
+      sinceS = nowS;
+      action = "";
+    }
+    finding = found;
+    return BROKEN.contains(found.condition()) && !toldToStop && isDue(settings, nowS);
+  }
+
+  private boolean isDue(MonitorSettings settings, double nowS) {
+    Policy policy = settings.policyOf(name);
+    int before = restarts.within(settings.restartWindowS(), nowS);
+    if (policy != Policy.RESTART) {
+      action = words(policy);
+      return false;
+    }
+    if (!givenUp && before >= settings.restartLimit()) {
+      givenUp = true;
+      givenUpWords =
+          words(settings.afterRestarts()) + ", " + GIVEN_UP + " after " + before + " restarts";
+    }
+    if (givenUp) {
+      action = givenUpWords;
+      return false;
+    }
+    if (nowS - Math.max(sinceS, restarts.lastS()) < settings.delayS(before)) {
+      return false;
+    }
+    action = "restart " + (before + 1) + " of " + settings.restartLimit();
+    restarts.add(nowS);
+    orderedS = nowS;
+    orderedInstance = observation.instance();
+    return true;
+  }
+
+  private static String words(Policy policy) {
+    return policy == Policy.FAILSAFE ? "failsafe" : "alert";
+  }
+
+  /** What is to be published because it differs from what was; empty if nothing is new. */
+  Optional<ServiceCondition> news() {
+    boolean quiet = said.isEmpty() && finding.condition() == Condition.SILENT;
+    String now = finding.condition() + "|" + action + "|" + restarts.total();
+    if (quiet || now.equals(said)) {
+      return Optional.empty();
+    }
+    said = now;
+    ServiceCondition condition =
+        new ServiceCondition()
+            .serviceName(name)
+            .condition(finding.condition())
+            .since(Math.max(0, Clock.micros(sinceS)))
+            .reason(finding.reason())
+            .action(action)
+            .restarts(restarts.total());
+    if (!observation.instance().isEmpty()) {
+      condition.instance(observation.instance());
+    }
+    return Optional.of(condition);
+  }
+
+  String name() {
+    return name;
+  }
+}

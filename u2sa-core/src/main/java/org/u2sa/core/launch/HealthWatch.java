@@ -1,0 +1,113 @@
+package org.u2sa.core.launch;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
+
+/**
+ * Speaks for the services of this process that are silent (thesis 3.5.3): says on {@code health}
+ * whether the thread lives and how long its callback has been running. One thread a process, on the
+ * run's clock, which only looks and publishes.
+ *
+ * <p>A health monitor that is dead or hung itself has nobody to order its restart, so this does.
+ */
+final class HealthWatch implements AutoCloseable {
+  private static final long EVERY_MICROS = 250_000;
+  private static final double HUNG_AFTER_S = 2.0;
+  private static final long RESTART_AT_MOST_EVERY_MICROS = 5_000_000;
+
+  private final Clock clock;
+  private final Clock.Waiter waiter;
+  private final Supplier<List<U2SAService>> services;
+  private final Launcher launcher;
+  private final boolean restartsMonitor;
+  private final Thread thread = new Thread(this::run, "u2sa-health-watch");
+  private long restartedMicros = Long.MIN_VALUE;
+  private volatile boolean closed;
+
+  /**
+   * @param services those of the process at the moment
+   * @param launcher through whom it speaks
+   * @param restartsMonitor whether nobody outside this process restarts a health monitor
+   */
+  HealthWatch(
+      Clock clock,
+      Supplier<List<U2SAService>> services,
+      Launcher launcher,
+      boolean restartsMonitor) {
+    this.clock = clock;
+    this.services = services;
+    this.launcher = launcher;
+    this.restartsMonitor = restartsMonitor;
+    waiter = clock.newWaiter(thread.getName());
+    thread.setDaemon(true);
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  private void run() {
+    try {
+      long dueMicros = clock.micros();
+      while (!closed) {
+        waiter.await(dueMicros);
+        for (U2SAService service : closed ? List.<U2SAService>of() : services.get()) {
+          look(service);
+        }
+        dueMicros = clock.micros() + EVERY_MICROS;
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      waiter.close();
+    }
+  }
+
+  private void look(U2SAService service) {
+    Optional<HealthReport> overdue = service.overdueHealth();
+    overdue.ifPresent(report -> launcher.publish(Channels.HEALTH, report));
+    if (restartsMonitor && service.role() == ServiceRole.HEALTH_MONITOR) {
+      boolean hung =
+          overdue.isPresent() && overdue.get().callbackRunning().orElse(0) > HUNG_AFTER_S;
+      if (hung || service.status() == ServiceStatus.FAILED) {
+        restart(service);
+      }
+    }
+  }
+
+  private void restart(U2SAService monitor) {
+    long now = clock.micros();
+    if (restartedMicros != Long.MIN_VALUE && now - restartedMicros < RESTART_AT_MOST_EVERY_MICROS) {
+      return;
+    }
+    restartedMicros = now;
+    launcher.publish(
+        Channels.SERVICE_ORDERS,
+        new ServiceOrder()
+            .requestId(thread.getName() + " " + now)
+            .serviceName(monitor.getServiceName())
+            .action(ServiceAction.RESTART)
+            .operator(launcher.getServiceName()));
+  }
+
+  /** Ends the thread; returns when it has ended. */
+  @Override
+  public void close() {
+    closed = true;
+    waiter.close();
+    try {
+      thread.join(); // never started: returns at once
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

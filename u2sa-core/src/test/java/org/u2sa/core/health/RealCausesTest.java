@@ -1,0 +1,258 @@
+package org.u2sa.core.health;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.RunningSystem;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
+
+/**
+ * Each way in which a service can fail, brought about in earnest and in real time, in one process.
+ */
+@Timeout(60)
+class RealCausesTest {
+  @TempDir private Path directory;
+  private final List<ServiceCondition> conditions = new CopyOnWriteArrayList<>();
+  private RunningSystem system;
+  private Observer observer;
+
+  /** Obeys goal commands that tell it how to fail; publishes a state at each step until then. */
+  public static final class Victim extends PeriodicService {
+    private final CountDownLatch never = new CountDownLatch(1);
+    private boolean stalled;
+
+    public Victim(ServiceContext context) {
+      super(context, ServiceRole.PROPRIOCEPTIVE_SENSOR, "Victim", 20.0);
+      registerPublisher(Channels.SENSED_STATE);
+      registerSubscriber(Channels.GOAL_COMMANDS);
+    }
+
+    @Override
+    protected void step(double nowS) {
+      if (!stalled) {
+        publish(new StateInformation().sensorName("victim"));
+      }
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      switch (((GoalCommand) data).uid()) {
+        case "hang" -> hang();
+        case "die" -> throw new AssertionError("told to die");
+        case "fail" -> throw new IllegalStateException("told to fail");
+        case "stall" -> stalled = true;
+        default -> unexpected(data);
+      }
+    }
+
+    private void hang() {
+      while (true) {
+        try {
+          never.await();
+        } catch (InterruptedException e) {
+          log("heeds no interrupt");
+        }
+      }
+    }
+  }
+
+  /** Its run returns when it is told so, without end(). */
+  public static final class Careless extends U2SAService {
+    private volatile boolean told;
+
+    public Careless(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Careless");
+      registerSubscriber(Channels.GOAL_COMMANDS);
+    }
+
+    @Override
+    public void run() {
+      try {
+        while (isRunning() && !told) {
+          handleMessages(clock().micros() + 50_000);
+        }
+      } catch (InterruptedException e) {
+        currentThread().interrupt();
+      }
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      told = true;
+    }
+
+    @Override
+    public void kill() {
+      end();
+    }
+  }
+
+  /** Notes conditions. */
+  private static final class Observer extends EventDrivenService {
+    private final List<ServiceCondition> into;
+
+    Observer(ServiceContext context, List<ServiceCondition> into) {
+      super(context, ServiceRole.OBSERVER, "Observer");
+      this.into = into;
+      registerSubscriber(Channels.CONDITIONS);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      into.add((ServiceCondition) data);
+    }
+  }
+
+  private void start(Class<?> victim) throws IOException {
+    Files.writeString(
+        directory.resolve("Manager.xml"),
+        "<configuration><variable name=\"BROKER\" type=\"string\" value=\"none\"/></configuration>");
+    String name = victim.getSimpleName();
+    SystemFile file =
+        SystemFile.read(
+            Files.writeString(
+                directory.resolve("system.xml"),
+                "<system id=\"test\"><communication configuration=\"Manager.xml\"/><service class=\""
+                    + victim.getName()
+                    + "\"/><service class=\""
+                    + HealthMonitor.class.getName()
+                    + "\"/></system>"));
+    system =
+        RunningSystem.start(
+            file,
+            new LaunchOptions()
+                .logDirectory(directory.resolve("logs"))
+                .override(name, "MAX ERRORS IN A ROW", 1)
+                .override("HealthMonitor", "WATCHED", name)
+                .override("HealthMonitor", "HUNG AFTER", 1.0)
+                .override("HealthMonitor", "RESTART DELAY", 0.0)
+                .override(
+                    "HealthMonitor", name + " DATA TIMEOUT", name.equals("Victim") ? 1.0 : 0.0));
+    observer =
+        new Observer(system.contextFor(XmlConfiguration.inMemory("test", Map.of())), conditions);
+    observer.start();
+    awaitCondition(Condition.ALIVE, 1);
+  }
+
+  @AfterEach
+  void close() {
+    observer.kill();
+    system.close();
+  }
+
+  private void tell(String what) {
+    GoalCommand command = new GoalCommand().uid(what);
+    observer.publish(Channels.GOAL_COMMANDS, command);
+  }
+
+  private void awaitCondition(Condition condition, long times) {
+    await()
+        .atMost(Duration.ofSeconds(20))
+        .untilAsserted(
+            () ->
+                assertThat(conditions.stream().filter(each -> each.condition() == condition))
+                    .hasSizeGreaterThanOrEqualTo((int) times));
+  }
+
+  /** The cause is recognised as what it is, and a new service takes the broken one's place. */
+  private void expect(Condition condition, U2SAService before) {
+    awaitCondition(condition, 1);
+    awaitCondition(Condition.ALIVE, 2);
+    assertThat(conditions)
+        .extracting(ServiceCondition::condition)
+        .isSubsetOf(Condition.ALIVE, Condition.SILENT, condition);
+    assertThat(system.services().get(0)).isNotSameAs(before).matches(U2SAService::isRunning);
+  }
+
+  @Test
+  void callbackThatNeverReturns_isHungAndReplaced() throws IOException {
+    start(Victim.class);
+    U2SAService before = system.services().get(0);
+    tell("hang");
+    expect(Condition.HUNG, before);
+    assertThat(before.isRunning()).isFalse();
+  }
+
+  @Test
+  void threadThatThrowsAnError_isDeadAndReplaced() throws IOException {
+    start(Victim.class);
+    U2SAService before = system.services().get(0);
+    tell("die");
+    expect(Condition.DEAD, before);
+  }
+
+  @Test
+  void runThatReturns_isDeadAndReplaced() throws IOException {
+    start(Careless.class);
+    U2SAService before = system.services().get(0);
+    tell("return");
+    expect(Condition.DEAD, before);
+  }
+
+  @Test
+  void tooManyErrors_isFailedAndReplaced() throws IOException {
+    start(Victim.class);
+    U2SAService before = system.services().get(0);
+    tell("fail");
+    expect(Condition.FAILED, before);
+  }
+
+  @Test
+  void sensorWithoutData_isStalledAndReplaced() throws IOException {
+    start(Victim.class);
+    U2SAService before = system.services().get(0);
+    tell("stall");
+    expect(Condition.STALLED, before);
+  }
+
+  @Test
+  void stopCommand_isStoppedAndNotReplaced() throws Exception {
+    start(Victim.class);
+    U2SAService before = system.services().get(0);
+    observer.publish(Channels.STOP, new StopCommand().serviceName("Victim"));
+    awaitCondition(Condition.STOPPED, 1);
+
+    assertThat(system.services().get(0)).isSameAs(before);
+    assertThat(conditions).extracting(ServiceCondition::restarts).containsOnly(0L);
+  }
+
+  @Test
+  void monitorThatIsDead_isReplacedByItsProcess() throws IOException {
+    start(Victim.class);
+    U2SAService monitor = system.services().get(1);
+    monitor.getUncaughtExceptionHandler().uncaughtException(monitor, new AssertionError("dies"));
+
+    await()
+        .untilAsserted(
+            () ->
+                assertThat(system.services().get(1))
+                    .isNotSameAs(monitor)
+                    .matches(U2SAService::isRunning));
+  }
+}
