@@ -2,6 +2,7 @@ package org.u2sa.build;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import org.gradle.api.Plugin;
 import org.gradle.api.Project;
 import org.gradle.api.artifacts.VersionCatalog;
@@ -13,6 +14,7 @@ import org.gradle.api.publish.PublishingExtension;
 import org.gradle.api.publish.maven.MavenPom;
 import org.gradle.api.publish.maven.MavenPublication;
 import org.gradle.api.tasks.bundling.AbstractArchiveTask;
+import org.gradle.api.tasks.bundling.Jar;
 import org.gradle.api.tasks.compile.JavaCompile;
 import org.gradle.api.tasks.javadoc.Javadoc;
 import org.gradle.api.tasks.testing.Test;
@@ -74,6 +76,18 @@ public class JavaConventionsPlugin implements Plugin<Project> {
               task.setPreserveFileTimestamps(false);
               task.setReproducibleFileOrder(true);
             });
+    project
+        .getTasks()
+        .withType(Jar.class)
+        .configureEach(
+            task ->
+                task.getManifest()
+                    .attributes(
+                        Map.of(
+                            "Implementation-Title",
+                            project.getName(),
+                            "Implementation-Version", // discovery answers with it
+                            project.getVersion().toString())));
   }
 
   /** Every module tests with the catalog's bundle "test"; the launcher is what Gradle itself starts tests with. */

@@ -7,10 +7,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
- * What a mistyped command or option may have been meant to be. picocli's own suggestions miss
+ * What a mistyped command, option or name may have been meant to be. picocli's own suggestions miss
  * swapped letters.
  */
-final class Suggestions {
+public final class Suggestions {
 
   private static final int MOST = 3;
 
@@ -27,7 +27,8 @@ final class Suggestions {
     return nearest(typed, known);
   }
 
-  static List<String> nearest(String typed, Collection<String> known) {
+  /** The names nearest to what was typed, nearest first, at most three; empty if none is near. */
+  public static List<String> nearest(String typed, Collection<String> known) {
     int most = 1 + typed.length() / 4;
     return known.stream()
         .filter(

@@ -14,24 +14,24 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
 /** Writes a file whole or not at all: into a temporary neighbour, renamed when complete. */
-final class ReportFile {
+public final class ReportFile {
 
   /** Fills a file with bytes. */
   @FunctionalInterface
-  interface Bytes {
+  public interface Bytes {
     void writeTo(OutputStream out) throws IOException;
   }
 
   /** Fills a file with text. */
   @FunctionalInterface
-  interface Text {
+  public interface Text {
     void writeTo(Writer out) throws IOException;
   }
 
   private ReportFile() {}
 
   /** Writes UTF-8. @throws ReportException if it cannot be written; nothing is left behind then */
-  static void writeText(Path file, Text content) {
+  public static void writeText(Path file, Text content) {
     write(
         file,
         out -> {
@@ -44,7 +44,7 @@ final class ReportFile {
   /**
    * @throws ReportException if it cannot be written; nothing is left behind then
    */
-  static void write(Path file, Bytes content) {
+  public static void write(Path file, Bytes content) {
     Path temporary = file.resolveSibling("." + file.getFileName() + ".part");
     try {
       try (OutputStream out = Files.newOutputStream(temporary)) {

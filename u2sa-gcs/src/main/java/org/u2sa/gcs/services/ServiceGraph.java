@@ -1,0 +1,136 @@
+package org.u2sa.gcs.services;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.directory.DataOffer;
+import org.u2sa.service.directory.KnownService;
+
+/**
+ * Who feeds whom. The channels of the contract, on which every service talks with everybody, are
+ * left out.
+ *
+ * @param services names, in layers from those that measure to those that move
+ * @param roles the role of each, in words; empty if unknown
+ * @param feeds all pairs of publisher and subscriber, in the order of the services
+ * @param unheard what is published and nobody subscribes to
+ * @param unfed what is subscribed to and nobody publishes
+ */
+record ServiceGraph(
+    List<String> services,
+    Map<String, String> roles,
+    List<Feed> feeds,
+    List<Loose> unheard,
+    List<Loose> unfed) {
+  private static final Set<String> OF_EVERYBODY =
+      Set.of(
+          Channels.DISCOVERY.name(),
+          Channels.FUNCTIONALITY.name(),
+          Channels.STOP.name(),
+          Channels.CONFIGURATION.name(),
+          Channels.HEALTH.name());
+
+  static ServiceGraph of(List<KnownService> known) {
+    List<KnownService> ordered = new ArrayList<>(known);
+    ordered.sort(Comparator.comparingInt(ServiceGraph::layer).thenComparing(KnownService::name));
+    List<Feed> feeds = new ArrayList<>();
+    List<Loose> unheard = new ArrayList<>();
+    List<Loose> unfed = new ArrayList<>();
+    for (KnownService one : ordered) {
+      for (DataOffer offer : ofInterest(one.publishes())) {
+        if (!feed(one, offer, ordered, feeds)) {
+          unheard.add(new Loose(one.name(), offer.channel(), offer.typeName()));
+        }
+      }
+      for (DataOffer wanted : ofInterest(one.subscribes())) {
+        if (nobody(ordered, one, other -> feeds(other, wanted))) {
+          unfed.add(new Loose(one.name(), wanted.channel(), wanted.typeName()));
+        }
+      }
+    }
+    Map<String, String> roles = new LinkedHashMap<>();
+    ordered.forEach(service -> roles.put(service.name(), ServiceRow.of(service, null).type()));
+    return new ServiceGraph(
+        ordered.stream().map(KnownService::name).toList(), roles, feeds, unheard, unfed);
+  }
+
+  /** Roles are declared in the order in which data flow. */
+  private static int layer(KnownService service) {
+    String type = service.discovery().map(DiscoveryResponse::serviceType).orElse("");
+    for (ServiceRole role : ServiceRole.values()) {
+      if (role.name().equals(type)) {
+        return role.ordinal();
+      }
+    }
+    return ServiceRole.values().length;
+  }
+
+  private static List<DataOffer> ofInterest(List<DataOffer> offers) {
+    return offers.stream().filter(offer -> !OF_EVERYBODY.contains(offer.channel())).toList();
+  }
+
+  /** Adds what the offer feeds; returns whether anybody else listens. */
+  private static boolean feed(
+      KnownService from, DataOffer offer, List<KnownService> services, List<Feed> feeds) {
+    boolean heard = false;
+    for (KnownService to : services) {
+      Optional<DataOffer> wanted =
+          to.subscribes().stream().filter(each -> fits(offer, each)).findFirst();
+      if (wanted.isPresent() && !to.name().equals(from.name())) {
+        feeds.add(new Feed(from.name(), to.name(), offer.channel(), narrower(offer, wanted.get())));
+        heard = true;
+      }
+    }
+    return heard;
+  }
+
+  private static boolean nobody(
+      List<KnownService> services, KnownService but, Predicate<KnownService> is) {
+    return services.stream().noneMatch(each -> !each.name().equals(but.name()) && is.test(each));
+  }
+
+  private static boolean feeds(KnownService other, DataOffer wanted) {
+    return other.publishes().stream().anyMatch(offer -> fits(offer, wanted));
+  }
+
+  private static boolean fits(DataOffer offer, DataOffer wanted) {
+    return offer.channel().equals(wanted.channel())
+        && (offer.typeChain().isEmpty()
+            || wanted.typeChain().isEmpty()
+            || offer.mayBe(wanted.typeChain()));
+  }
+
+  private static String narrower(DataOffer one, DataOffer other) {
+    return one.typeChain().size() >= other.typeChain().size() ? one.typeName() : other.typeName();
+  }
+
+  /**
+   * The channels that feed anybody or hang loose: standard ones as declared, then others by name.
+   */
+  List<String> channels() {
+    List<String> standard = Channels.all().stream().map(Channel::name).toList();
+    List<String> names = new ArrayList<>();
+    feeds.forEach(feed -> names.add(feed.channel()));
+    unheard.forEach(loose -> names.add(loose.channel()));
+    unfed.forEach(loose -> names.add(loose.channel()));
+    return names.stream()
+        .distinct()
+        .sorted(
+            Comparator.comparingInt((String name) -> rank(standard.indexOf(name), standard.size()))
+                .thenComparing(name -> name))
+        .toList();
+  }
+
+  private static int rank(int index, int otherwise) {
+    return index < 0 ? otherwise : index;
+  }
+}

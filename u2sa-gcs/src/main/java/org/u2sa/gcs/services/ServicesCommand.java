@@ -1,0 +1,125 @@
+package org.u2sa.gcs.services;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.service.directory.Found;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa services}: who is there, how each is, and who has which data. */
+@Command(
+    name = "services",
+    description = {
+      "List the services of a running system, or find them by their data.",
+      "",
+      "Exit code 1: nobody answered, or nobody has the data asked for."
+    })
+public final class ServicesCommand implements Callable<Integer> {
+  private static final double WATCH_EVERY_S = 1.0;
+  private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
+
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+  @ArgGroup private View view = new View();
+
+  /** Only one at a time. */
+  private static final class View {
+    @Option(
+        names = "--publishing",
+        paramLabel = "TYPE",
+        description = "Who publishes this data, for example StateInformation; subclasses count.")
+    private String publishing;
+
+    @Option(
+        names = "--subscribing",
+        paramLabel = "TYPE",
+        description = "Who is handed this data where it is published.")
+    private String subscribing;
+
+    @Option(names = "--json", description = "Print JSON.")
+    private boolean json;
+
+    @Option(names = "--watch", description = "Show the table anew each second, until Ctrl-C.")
+    private boolean watch;
+  }
+
+  @Override
+  public Integer call() throws InterruptedException {
+    PrintWriter out = command.commandLine().getOut();
+    try (RemoteLink link = remote.connect()) {
+      Observation observation = Observation.made(link);
+      if (view.publishing != null) {
+        List<String> chain = DataType.chain(view.publishing, observation.directory());
+        return print(
+            out, observation.directory().publishersOf(chain), "publishes " + view.publishing);
+      }
+      if (view.subscribing != null) {
+        List<String> chain = DataType.chain(view.subscribing, observation.directory());
+        return print(
+            out, observation.directory().subscribersOf(chain), "subscribes to " + view.subscribing);
+      }
+      if (view.json) {
+        out.println(ServicesJson.text(link.systemId(), observation));
+      } else if (view.watch) {
+        watch(link, observation);
+      } else {
+        out.println("System " + link.systemId() + " at " + remote.brokerAddress());
+        ServiceTable.lines(observation.rows()).forEach(out::println);
+      }
+      out.flush();
+      return observation.names().isEmpty() ? ExitCode.FAILED : ExitCode.DONE;
+    }
+  }
+
+  private static int print(PrintWriter out, List<Found> found, String does) {
+    if (found.isEmpty()) {
+      out.println("Nobody " + does + ".");
+      out.flush();
+      return ExitCode.FAILED;
+    }
+    TextTable table = new TextTable("NAME", "CHANNEL", "TYPE", "");
+    for (Found each : found) {
+      table.add(
+          each.service().name(),
+          each.offer().channel(),
+          each.offer().typeName(),
+          each.certain() ? "" : "among others of this type");
+    }
+    table.lines().forEach(out::println);
+    out.flush();
+    return ExitCode.DONE;
+  }
+
+  private void watch(RemoteLink link, Observation observation) throws InterruptedException {
+    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
+    try (Clock.Waiter waiter = link.clock().newWaiter("watch")) {
+      while (!Thread.currentThread().isInterrupted()) {
+        observation.directory().ask(); // uptimes move on
+        waiter.await(link.clock().micros() + Clock.micros(WATCH_EVERY_S));
+        observation.directory().refresh();
+        if (terminal.redraws()) {
+          terminal.out().print(TO_TOP_AND_CLEAR);
+        }
+        terminal.out().println("System " + link.systemId() + " at " + remote.brokerAddress());
+        for (String line : ServiceTable.lines(observation.rows())) {
+          terminal.out().println(terminal.redraws() ? cut(line, terminal.columns()) : line);
+        }
+        terminal.out().flush();
+      }
+    }
+  }
+
+  private static String cut(String line, int columns) {
+    return line.length() < columns ? line : line.substring(0, columns - 1);
+  }
+}

@@ -1,0 +1,127 @@
+package org.u2sa.gcs.services;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.Callable;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.Suggestions;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.contract.StopCommand;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa stop [NAME]}: ends services in good order and says who ended. */
+@Command(
+    name = "stop",
+    description = {
+      "Stop all services of a running system, or one by name.",
+      "",
+      "Each leaves its actuators neutral and closes its resources. Exit code 1: somebody did not say within the time that it "
+          + "ended. To stop all motion whatever services do, see u2sa estop."
+    })
+public final class StopServicesCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Parameters(
+      paramLabel = "NAME",
+      arity = "0..1",
+      description = "The service to stop. Default: all of the system.")
+  private String name;
+
+  /** Who ended, and how; filled by the transport's thread. */
+  private static final class Ends {
+    private final Map<String, ServiceStatus> statuses = new TreeMap<>();
+
+    synchronized void take(U2SAData message) {
+      if (message instanceof HealthReport report
+          && (report.status() == ServiceStatus.STOPPED
+              || report.status() == ServiceStatus.FAILED)) {
+        statuses.put(report.serviceName(), report.status());
+      }
+    }
+
+    synchronized Map<String, ServiceStatus> statuses() {
+      return new TreeMap<>(statuses);
+    }
+  }
+
+  @Override
+  public Integer call() throws InterruptedException {
+    try (RemoteLink link = remote.connect()) {
+      List<String> there = Observation.made(link).names();
+      if (name != null && !there.contains(name)) {
+        throw new BadInputException(unknown(name, there, link));
+      }
+      Set<String> told = name == null ? new TreeSet<>(there) : Set.of(name);
+      return report(told, stopped(link, told), link);
+    }
+  }
+
+  /** That nobody of the name is there, and who is. */
+  static String unknown(String name, List<String> there, RemoteLink link) {
+    List<String> near = Suggestions.nearest(name, there);
+    return "system \""
+        + link.systemId()
+        + "\" has no service \""
+        + name
+        + "\" that is heard"
+        + (near.isEmpty()
+            ? "; there are " + (there.isEmpty() ? "none" : String.join(", ", there))
+            : "; did you mean " + String.join(" or ", near) + "?");
+  }
+
+  private Map<String, ServiceStatus> stopped(RemoteLink link, Set<String> told)
+      throws InterruptedException {
+    Ends ends = new Ends();
+    Clock clock = link.clock();
+    try (Clock.Waiter waiter = clock.newWaiter("ends")) {
+      link.listen(
+          Channels.HEALTH,
+          message -> {
+            ends.take(message);
+            waiter.signal();
+          });
+      StopCommand order = new StopCommand().stopAll(name == null);
+      link.publish(Channels.STOP, name == null ? order : order.serviceName(name));
+      long deadline = clock.micros() + Clock.micros(link.timeoutS());
+      while (!ends.statuses().keySet().containsAll(told) && clock.micros() < deadline) {
+        waiter.await(deadline);
+      }
+    }
+    return ends.statuses();
+  }
+
+  private int report(Set<String> told, Map<String, ServiceStatus> ends, RemoteLink link) {
+    PrintWriter out = command.commandLine().getOut();
+    boolean all = true;
+    if (told.isEmpty()) {
+      out.println("Nobody of system " + link.systemId() + " is heard; the stop was sent.");
+    }
+    for (String service : told) {
+      ServiceStatus end = ends.get(service);
+      all &= end != null;
+      out.println(
+          service
+              + (end == null
+                  ? ": NO WORD of its end within " + link.timeoutS() + " s"
+                  : end == ServiceStatus.STOPPED ? ": stopped" : ": ended as failed"));
+    }
+    out.flush();
+    return all && !told.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+  }
+}
