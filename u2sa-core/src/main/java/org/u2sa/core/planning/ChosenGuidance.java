@@ -1,25 +1,30 @@
 package org.u2sa.core.planning;
 
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 
 /**
  * The guidance that the configuration names at the moment; both know of each leg, so that it may
  * change on the way.
  */
 final class ChosenGuidance implements WaypointGuidance {
-  private final Supplier<PlanningSettings> settings;
+  private final BooleanSupplier followsLines;
   private final WaypointGuidance lines;
   private final WaypointGuidance direct = new DirectGuidance();
 
-  ChosenGuidance(Supplier<PlanningSettings> settings) {
-    this.settings = settings;
-    lines = new LineGuidance(() -> settings.get().lines());
+  /**
+   * @param followsLines false: heads straight for waypoints, as the thesis's planner did
+   */
+  ChosenGuidance(BooleanSupplier followsLines, Supplier<LineSettings> settings) {
+    this.followsLines = followsLines;
+    lines = new LineGuidance(settings);
   }
 
   private WaypointGuidance chosen() {
-    return settings.get().followsLines() ? lines : direct;
+    return followsLines.getAsBoolean() ? lines : direct;
   }
 
   @Override
@@ -46,5 +51,15 @@ final class ChosenGuidance implements WaypointGuidance {
   @Override
   public boolean isNearest() {
     return chosen().isNearest();
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    lines.handOver(state);
+  }
+
+  @Override
+  public void takeOver(HandOver state) {
+    lines.takeOver(state);
   }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 
 /** What a planner does while it has no goal to pursue: hold at a place, or nothing. */
 final class EndOfMission {
@@ -19,6 +20,16 @@ final class EndOfMission {
   EndOfMission(Supplier<PlanningSettings> settings, WaypointGuidance guidance) {
     this.settings = settings;
     this.guidance = guidance;
+  }
+
+  /** Writes down where it holds, for a planner that takes over. */
+  void handOver(HandOver state) {
+    circle.ifPresent(held -> held.handOver(state));
+  }
+
+  /** Holds where the planner before held. */
+  void takeOver(HandOver state) {
+    circle = LoiterCircle.takenOver(state);
   }
 
   /** Forgets where it held: a goal is pursued again. */

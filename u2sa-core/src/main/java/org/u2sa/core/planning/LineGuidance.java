@@ -3,11 +3,11 @@ package org.u2sa.core.planning;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 
 /**
- * Follows the straight line between waypoints: the point to go to lies on the line, LOOK AHEAD
- * ahead of the vehicle's foot on it (after Park, Deyst, How: A New Nonlinear Guidance Logic for
- * Trajectory Tracking, AIAA 2004-4900).
+ * Follows the straight line between waypoints, by whatever {@link LineLaw}: when a leg begins and
+ * ends, and when the vehicle turns to the next one.
  *
  * <p>Where the leg has no given start, the vehicle heads straight for the waypoint, and the leg
  * begins where it has turned towards it. A waypoint inside the vehicle's turning circle is first
@@ -41,6 +41,7 @@ final class LineGuidance implements WaypointGuidance {
   private static final double GROWN_M = 1.0;
 
   private final Supplier<LineSettings> settings;
+  private final LineLaw law;
   private Optional<Place> start = Optional.empty();
   private boolean leaving; // flies away from a waypoint inside its turning circle
   private boolean turning; // already follows the next leg
@@ -48,8 +49,14 @@ final class LineGuidance implements WaypointGuidance {
   private double distanceM; // to the target
   private boolean passed;
 
+  /** Leads to a point on the line. */
   LineGuidance(Supplier<LineSettings> settings) {
+    this(settings, new CarrotLaw());
+  }
+
+  LineGuidance(Supplier<LineSettings> settings, LineLaw law) {
     this.settings = settings;
+    this.law = law;
   }
 
   @Override
@@ -60,6 +67,27 @@ final class LineGuidance implements WaypointGuidance {
     nearestM = Double.POSITIVE_INFINITY;
     distanceM = Double.POSITIVE_INFINITY;
     passed = false;
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    start.ifPresent(place -> place.handOver(state, "LEG START"));
+    state
+        .flag("LEAVING", leaving)
+        .flag("TURNING", turning)
+        .flag("PASSED", passed)
+        .number("NEAREST ON LEG", nearestM)
+        .number("DISTANCE", distanceM);
+  }
+
+  @Override
+  public void takeOver(HandOver state) {
+    start = Place.takenOver(state, "LEG START");
+    leaving = state.flag("LEAVING");
+    turning = state.flag("TURNING");
+    passed = state.flag("PASSED");
+    nearestM = state.number("NEAREST ON LEG").orElse(Double.POSITIVE_INFINITY);
+    distanceM = state.number("DISTANCE").orElse(Double.POSITIVE_INFINITY);
   }
 
   @Override
@@ -165,11 +193,18 @@ final class LineGuidance implements WaypointGuidance {
    * end.
    */
   private Point ahead(Vehicle vehicle, Leg leg, AltitudeProfile.Slope altitudes) {
-    double along = leg.alongM(0.0, 0.0) + settings.get().lookAheadM(vehicle.speedMps());
-    if (turnsOnTheSpot()) {
-      along = Math.min(along, leg.lengthM());
+    double lookAhead = settings.get().lookAheadM(vehicle.speedMps());
+    double along = leg.alongM(0.0, 0.0) + lookAhead;
+    double down = altitudes.downM(Math.min(along, limit(leg)) / leg.lengthM());
+    if (along > limit(leg)) {
+      return Point.of(leg.northAtM(leg.lengthM()), leg.eastAtM(leg.lengthM()), down);
     }
-    return Point.of(
-        leg.northAtM(along), leg.eastAtM(along), altitudes.downM(along / leg.lengthM()));
+    Point ahead = law.pointAhead(leg, lookAhead);
+    return Point.of(ahead.x(), ahead.y(), down);
+  }
+
+  /** How far along a leg the vehicle is led [m]. */
+  private double limit(Leg leg) {
+    return turnsOnTheSpot() ? leg.lengthM() : Double.POSITIVE_INFINITY;
   }
 }

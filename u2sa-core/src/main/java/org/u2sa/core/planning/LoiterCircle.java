@@ -1,6 +1,8 @@
 package org.u2sa.core.planning;
 
+import java.util.Optional;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 
 /**
  * A circle to stay on around a place. Radius 0 holds the place itself.
@@ -23,6 +25,31 @@ final class LoiterCircle {
     Point to = vehicle.nedOf(centre);
     double course = vehicle.courseRad();
     sense = to.y() * Math.cos(course) - to.x() * Math.sin(course) >= 0.0 ? 1.0 : -1.0;
+  }
+
+  private LoiterCircle(Place centre, double radiusM, double sense) {
+    this.centre = centre;
+    this.radiusM = radiusM;
+    this.sense = sense;
+  }
+
+  /** Writes itself down for a planner that takes over. */
+  void handOver(HandOver state) {
+    centre.handOver(state, "CIRCLE");
+    state.number("CIRCLE RADIUS", radiusM).number("CIRCLE SENSE", sense);
+  }
+
+  /** The circle of the planner before; empty if it was on none. */
+  static Optional<LoiterCircle> takenOver(HandOver state) {
+    return state.number("CIRCLE RADIUS").isPresent()
+        ? Place.takenOver(state, "CIRCLE")
+            .map(
+                centre ->
+                    new LoiterCircle(
+                        centre,
+                        state.number("CIRCLE RADIUS").getAsDouble(),
+                        state.number("CIRCLE SENSE").orElse(1.0)))
+        : Optional.empty();
   }
 
   /**

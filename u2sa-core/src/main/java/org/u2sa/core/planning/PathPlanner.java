@@ -3,6 +3,7 @@ package org.u2sa.core.planning;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
@@ -11,6 +12,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
@@ -22,7 +24,7 @@ import org.u2sa.service.ServiceRole;
  * The same class serves aircraft and ground vehicles; only their configuration differs (thesis
  * 4.6.2.3).
  */
-public final class PathPlanner extends EventDrivenService {
+public class PathPlanner extends EventDrivenService {
   private final PlannerStates states;
   private final EndOfMission end;
   private PlanningSettings settings;
@@ -38,9 +40,18 @@ public final class PathPlanner extends EventDrivenService {
 
   /** Called by the launcher. */
   public PathPlanner(ServiceContext context) {
+    this(context, PathPlanner::chosenGuidance);
+  }
+
+  /**
+   * A planner that leads in its own way.
+   *
+   * @param guide makes the guidance; may read further variables of the planner
+   */
+  PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
     settings = PlanningSettings.of(this);
-    WaypointGuidance guidance = new ChosenGuidance(() -> settings);
+    WaypointGuidance guidance = guide.apply(this);
     states = new PlannerStates(List.of(new WaypointState(guidance, () -> settings)));
     states.discover(this);
     end = new EndOfMission(() -> settings, guidance);
@@ -50,15 +61,53 @@ public final class PathPlanner extends EventDrivenService {
     registerSubscriber(Channels.STATE, settings.staleAfterS());
   }
 
+  private static WaypointGuidance chosenGuidance(PathPlanner planner) {
+    planner.getVariable(PlanningVariables.GUIDANCE); // a wrong value must fail before the flight
+    return new ChosenGuidance(
+        () -> planner.getVariable(PlanningVariables.GUIDANCE).equals(PlanningVariables.LINE),
+        planner::lines);
+  }
+
+  /** How lines are followed at the moment. */
+  final LineSettings lines() {
+    return settings.lines();
+  }
+
   @Override
-  protected void configurationChanged(Set<String> variableNames) {
+  protected final void handOver(HandOver state) {
+    new PlannerProgress(goals, goal, finished, reportedMicros, holdAt, foreseen).handOver(state);
+    goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
+    end.handOver(state);
+  }
+
+  @Override
+  protected final void takeOver(HandOver state) {
+    PlannerProgress before = PlannerProgress.takenOver(state);
+    goals = before.goals();
+    finished = before.finished();
+    reportedMicros = before.reportedMicros();
+    holdAt = before.holdAt();
+    foreseen = before.foreseen();
+    goal = before.goal();
+    if (goal.flatMap(states::forGoal).filter(planner -> planner.takeOver(state)).isEmpty()) {
+      foreseen = goal.map(GoalInformation::uid).orElse(foreseen); // begins it anew
+      goal = Optional.empty();
+    }
+    end.takeOver(state);
+  }
+
+  @Override
+  protected final void configurationChanged(Set<String> variableNames) {
     settings = PlanningSettings.of(this);
     registerSubscriber(Channels.STATE, settings.staleAfterS());
     end.leave(); // a circle of the new radius
   }
 
   @Override
-  public void callback(U2SAData data) {
+  public final void callback(U2SAData data) {
+    if (data instanceof GoalList list && goals.filter(list::equals).isPresent()) {
+      return; // the retained one, once more after taking over or reconnecting
+    }
     if (data instanceof GoalList list) {
       goals = Optional.of(list);
       if (goal.isPresent() && isFinished(goal.get().uid())) {

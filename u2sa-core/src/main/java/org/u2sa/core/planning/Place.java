@@ -1,9 +1,11 @@
 package org.u2sa.core.planning;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.HandOver;
 
 /**
  * A position of which any coordinate may be missing, either on the earth or on a local plane.
@@ -58,6 +60,27 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
             + frame
             + (frame.isUtm() ? " without x or y" : "")
             + " cannot be navigated to; expected GLOBAL, LOCAL_ENU, LOCAL_NED, or UTM with x and y");
+  }
+
+  /** Writes itself down under a name, for a service that takes over. */
+  void handOver(HandOver state, String name) {
+    state.flag(name + " ON EARTH", onEarth);
+    x.ifPresent(value -> state.number(name + " X", value));
+    y.ifPresent(value -> state.number(name + " Y", value));
+    upM.ifPresent(value -> state.number(name + " UP", value));
+  }
+
+  /** The place that was handed over under a name; empty if there is none. */
+  static Optional<Place> takenOver(HandOver state, String name) {
+    String onEarth = name + " ON EARTH";
+    return state.names().contains(onEarth)
+        ? Optional.of(
+            new Place(
+                state.flag(onEarth),
+                state.number(name + " X"),
+                state.number(name + " Y"),
+                state.number(name + " UP")))
+        : Optional.empty();
   }
 
   /** Whether both horizontal coordinates are known. */

@@ -2,6 +2,7 @@ package org.u2sa.core.planning;
 
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.service.HandOver;
 
 /**
  * What one class of goals makes a {@link PathPlanner} do: a state of its state machine (thesis
@@ -32,4 +33,17 @@ public interface PlannerState {
    *     because of its frame
    */
   double distanceM(GoalInformation goal, StateInformation state);
+
+  /** Writes down how the pursuit of the present goal stands, for a planner that takes over. */
+  default void handOver(HandOver state) {}
+
+  /**
+   * Goes on with a pursuit where the planner before was.
+   *
+   * @return false if what was handed over does not suffice: then the goal is {@linkplain #enter
+   *     entered} anew
+   */
+  default boolean takeOver(HandOver state) {
+    return false;
+  }
 }

@@ -6,7 +6,6 @@ import org.u2sa.interfaces.Configurator;
 /**
  * The planner's configuration at one moment.
  *
- * @param followsLines false: heads straight for waypoints, as the thesis's planner did
  * @param lines how lines are followed
  * @param attempts passes at a waypoint before it is given up, at least 1
  * @param holdsAtEnd whether the vehicle holds where it has no goal to pursue
@@ -15,7 +14,6 @@ import org.u2sa.interfaces.Configurator;
  * @param reportIntervalMicros time after which a report is repeated [µs]
  */
 record PlanningSettings(
-    boolean followsLines,
     LineSettings lines,
     int attempts,
     boolean holdsAtEnd,
@@ -37,7 +35,6 @@ record PlanningSettings(
             turns,
             AltitudeProfile.valueOf(configuration.getVariable(PlanningVariables.ALTITUDE_PROFILE)));
     return new PlanningSettings(
-        configuration.getVariable(PlanningVariables.GUIDANCE).equals(PlanningVariables.LINE),
         lines,
         configuration.getVariable(PlanningVariables.ATTEMPTS),
         configuration.getVariable(PlanningVariables.AT_END).equals(PlanningVariables.HOLD),

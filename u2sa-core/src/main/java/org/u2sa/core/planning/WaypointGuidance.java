@@ -2,6 +2,7 @@ package org.u2sa.core.planning;
 
 import java.util.Optional;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 
 /** How a vehicle is led to one waypoint after the other. */
 interface WaypointGuidance {
@@ -36,4 +37,10 @@ interface WaypointGuidance {
    * come no nearer.
    */
   boolean isNearest();
+
+  /** Writes down how the present leg stands, for a planner that takes over. */
+  default void handOver(HandOver state) {}
+
+  /** Goes on with the leg of the planner before; what that one did not know begins anew. */
+  default void takeOver(HandOver state) {}
 }

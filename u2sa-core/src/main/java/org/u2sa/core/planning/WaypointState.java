@@ -10,6 +10,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 
 /**
  * Leads the vehicle to a waypoint.
@@ -58,6 +59,32 @@ final class WaypointState implements PlannerState {
     reached = false;
     nearestM = Double.POSITIVE_INFINITY;
     last = Optional.empty();
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    state
+        .number("ATTEMPTS", attempts)
+        .flag("ARMED", armed)
+        .flag("REACHED", reached)
+        .number("NEAREST", nearestM);
+    last.ifPresent(seen -> state.message("LAST STATE", seen));
+    guidance.handOver(state);
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    if (state.number("ATTEMPTS").isEmpty()) {
+      return false;
+    }
+    guidance.begin(Optional.empty());
+    guidance.takeOver(state);
+    attempts = (int) state.number("ATTEMPTS").getAsDouble();
+    armed = state.flag("ARMED");
+    reached = state.flag("REACHED");
+    nearestM = state.number("NEAREST").orElse(Double.POSITIVE_INFINITY);
+    last = state.message("LAST STATE", StateInformation.class);
+    return true;
   }
 
   /** Where a goal is, if it is a waypoint. */
