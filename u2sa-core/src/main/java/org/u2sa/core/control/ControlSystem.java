@@ -3,6 +3,7 @@ package org.u2sa.core.control;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.Range;
@@ -16,6 +17,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
@@ -44,7 +46,16 @@ public abstract class ControlSystem extends EventDrivenService {
           .ifAbsent(0.5)
           .describedAs("How long an actuator obeys a command that is not renewed.");
 
+  static final Variable<Double> BLEND_TIME =
+      Variable.number("BLEND TIME", "s")
+          .range(Range.of(0.0, 10.0))
+          .ifAbsent(0.5)
+          .describedAs(
+              "Time in which commands move over from those of another control system that this one takes over from.");
+
   private double commandExpiryS;
+  private double blendS;
+  private final CommandBlend blend = new CommandBlend();
   private final StateHistory states;
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private final Map<String, NavigationPoint> placed =
@@ -57,6 +68,7 @@ public abstract class ControlSystem extends EventDrivenService {
   protected ControlSystem(ServiceContext context, String serviceName) {
     super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
     commandExpiryS = getVariable(COMMAND_EXPIRY);
+    blendS = getVariable(BLEND_TIME);
     states = new StateHistory();
     states.span(Clock.micros(getVariable(STALE_AFTER)));
     registerSubscriber(Channels.NAVIGATION);
@@ -183,8 +195,36 @@ public abstract class ControlSystem extends EventDrivenService {
    * @throws IllegalArgumentException if a value is not a number
    */
   protected final void command(String actuator, double percentage, double expiryS) {
-    double bounded = Math.max(-100.0, Math.min(100.0, percentage));
+    double wanted = Math.max(-100.0, Math.min(100.0, percentage));
+    double bounded = blend.command(actuator, wanted, clock().micros(), blendS);
     publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(expiryS));
+  }
+
+  /** The percentage that was commanded last, by this control system or the one before [%]. */
+  protected final OptionalDouble lastCommand(String actuator) {
+    return blend.last(actuator);
+  }
+
+  /** {@inheritDoc} Subclasses that override it call it too. */
+  @Override
+  protected void handOver(HandOver state) {
+    state.messages("STATES", states.all());
+    state.messages("POINTS", points.values());
+    state.messages("PLACED", placed.values());
+    blend.handOver(state);
+  }
+
+  /** {@inheritDoc} Subclasses that override it call it first. */
+  @Override
+  protected void takeOver(HandOver state) {
+    state.messages("STATES", StateInformation.class).forEach(states::add);
+    state
+        .messages("POINTS", NavigationPoint.class)
+        .forEach(point -> points.put(point.subsystem(), point));
+    state
+        .messages("PLACED", NavigationPoint.class)
+        .forEach(point -> placed.put(point.subsystem(), point));
+    blend.takeOver(state, state.className().equals(getClass().getName()));
   }
 
   /** Leaves the actuators neutral; subclasses that override it call it too. */

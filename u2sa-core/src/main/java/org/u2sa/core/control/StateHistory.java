@@ -1,5 +1,6 @@
 package org.u2sa.core.control;
 
+import java.util.Collection;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -42,6 +43,11 @@ final class StateHistory {
   /** Time between the two newest states [µs]; 0 if the newest begins a history. */
   long lastStepMicros() {
     return lastStepMicros;
+  }
+
+  /** All that are remembered, oldest first. */
+  Collection<StateInformation> all() {
+    return states.values();
   }
 
   /** The state of exactly that time. */

@@ -1,6 +1,7 @@
 package org.u2sa.flightgear.control;
 
 import java.util.Optional;
+import org.u2sa.service.HandOver;
 
 /**
  * Flies the Cessna from the runway along its mission: state and navigation in, surfaces out. Pure
@@ -26,6 +27,7 @@ final class Autopilot {
   private final EnergyLaw energy;
 
   private FlightPhase phase = FlightPhase.RUN_UP;
+  private boolean takenOver; // the throttle is another law's, and not to jump
   private double lastTimeS = Double.NaN;
   private double throttle;
   private double rudder;
@@ -74,6 +76,54 @@ final class Autopilot {
     };
   }
 
+  /** Writes down all that it remembers, for one that takes over. */
+  void handOver(HandOver state) {
+    state
+        .number("LAST TIME", lastTimeS)
+        .number("THROTTLE", throttle)
+        .number("RUDDER", rudder)
+        .number("BANK DEMAND", bankDemand)
+        .number("PITCH DEMAND", pitchDemand)
+        .number("HOLD ALTITUDE", holdAltitudeM)
+        .number("ALTITUDE DEMAND", altitudeDemandM)
+        .number("SPEED DEMAND", speedDemandMps);
+    sequence.handOver(state);
+    ground.handOver(state);
+    roll.handOver(state);
+    pitch.handOver(state);
+    yaw.handOver(state);
+    energy.handOver(state);
+  }
+
+  /** Goes on exactly where another one was. */
+  void takeOver(HandOver state) {
+    sequence.takeOver(state);
+    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(phase);
+    lastTimeS = state.number("LAST TIME").orElse(Double.NaN);
+    throttle = state.number("THROTTLE").orElse(0.0);
+    rudder = state.number("RUDDER").orElse(0.0);
+    bankDemand = state.number("BANK DEMAND").orElse(0.0);
+    pitchDemand = state.number("PITCH DEMAND").orElse(0.0);
+    holdAltitudeM = state.number("HOLD ALTITUDE").orElse(0.0);
+    altitudeDemandM = state.number("ALTITUDE DEMAND").orElse(0.0);
+    speedDemandMps = state.number("SPEED DEMAND").orElse(tuning.cruiseMps());
+    ground.takeOver(state);
+    roll.takeOver(state);
+    pitch.takeOver(state);
+    yaw.takeOver(state);
+    energy.takeOver(state);
+  }
+
+  /** Begins in the air from what another control law commanded, shares of full as in Surfaces. */
+  void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
+    roll.restart(aileron);
+    pitch.restart(elevator);
+    yaw.restart(lastRudder);
+    rudder = lastRudder;
+    throttle = lastThrottle;
+    takenOver = true;
+  }
+
   private void enter(FlightState state, FlightPhase before, boolean first) {
     if (first || phase == FlightPhase.HOLD) {
       holdAltitudeM =
@@ -83,7 +133,8 @@ final class Autopilot {
     }
     boolean airborne = phase == FlightPhase.CRUISE || phase == FlightPhase.HOLD;
     if (airborne && (first || before == FlightPhase.RUN_UP || before == FlightPhase.STOPPED)) {
-      throttle = tuning.energy().throttleTrim();
+      throttle = takenOver ? throttle : tuning.energy().throttleTrim();
+      takenOver = false;
       bankDemand = state.rollRad();
       energy.restart(state, state.pitchRad(), throttle);
     }

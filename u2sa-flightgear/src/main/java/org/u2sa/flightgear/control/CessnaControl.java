@@ -11,6 +11,7 @@ import org.u2sa.interfaces.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -123,6 +124,32 @@ public final class CessnaControl extends ControlSystem {
             .altitude(autopilot.altitudeDemandM())
             .airspeed(autopilot.speedDemandMps())
         : status;
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    reader.handOver(state);
+    autopilot.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    if (state.className().equals(getClass().getName())) {
+      reader.takeOver(state);
+      autopilot.takeOver(state);
+    } else if (lastCommand(CessnaActuator.THROTTLE.actuatorName()).isPresent()) {
+      autopilot.takeOver(
+          lastShare(CessnaActuator.AILERON),
+          lastShare(CessnaActuator.ELEVATOR),
+          lastShare(CessnaActuator.RUDDER),
+          lastShare(CessnaActuator.THROTTLE));
+    }
+  }
+
+  private double lastShare(CessnaActuator actuator) {
+    return lastCommand(actuator.actuatorName()).orElse(0.0) / FULL_PERCENT;
   }
 
   private void lacking(List<String> missing) {

@@ -1,5 +1,7 @@
 package org.u2sa.flightgear.control;
 
+import org.u2sa.service.HandOver;
+
 /**
  * Altitude and airspeed together: the throttle answers for the total energy rate γ + V̇/g, the
  * pitch for how it is shared, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control
@@ -42,6 +44,25 @@ final class EnergyLaw {
     throttle = newThrottle;
     pitchIntegral = newPitch - flightPath(state);
     throttleIntegral = newThrottle;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("FILTERED AIRSPEED", filteredAirspeed)
+        .number("CLIMB DEMAND", climbDemand)
+        .number("PITCH INTEGRAL OF ENERGY", pitchIntegral)
+        .number("THROTTLE INTEGRAL", throttleIntegral)
+        .number("THROTTLE OF ENERGY", throttle)
+        .number("PITCH OF ENERGY", pitch);
+  }
+
+  void takeOver(HandOver state) {
+    filteredAirspeed = state.number("FILTERED AIRSPEED").orElse(Double.NaN);
+    climbDemand = state.number("CLIMB DEMAND").orElse(0.0);
+    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY").orElse(0.0);
+    throttleIntegral = state.number("THROTTLE INTEGRAL").orElse(0.0);
+    throttle = state.number("THROTTLE OF ENERGY").orElse(0.0);
+    pitch = state.number("PITCH OF ENERGY").orElse(0.0);
   }
 
   /**

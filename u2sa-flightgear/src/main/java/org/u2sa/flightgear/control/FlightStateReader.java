@@ -10,6 +10,7 @@ import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 
 /**
  * Turns state messages in GLOBAL into {@link FlightState}s: Euler rates become body rates, geodetic
@@ -35,6 +36,27 @@ final class FlightStateReader {
   private static final double SLOWEST_MPS = 1.0; // slower air has no direction
 
   private Geodetic origin; // of north and east
+
+  /** Writes down where north and east are counted from. */
+  void handOver(HandOver state) {
+    if (origin != null) {
+      state
+          .number("ORIGIN LONGITUDE", origin.longitudeDeg())
+          .number("ORIGIN LATITUDE", origin.latitudeDeg())
+          .number("ORIGIN ALTITUDE", origin.altitudeM());
+    }
+  }
+
+  /** Counts from where the reader before did. */
+  void takeOver(HandOver state) {
+    if (state.number("ORIGIN LONGITUDE").isPresent()) {
+      origin =
+          new Geodetic(
+              state.number("ORIGIN LONGITUDE").getAsDouble(),
+              state.number("ORIGIN LATITUDE").orElseThrow(),
+              state.number("ORIGIN ALTITUDE").orElseThrow());
+    }
+  }
 
   /** What a state lacks for control; empty if nothing. */
   static List<String> missing(StateInformation state) {

@@ -1,5 +1,7 @@
 package org.u2sa.flightgear.control;
 
+import org.u2sa.service.HandOver;
+
 /**
  * Keeps the runway's centreline by rudder and nose wheel: aims at a point ahead on the line, turns
  * at a rate proportional to the heading error, and finds the rudder from the geometry of a steered
@@ -54,6 +56,24 @@ final class GroundSteering {
     headingRad = state.headingRad();
     integral = 0.0;
     lined = true;
+  }
+
+  void handOver(HandOver state) {
+    if (lined) {
+      state
+          .number("CENTRELINE NORTH", northM)
+          .number("CENTRELINE EAST", eastM)
+          .number("CENTRELINE HEADING", headingRad)
+          .number("STEERING INTEGRAL", integral);
+    }
+  }
+
+  void takeOver(HandOver state) {
+    lined = state.number("CENTRELINE HEADING").isPresent();
+    northM = state.number("CENTRELINE NORTH").orElse(0.0);
+    eastM = state.number("CENTRELINE EAST").orElse(0.0);
+    headingRad = state.number("CENTRELINE HEADING").orElse(0.0);
+    integral = state.number("STEERING INTEGRAL").orElse(0.0);
   }
 
   boolean lined() {

@@ -1,5 +1,7 @@
 package org.u2sa.flightgear.control;
 
+import org.u2sa.service.HandOver;
+
 /**
  * Holds a pitch by the elevator: proportional pitch loop around a rate loop. In a turn the nose
  * must keep coming round, so the rate of the coordinated turn q = g/V · sin φ tan φ (McCormick,
@@ -40,5 +42,18 @@ final class PitchLaw {
 
   void restart() {
     loop.restart(0.0);
+  }
+
+  /** Starts with a surface held. */
+  void restart(double surface) {
+    loop.restart(-surface);
+  }
+
+  void handOver(HandOver state) {
+    state.number("PITCH INTEGRAL", loop.integral());
+  }
+
+  void takeOver(HandOver state) {
+    state.number("PITCH INTEGRAL").ifPresent(loop::restart);
   }
 }

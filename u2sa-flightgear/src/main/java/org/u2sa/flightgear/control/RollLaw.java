@@ -1,5 +1,7 @@
 package org.u2sa.flightgear.control;
 
+import org.u2sa.service.HandOver;
+
 /** Holds a bank by the ailerons: proportional bank loop around a rate loop. */
 final class RollLaw {
   /**
@@ -26,5 +28,18 @@ final class RollLaw {
 
   void restart() {
     loop.restart(0.0);
+  }
+
+  /** Starts with a surface held. */
+  void restart(double surface) {
+    loop.restart(surface);
+  }
+
+  void handOver(HandOver state) {
+    state.number("ROLL INTEGRAL", loop.integral());
+  }
+
+  void takeOver(HandOver state) {
+    state.number("ROLL INTEGRAL").ifPresent(loop::restart);
   }
 }

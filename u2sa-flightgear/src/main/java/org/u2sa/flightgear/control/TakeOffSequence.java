@@ -1,5 +1,7 @@
 package org.u2sa.flightgear.control;
 
+import org.u2sa.service.HandOver;
+
 /** Knows which {@link FlightPhase} the aircraft is in. */
 final class TakeOffSequence {
   /**
@@ -28,6 +30,23 @@ final class TakeOffSequence {
 
   TakeOffSequence(Parameters parameters) {
     this.parameters = parameters;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("READY SINCE", readySinceS)
+        .number("LIFTED SINCE", liftedSinceS)
+        .number("LANDED SINCE", landedSinceS);
+    if (phase != null) {
+      state.text("PHASE", phase.name());
+    }
+  }
+
+  void takeOver(HandOver state) {
+    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(null);
+    readySinceS = state.number("READY SINCE").orElse(Double.NaN);
+    liftedSinceS = state.number("LIFTED SINCE").orElse(Double.NaN);
+    landedSinceS = state.number("LANDED SINCE").orElse(Double.NaN);
   }
 
   /**

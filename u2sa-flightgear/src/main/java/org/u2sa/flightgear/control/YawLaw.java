@@ -1,5 +1,7 @@
 package org.u2sa.flightgear.control;
 
+import org.u2sa.service.HandOver;
+
 /**
  * Keeps the turn coordinated by the rudder: damps yaw about r = g/V · sin φ cos θ (coordinated
  * turn; Stevens and Lewis, 2nd ed., section 4.4), meets the adverse yaw of the ailerons, and takes
@@ -50,6 +52,14 @@ final class YawLaw {
         / speed
         * StrictMath.sin(state.rollRad())
         * StrictMath.cos(state.pitchRad());
+  }
+
+  void handOver(HandOver state) {
+    state.number("YAW INTEGRAL", integral);
+  }
+
+  void takeOver(HandOver state) {
+    state.number("YAW INTEGRAL").ifPresent(this::restart);
   }
 
   /** Starts with a rudder held. */

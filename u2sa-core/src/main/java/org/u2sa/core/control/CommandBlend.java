@@ -1,0 +1,67 @@
+package org.u2sa.core.control;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.service.HandOver;
+
+/**
+ * The commands said last, and the way from another control system's commands to one's own: where
+ * one law takes over from another, surfaces move over in a short time instead of jumping.
+ */
+final class CommandBlend {
+  private static final String NAME = "COMMAND ";
+
+  private final Map<String, Double> last = new LinkedHashMap<>(); // [%] by actuator
+  private final Map<String, Double> from = new LinkedHashMap<>(); // of the other control system
+  private long beganMicros = Clock.NEVER;
+
+  /** Writes the last commands down for a control system that takes over. */
+  void handOver(HandOver state) {
+    state.texts("COMMANDED", last.keySet());
+    last.forEach((actuator, percentage) -> state.number(NAME + actuator, percentage));
+  }
+
+  /**
+   * Takes note of the last commands of the control system before.
+   *
+   * @param alike whether it was of the same class: then its state says all, and nothing is blended
+   */
+  void takeOver(HandOver state, boolean alike) {
+    for (String actuator : state.texts("COMMANDED")) {
+      state.number(NAME + actuator).ifPresent(percentage -> last.put(actuator, percentage));
+    }
+    if (!alike) {
+      from.putAll(last);
+    }
+  }
+
+  /** What was commanded last [%]. */
+  OptionalDouble last(String actuator) {
+    Double percentage = last.get(actuator);
+    return percentage == null ? OptionalDouble.empty() : OptionalDouble.of(percentage);
+  }
+
+  /**
+   * What to command now [%].
+   *
+   * @param wanted by the present law [%]
+   * @param spanS of the way from one law to the other [s]; 0 for none
+   */
+  double command(String actuator, double wanted, long nowMicros, double spanS) {
+    double commanded = wanted;
+    if (!from.isEmpty()) {
+      beganMicros = Math.min(beganMicros, nowMicros);
+      double sinceS = Clock.seconds(nowMicros - beganMicros);
+      if (sinceS >= spanS) {
+        from.clear();
+      } else {
+        double before = from.getOrDefault(actuator, wanted);
+        commanded = before + sinceS / spanS * (wanted - before);
+      }
+    }
+    last.put(actuator, commanded);
+    return commanded;
+  }
+}
