@@ -2,6 +2,7 @@ package org.u2sa.flightgear.demo;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -43,6 +44,13 @@ final class CessnaDemo implements Callable<Integer> {
           "calm, or m/s@degrees it blows from, such as 5@270. Default: by the seed, up to 8 m/s.")
   private String wind;
 
+  @Option(
+      names = "--swap",
+      paramLabel = "SECONDS:SERVICE=CLASS",
+      description =
+          "In flight, put another class in the place of a service, for example 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner. May be given several times.")
+  private List<String> swaps = List.of();
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     Path home = CessnaFiles.root();
@@ -51,12 +59,14 @@ final class CessnaDemo implements Callable<Integer> {
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     windOf(options.seed());
+    List<PlannedSwap> planned = plannedSwaps();
     return new FlightSeries(options, command.commandLine().getOut())
         .fly(
             "cessna",
             (directory, seed, interruption) ->
                 fly(
-                    new FlightRun(system, mission, directory, options.terminal(), interruption),
+                    new FlightRun(system, mission, directory, options.terminal(), interruption)
+                        .swapping(planned),
                     system,
                     mission,
                     seed));
@@ -88,6 +98,14 @@ final class CessnaDemo implements Callable<Integer> {
     }
     launch.override("Simulator", "LINK", "embedded");
     return run.inLockstep(launch, seed, Simulation.embedded());
+  }
+
+  private List<PlannedSwap> plannedSwaps() {
+    try {
+      return swaps.stream().map(PlannedSwap::parse).toList();
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--swap: " + e.getMessage());
+    }
   }
 
   private DemoWind windOf(long seed) {

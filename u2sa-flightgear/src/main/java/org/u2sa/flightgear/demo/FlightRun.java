@@ -3,6 +3,7 @@ package org.u2sa.flightgear.demo;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.u2sa.core.launch.LaunchOptions;
@@ -38,6 +39,7 @@ final class FlightRun {
   private final Terminal terminal;
   private final Interruption interruption;
   private final Clock stopwatch = new SystemClock();
+  private List<PlannedSwap> swaps = List.of();
 
   /**
    * @param system the services that fly
@@ -55,6 +57,12 @@ final class FlightRun {
     this.directory = directory;
     this.terminal = terminal;
     this.interruption = interruption;
+  }
+
+  /** Sets which services are swapped on the way. */
+  FlightRun swapping(List<PlannedSwap> planned) {
+    swaps = List.copyOf(planned);
+    return this;
   }
 
   /** Flies as fast as the machine allows, repeatable from the seed. */
@@ -136,13 +144,16 @@ final class FlightRun {
               plan,
               screen);
       observer.start();
+      Optional<SwapOperator> operator = startOperator(running);
       interruption.breakingOff(simulated::start);
       try {
         wait.until(observer);
       } finally {
+        operator.ifPresent(SwapOperator::kill);
         observer.kill();
       }
       refuseFailed(running);
+      refuseUnswapped(operator);
       double wallS = Clock.seconds(stopwatch.micros() - began);
       return RunReport.of(
           new RunFacts(
@@ -151,6 +162,28 @@ final class FlightRun {
           observer.track(),
           new FlightOutcome(observer.isCrashed(), observer.isStalled(), List.of()));
     }
+  }
+
+  private Optional<SwapOperator> startOperator(RunningSystem running) {
+    if (swaps.isEmpty()) {
+      return Optional.empty();
+    }
+    SwapOperator operator =
+        new SwapOperator(
+            running.contextFor(XmlConfiguration.inMemory("SwapOperator", Map.of())),
+            swaps,
+            this::say);
+    operator.start();
+    return Optional.of(operator);
+  }
+
+  private static void refuseUnswapped(Optional<SwapOperator> operator) {
+    operator
+        .flatMap(SwapOperator::refusal)
+        .ifPresent(
+            refusal -> {
+              throw new RunFailedException(refusal);
+            });
   }
 
   private void refuseFailed(RunningSystem running) {

@@ -1,0 +1,32 @@
+package org.u2sa.flightgear.demo;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A service that is to be swapped in a flight.
+ *
+ * @param atS time since the services were started [s]
+ * @param service its name
+ * @param className full name of the class that takes its place
+ */
+record PlannedSwap(double atS, String service, String className) {
+  private static final Pattern FORM = Pattern.compile("([0-9]+(?:\\.[0-9]+)?):([^=]+)=(\\S+)");
+
+  /**
+   * Reads {@code SECONDS:SERVICE=CLASS}.
+   *
+   * @throws IllegalArgumentException if the text is not of that form
+   */
+  static PlannedSwap parse(String text) {
+    Matcher form = FORM.matcher(text);
+    if (!form.matches()) {
+      throw new IllegalArgumentException(
+          "\""
+              + text
+              + "\" is no swap; expected SECONDS:SERVICE=CLASS, such as"
+              + " 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner");
+    }
+    return new PlannedSwap(Double.parseDouble(form.group(1)), form.group(2), form.group(3));
+  }
+}
