@@ -1,0 +1,79 @@
+"""Variables: validation, all or none, files, undo."""
+import os
+import pathlib
+import tempfile
+import unittest
+from unittest import mock
+
+from u2sa.configuration import BadConfiguration, Configuration, Variable
+
+VARIABLES = (Variable("GAIN", 0.5, "", 0.0, 1.0), Variable("COUNT", 3, "", 1, 9), Variable("ON", False),
+             Variable("MODE", "slow", choices=("slow", "fast")))
+TEXT = '<?xml version="1.0"?>\n<configuration>\n  <!-- kept -->\n  <variable name="GAIN" type="double" value="0.25"/>\n' \
+       "</configuration>\n"
+
+
+class ConfigurationTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = pathlib.Path(folder.name) / "Service.xml"
+        self.file.write_text(TEXT, encoding="utf-8")
+        self.configuration = Configuration(VARIABLES, self.file)
+
+    def test_the_file_says_what_differs_from_the_defaults(self):
+        self.assertEqual([self.configuration[name] for name in ("GAIN", "COUNT", "ON")], [0.25, 3, False])
+
+    def test_a_change_is_written_and_read_again(self):
+        done = self.configuration.change({"GAIN": "0.75", "ON": "TRUE"}, "anna")
+        self.assertEqual(done, [("GAIN", "0.25", "0.75"), ("ON", "false", "true")])
+        self.assertIn("<!-- kept -->", self.file.read_text(encoding="utf-8"))
+        again = Configuration(VARIABLES, self.file)
+        self.assertEqual((again["GAIN"], again["ON"], again.revision), (0.75, True, 1))
+
+    def test_one_wrong_value_changes_nothing(self):
+        for wrong, expected in ((("GAIN", "1.5"), "1.5 is outside 0.0…1.0"), (("COUNT", "2.0"), "whole number"),
+                                (("GAIN", "nan"), "not a number"), (("ON", "yes"), "neither true nor false"),
+                                (("MODE", "quick"), "one of slow, fast"), (("GAIM", "1"), "there is none")):
+            with self.subTest(wrong), self.assertRaises(BadConfiguration) as caught:
+                self.configuration.change({"COUNT": "4", wrong[0]: wrong[1]}, "anna")
+            self.assertIn(expected, str(caught.exception))
+        self.assertEqual(self.configuration["COUNT"], 3)
+        self.assertEqual(self.file.read_text(encoding="utf-8"), TEXT)
+
+    def test_who_saw_another_revision_changes_nothing(self):
+        self.configuration.change({"COUNT": "4"}, "anna", seen=0)
+        with self.assertRaises(BadConfiguration) as caught:
+            self.configuration.change({"COUNT": "5"}, "ben", seen=0)
+        self.assertIn("revision 0 was expected, but it is 1", str(caught.exception))
+
+    def test_undo_goes_back_step_by_step_also_after_a_restart(self):
+        self.configuration.change({"COUNT": "4"}, "anna")
+        self.configuration.change({"COUNT": "5"}, "anna")
+        self.assertEqual(self.configuration.undo("ben"), [("COUNT", "5", "4")])
+        again = Configuration(VARIABLES, self.file)
+        self.assertEqual(again.undo("ben"), [("COUNT", "4", "3")])
+        self.assertEqual(again.revision, 4)
+        with self.assertRaises(BadConfiguration):
+            again.undo("ben")
+
+    def test_a_write_that_fails_leaves_file_and_values(self):
+        with mock.patch.object(os, "replace", side_effect=OSError(28, "No space left on device")):
+            with self.assertRaises(BadConfiguration) as caught:
+                self.configuration.change({"COUNT": "4"}, "anna")
+        self.assertIn("No space left", str(caught.exception))
+        self.assertEqual((self.configuration["COUNT"], self.configuration.revision), (3, 0))
+        self.assertEqual(self.file.read_text(encoding="utf-8"), TEXT)
+        self.assertEqual([path.name for path in self.file.parent.iterdir()], ["Service.xml"])
+
+    def test_files_that_are_none_are_refused(self):
+        for text in ("<a/>", "<configuration>", '<!DOCTYPE x [<!ENTITY a "b">]><configuration/>',
+                     '<configuration><variable name="GAIN" value="7"/></configuration>',
+                     '<configuration><variable name="GAIM" value="7"/></configuration>'):
+            self.file.write_text(text, encoding="utf-8")
+            with self.subTest(text), self.assertRaises(BadConfiguration):
+                Configuration(VARIABLES, self.file)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,104 @@
+"""The golden vectors of every format, read and written byte for byte."""
+import json
+import pathlib
+import unittest
+
+from u2sa import Malformed, Message, decode, encode
+from u2sa.message import UnknownConstant
+
+GOLDEN = pathlib.Path(__file__).resolve().parents[3] / "docs" / "wire" / "golden"
+
+
+def plain(value):
+    """A message's value as its JSON says it."""
+    if isinstance(value, Message):
+        return {"type": list(value.chain), **{key: plain(item) for key, item in value.items()}}
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    return value
+
+
+class GoldenTest(unittest.TestCase):
+    def test_every_vector_is_read_and_written_byte_for_byte(self):
+        files = sorted(GOLDEN.rglob("*.cbor"))
+        self.assertGreater(len(files), 50)
+        for file in files:
+            with self.subTest(file.name):
+                said = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
+                message = decode(said["typeChain"], file.read_bytes())
+                self.assertEqual(encode(message), file.read_bytes())
+                self.assertEqual({key: plain(value) for key, value in message.items()}, said["message"])
+                self.assertEqual([key for key, _ in message.items()], list(said["message"]))
+
+
+class HostileBytesTest(unittest.TestCase):
+    def refused(self, chain, hexadecimal, expected):
+        with self.assertRaises(Malformed) as caught:
+            decode(chain.split("/"), bytes.fromhex(hexadecimal))
+        self.assertIn(expected, str(caught.exception))
+
+    def test_what_is_no_message_is_refused(self):
+        for hexadecimal, expected in (
+                ("", "cut short"), ("a0a0", "expected the end"), ("80", "expected a map"), ("ff", "break"),
+                ("a1617861 79", "expected a number"), ("a16178f6", "expected a number"),
+                ("a16178f97e00", "finite"), ("a16178fb7ff0000000000000", "finite"),
+                ("a26178fb00000000000000006178fb0000000000000000", "comes twice"), ("a2617100617100", "comes twice"),
+                ("a2617100 7f6171ff00", "comes twice"), ("a161718181818181818181818181818181", "levels"),
+                ("a16a73656e736f724e616d657b00000001ffffffff", "at most"), ("bbffffffffffffffff", "cut short"),
+                ("a16a73656e736f724e616d6563edb9bb", "CBOR"), ("a100f6", "text key"),
+                ("a16974696d657374616d70c249ffffffffffffffffff", "64 bits")):
+            with self.subTest(hexadecimal):
+                self.refused("StateInformation", hexadecimal, expected)
+
+    def test_a_required_field_that_is_missing_is_named(self):
+        self.refused("GoalCommand", "a0", "GoalCommand.uid is required")
+
+    def test_a_list_of_the_wrong_kind_is_refused(self):
+        self.refused("GoalList", "a165676f616c7381a16474797065816f4f626a6563744465736372697074696f6e"
+                     .replace("6f4f", "714f"), "required")
+        self.refused("GoalList", "a165676f616c7381a0", '"type" as the first key')
+
+    def test_shorter_floats_and_indefinite_lengths_are_taken(self):
+        read = decode(["StateInformation"], bytes.fromhex("bf6178f93e006179fa3fc00000617a02ff"))
+        self.assertEqual((read["x"], read["y"], read["z"]), (1.5, 1.5, 2.0))
+
+
+class OtherVersionsTest(unittest.TestCase):
+    def test_an_unknown_subclass_is_its_ancestor_and_keeps_the_rest(self):
+        payload = bytes.fromhex("a3") + b"\x63uid\x61a" + b"\x65depth\x03" + b"\x64tags\x82\x61x\xf5"
+        read = decode(["GoalCommand", "DiveCommand"], payload)
+        self.assertTrue(read.is_a("GoalCommand"))
+        self.assertEqual((read["uid"], read.get("depth"), read.get("tags")), ("a", 3, ["x", True]))
+        self.assertEqual(encode(read), payload)
+
+    def test_a_class_without_known_ancestor_keeps_all(self):
+        read = decode(["Tide"], bytes.fromhex("a16668656967687404"))
+        self.assertIsNone(read.type)
+        self.assertEqual(read.get("height"), 4)
+
+    def test_an_unknown_constant_is_absent_where_optional_and_refused_where_required(self):
+        shape = b"\xa4\x63uid\x61a\x61x\x01\x61y\x02\x65level\x64SOFT"
+        self.assertNotIn("level", decode(["ObjectDescription"], shape))
+        order = b"\xa3\x69requestId\x61r\x6bserviceName\x61s\x66action\x65PAUSE"
+        with self.assertRaises(UnknownConstant):
+            decode(["ServiceOrder"], order)
+
+
+class MessageTest(unittest.TestCase):
+    def test_values_are_checked_as_they_are_set(self):
+        command = Message("PercentageCommand", actuatorName="AILERON")
+        for wrong in (100.5, float("nan"), True, "1", None):
+            with self.assertRaises(Malformed):
+                command["percentage"] = wrong
+        with self.assertRaises(KeyError):
+            command["percent"] = 1.0
+        with self.assertRaises(ValueError):
+            encode(command)
+
+    def test_abstract_classes_cannot_be_made(self):
+        with self.assertRaises(ValueError):
+            Message("GoalInformation", uid="1")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,110 @@
+"""A service's answers, without a broker: what it sends is looked at."""
+import unittest
+
+from u2sa import EmergencyLatch, Message, Service, Variable, encode
+from u2sa.contract import Contract
+
+
+class Probe(Service):
+    role = "PROPRIOCEPTIVE_SENSOR"
+
+    def __init__(self):
+        super().__init__("Probe", variables=(Variable("GAIN", 0.5, "", 0.0, 1.0),))
+        self.register_publisher("sensed-state", "StateInformation")
+        self.register_subscriber("goals", "GoalList")
+        self.sent = []
+        self.changed = []
+        self.link.publish = lambda channel, message: self.sent.append((channel, message)) or bool(encode(message))
+
+    def configuration_changed(self, names):
+        self.changed += names
+
+    def hear(self, channel, message):
+        """As if it had come over the line."""
+        self._arrived("/".join(("u2sa", "cessna", channel, *message.chain)), encode(message))
+        while not self._inbox.empty():
+            self._take(0.0)
+
+
+class ContractTest(unittest.TestCase):
+    def setUp(self):
+        self.probe = Probe()
+
+    def answer(self, channel, message):
+        self.probe.sent.clear()
+        self.probe.hear(channel, message)
+        return self.probe.sent[0][1] if self.probe.sent else None
+
+    def test_discovery_tells_who_it_is(self):
+        answer = self.answer("discovery", Message("DiscoveryRequest"))
+        self.assertEqual((answer["serviceName"], answer["serviceType"]), ("Probe", "PROPRIOCEPTIVE_SENSOR"))
+        self.assertEqual(answer["instance"], self.probe.link.instance)
+
+    def test_functionality_tells_channels_with_chains(self):
+        answer = self.answer("functionality", Message("FunctionalityRequest", serviceName=""))
+        self.assertEqual(answer["publishes"], ("sensed-state/StateInformation",))
+        self.assertEqual(answer["subscribes"], ("goals/GoalList",))
+        self.assertIsNone(self.answer("functionality", Message("FunctionalityRequest", serviceName="Other")))
+
+    def test_a_change_is_made_or_refused_with_the_reason(self):
+        answer = self.answer("configuration", Message(
+            "ConfigurationChange", serviceName="Probe", variableName="GAIN", value="0.75"))
+        self.assertTrue(answer["accepted"])
+        self.assertEqual(self.probe.changed, ["GAIN"])
+        answer = self.answer("configuration", Message(
+            "ConfigurationChange", serviceName="Probe", variableName="GAIN", value="7"))
+        self.assertFalse(answer["accepted"])
+        self.assertIn("7 is outside 0.0…1.0", answer["reason"])
+
+    def test_a_transaction_that_comes_twice_is_obeyed_once(self):
+        wanted = Message("ConfigurationAssignment", variableName="GAIN", value="0.75")
+        order = Message("ConfigurationTransaction", requestId="r", serviceName="Probe", assignments=[wanted], revision=0)
+        first = self.answer("configuration", order)
+        second = self.answer("configuration", order)
+        self.assertTrue(first["accepted"])
+        self.assertEqual((first, first["revision"]), (second, 1))
+        undone = self.answer("configuration", Message("ConfigurationUndo", requestId="u", serviceName="Probe"))
+        self.assertEqual(undone["assignments"][0]["value"], "0.5")
+        self.assertEqual(self.probe.configuration["GAIN"], 0.5)
+
+    def test_a_stop_is_obeyed_where_it_arrives(self):
+        self.probe.hear("stop", Message("StopCommand", serviceName="Other"))
+        self.assertFalse(self.probe._stopping.is_set())
+        self.probe.hear("stop", Message("StopCommand", serviceName="Probe"))
+        self.assertTrue(self.probe._stopping.is_set())
+
+    def test_requests_come_in_on_channels_that_are_subscribed_to(self):
+        channels = [channel for channel, _chain in self.probe._filters()]
+        self.assertEqual(channels, ["goals", *Contract.CHANNELS])
+
+    def test_what_cannot_be_read_is_counted(self):
+        self.probe._arrived("u2sa/cessna/goals/GoalList", b"\xff")
+        self.probe._arrived("elsewhere", b"")
+        report = self.probe.health.report("Probe", "RUNNING", 0)
+        self.assertEqual(report["refused"], 2)
+
+    def test_publishing_what_was_not_registered_is_refused(self):
+        self.assertFalse(self.probe.publish("state", Message("StateInformation")))
+
+    def test_errors_in_a_row_end_it_as_failed(self):
+        def wrong():
+            raise ValueError("no device")
+        self.probe.log.disabled = True
+        for _ in range(10):
+            self.probe._guarded(wrong)
+        self.assertEqual(self.probe.status, "FAILED")
+        self.assertEqual(self.probe.health.report("Probe", "FAILED", 0)["lastError"], "ValueError: no device")
+
+
+class EmergencyLatchTest(unittest.TestCase):
+    def test_only_a_clear_of_the_newest_stop_lifts_it(self):
+        latch = EmergencyLatch()
+        latch.take(Message("EmergencyStop", active=True, timestamp=10))
+        latch.take(Message("EmergencyStop", active=True, timestamp=20))
+        self.assertTrue(latch.take(Message("EmergencyStop", active=False, clears=10, timestamp=30)))
+        self.assertTrue(latch.take(Message("EmergencyStop", active=False, timestamp=30)))
+        self.assertFalse(latch.take(Message("EmergencyStop", active=False, clears=20, timestamp=30)))
+
+
+if __name__ == "__main__":
+    unittest.main()

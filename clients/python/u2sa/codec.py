@@ -1,0 +1,121 @@
+"""Messages as CBOR (docs/wire-protocol.md, Payload)."""
+from __future__ import annotations
+
+from typing import Any, Dict, List, Sequence
+
+import cbor2
+
+from . import message as values
+from .message import Message, UnknownConstant
+from .schema import STANDARD, TYPE_KEY, Malformed, Schema
+from .wellformed import check
+
+PAYLOAD_BYTES = 1 << 20
+CHAIN_NAMES = 8
+
+
+def encode(message: Message) -> bytes:
+    """The message's bytes: equal messages have equal ones.
+
+    :raises ValueError: if a required field is missing or the bytes exceed 1 MiB
+    """
+    payload: bytes = cbor2.dumps(_map(message, within_list=False))
+    if len(payload) > PAYLOAD_BYTES:
+        raise ValueError(f"{message.name}: {len(payload)} bytes exceed the {PAYLOAD_BYTES} that readers take")
+    return payload
+
+
+def _map(message: Message, within_list: bool) -> Dict[str, Any]:
+    missing = message.missing()
+    if missing is not None:
+        raise ValueError(f"{message.name}.{missing} is required and was never set")
+    pairs: Dict[str, Any] = {TYPE_KEY: list(message.chain)} if within_list else {}
+    for key, value in message.items():
+        pairs[key] = _value(value)
+    return pairs
+
+
+def _value(value: Any) -> Any:
+    if isinstance(value, Message):
+        return _map(value, within_list=True)
+    if isinstance(value, (list, tuple)):
+        return [_value(item) for item in value]
+    return value
+
+
+def decode(chain: Sequence[str], payload: bytes, schema: Schema = STANDARD) -> Message:
+    """The message in the bytes. Unknown keys are skipped; a class that is unknown is read as its nearest known
+    ancestor and keeps what it has beyond that one.
+
+    :param chain: from the topic, eldest ancestor first
+    :raises Malformed: for whatever is wrong with chain or bytes
+    """
+    _check_chain(chain)
+    if len(payload) > PAYLOAD_BYTES:
+        raise Malformed(f"expected at most {PAYLOAD_BYTES} bytes, not {len(payload)}")
+    check(payload)
+    try:
+        pairs = cbor2.loads(payload)
+    except (cbor2.CBORDecodeError, ValueError, OverflowError) as e:
+        raise Malformed(f"{chain[-1]}: no CBOR: {e}") from e
+    return _message(chain, pairs, schema, chain[-1])
+
+
+def _check_chain(chain: Sequence[str]) -> None:
+    if not 1 <= len(chain) <= CHAIN_NAMES or not all(isinstance(name, str) and name for name in chain):
+        raise Malformed(f"expected 1…{CHAIN_NAMES} type names, not {list(chain)!r}")
+
+
+def _message(chain: Sequence[str], pairs: Any, schema: Schema, where: str) -> Message:
+    if not isinstance(pairs, dict):
+        raise Malformed(f"{where}: expected a map, not {type(pairs).__name__}")
+    kind = schema.nearest(chain)
+    message = Message.carrier(kind, chain)
+    known = kind is not None and kind.chain == tuple(chain)
+    for key, value in pairs.items():
+        if not isinstance(key, str):
+            raise Malformed(f"{where}: expected a text key, not {key!r}")
+        field = kind.field(key) if kind else None
+        if field is None:
+            if not known and key != TYPE_KEY:
+                message.unknown[key] = _plain(value, f"{where}.{key}")
+            continue
+        if field.kind.startswith("messages:"):
+            value = _nested(value, schema, f"{where}.{key}")
+        try:
+            message[key] = value
+        except UnknownConstant:
+            if field.presence != "optional":
+                raise
+    missing = message.missing()
+    if missing is not None:
+        raise Malformed(f"{where}.{missing} is required and missing")
+    return message
+
+
+def _nested(value: Any, schema: Schema, where: str) -> List[Message]:
+    messages = []
+    for pairs in values.sequence(value, where):
+        if not isinstance(pairs, dict) or next(iter(pairs), None) != TYPE_KEY:
+            raise Malformed(f'{where}: expected "type" as the first key of a message in a list')
+        chain = pairs[TYPE_KEY]
+        if not isinstance(chain, list):
+            raise Malformed(f"{where}.type: expected an array, not {chain!r}")
+        _check_chain(chain)
+        messages.append(_message(chain, pairs, schema, where))
+    return messages
+
+
+def _plain(value: Any, where: str) -> Any:
+    """A value of a field that no table has: numbers, texts, flags, arrays and maps of such."""
+    if isinstance(value, dict):
+        return {values.text(key, where): _plain(item, where) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_plain(item, where) for item in values.sequence(value, where)]
+    if isinstance(value, str):
+        return values.text(value, where)
+    if isinstance(value, float):
+        return values.number(value, where)
+    if isinstance(value, bool) or (isinstance(value, int) and -(1 << 63) <= value < 1 << 63):
+        return value
+    raise Malformed(f"{where}: expected a number, text, bool, array or map, not {value!r}")

@@ -1,0 +1,276 @@
+"""A service's variables (thesis 3.2.1.1): declared, read from the XML file that Java's services have too, changed all
+or none, written whole or not at all, and undone."""
+from __future__ import annotations
+
+import json
+import math
+import os
+import pathlib
+import re
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass
+from datetime import datetime, timezone
+from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+from .message import Message
+
+Value = Union[str, float, int, bool]
+_DECIMAL = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
+_WHOLE = re.compile(r"[+-]?[0-9]+")
+_TYPES = {"string": str, "double": float, "int": int, "boolean": bool}
+
+
+class BadConfiguration(ValueError):
+    """A configuration that cannot be used, or a change that is refused: file, variable, value and what was expected."""
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable: its type is that of its default; limits are of numbers and included."""
+
+    name: str
+    default: Value
+    unit: str = ""
+    least: Optional[float] = None
+    most: Optional[float] = None
+    choices: Tuple[str, ...] = ()
+    description: str = ""
+
+    @property
+    def type(self) -> str:
+        """string, double, int or boolean."""
+        return next(name for name, kind in _TYPES.items() if type(self.default) is kind)
+
+    def parsed(self, text: str) -> Value:
+        """The value that the text stands for, in this variable's unit. :raises BadConfiguration: if it may not have it"""
+        value: Value = text
+        if self.type == "double":
+            if not _DECIMAL.fullmatch(text.strip()) or not math.isfinite(float(text)):
+                raise BadConfiguration(f'"{text}" is not a number')
+            value = float(text)
+        elif self.type == "int":
+            if not _WHOLE.fullmatch(text.strip()) or not -(1 << 31) <= int(text) < 1 << 31:
+                raise BadConfiguration(f'"{text}" is not a whole number of 32 bits')
+            value = int(text)
+        elif self.type == "boolean":
+            if text.strip().lower() not in ("true", "false"):
+                raise BadConfiguration(f'"{text}" is neither true nor false')
+            value = text.strip().lower() == "true"
+        if isinstance(value, (int, float)) and not isinstance(value, bool) and not self._within(value):
+            low = "-∞" if self.least is None else self.least
+            high = "∞" if self.most is None else self.most
+            raise BadConfiguration(f"{text} is outside {low}…{high}" + (f" {self.unit}" if self.unit else ""))
+        if self.choices and text not in self.choices:
+            raise BadConfiguration(f'"{text}" is not one of {", ".join(self.choices)}')
+        return value
+
+    def _within(self, value: float) -> bool:
+        return (self.least is None or value >= self.least) and (self.most is None or value <= self.most)
+
+    def described(self, value: Value) -> Message:
+        """As a configuration response tells it."""
+        message = Message("ConfigurationVariable", name=self.name, variableType=self.type, value=as_text(value),
+                          unit=self.unit, description=self.description)
+        if self.least is not None:
+            message["min"] = self.least
+        if self.most is not None:
+            message["max"] = self.most
+        if self.choices:
+            message["choices"] = self.choices
+        return message
+
+
+def as_text(value: Value) -> str:
+    """A value as it stands in files and messages."""
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+#: What a change did to one variable: name, value before, value now, as texts.
+Assignment = Tuple[str, str, str]
+
+
+class Configuration:
+    """The variables of one service. Belongs to the service's thread.
+
+    :param file: the XML file; without one, changes last as long as the object. What it does not state has its default.
+    :raises BadConfiguration: if the file is not such a file, or states what no variable may have
+    """
+
+    def __init__(self, variables: Sequence[Variable], file: Optional[pathlib.Path] = None) -> None:
+        self._variables: Dict[str, Variable] = {variable.name: variable for variable in variables}
+        self._values: Dict[str, Value] = {variable.name: variable.default for variable in variables}
+        self._file = file
+        self._undo: List[List[Assignment]] = []
+        self.revision = 0
+        if file is not None:
+            for name, text in _stated(file).items():
+                self._values[name] = self._parsed(name, text)
+            self._remember()
+
+    def __getitem__(self, name: str) -> Value:
+        return self._values[name]
+
+    def number(self, name: str) -> float:
+        """The value of a number, in the variable's unit."""
+        value = self._values[name]
+        if isinstance(value, (str, bool)):
+            raise TypeError(f'variable "{name}" is no number')
+        return float(value)
+
+    def text(self, name: str) -> str:
+        return as_text(self._values[name])
+
+    def describe(self) -> List[Message]:
+        return [variable.described(self._values[name]) for name, variable in self._variables.items()]
+
+    def change(self, wanted: Mapping[str, str], author: str, seen: Optional[int] = None,
+               veto: Callable[[Mapping[str, Value]], Optional[str]] = lambda values: None) -> List[Assignment]:
+        """Gives all these variables new values, or none of them.
+
+        :param author: for the audit log
+        :param seen: the revision that the author relies on; None: whatever it is
+        :param veto: why the service will not have these values; None if it will
+        :raises BadConfiguration: saying why nothing was changed
+        """
+        done = self._change(wanted, author, seen, veto)
+        self._undo.append(done)
+        return done
+
+    def undo(self, author: str) -> List[Assignment]:
+        """Takes the last change that stands back. :raises BadConfiguration: if there is none, or it cannot be written"""
+        if not self._undo:
+            raise BadConfiguration("there is no change to take back")
+        done = self._change({name: before for name, before, _now in self._undo[-1]}, author, None, lambda values: None,
+                            undone=True)
+        self._undo.pop()
+        return done
+
+    def _change(self, wanted: Mapping[str, str], author: str, seen: Optional[int],
+                veto: Callable[[Mapping[str, Value]], Optional[str]], undone: bool = False) -> List[Assignment]:
+        if seen is not None and seen != self.revision:
+            raise BadConfiguration(f"revision {seen} was expected, but it is {self.revision}: somebody else changed "
+                                   "the configuration meanwhile")
+        if not wanted:
+            raise BadConfiguration("names no variable")
+        parsed = {name: self._parsed(name, text) for name, text in wanted.items()}
+        refusal = veto(parsed)
+        if refusal is not None:
+            raise BadConfiguration(refusal)
+        done = [(name, as_text(self._values[name]), as_text(value)) for name, value in parsed.items()]
+        if self._file is not None:
+            try:
+                before = self._file.read_bytes()
+                _replace(self._file, _rewritten(self._file, {name: now for name, _before, now in done}, self._variables))
+                try:
+                    self._log(author, done, undone)
+                except OSError:
+                    _replace(self._file, before)  # what cannot be accounted for is not done
+                    raise
+            except OSError as e:
+                raise BadConfiguration(f"{self._file}: cannot be written, the old values stay: {e}") from e
+        self._values.update(parsed)
+        self.revision += 1
+        return done
+
+    def _parsed(self, name: str, text: str) -> Value:
+        variable = self._variables.get(name)
+        if variable is None:
+            raise BadConfiguration(f'variable "{name}": there is none; expected one of {", ".join(self._variables)}')
+        try:
+            return variable.parsed(text)
+        except BadConfiguration as e:
+            where = f"{self._file}, " if self._file else ""
+            raise BadConfiguration(f'{where}variable "{name}": {e}') from e
+
+    @property
+    def _audit(self) -> pathlib.Path:
+        return pathlib.Path(f"{self._file}.audit")
+
+    def _log(self, author: str, done: List[Assignment], undone: bool) -> None:
+        line = json.dumps({"revision": self.revision + 1, "at": datetime.now(timezone.utc).isoformat(), "author": author, "undone": undone,
+                           "changes": done}, ensure_ascii=False)
+        with open(self._audit, "a", encoding="utf-8") as log:
+            log.write(line + "\n")
+            log.flush()
+            os.fsync(log.fileno())
+
+    def _remember(self) -> None:
+        """Goes on with the revision and the changes of the last run; a line that a power cut left half is passed over."""
+        if not self._audit.exists():
+            return
+        for line in self._audit.read_text(encoding="utf-8", errors="replace").splitlines():
+            try:
+                entry = json.loads(line)
+                done = [(str(name), str(before), str(now)) for name, before, now in entry["changes"]]
+                self.revision = max(self.revision, int(entry["revision"]))
+            except (ValueError, KeyError, TypeError):
+                continue
+            if entry.get("undone"):
+                del self._undo[-1:]
+            else:
+                self._undo.append(done)
+
+
+def _stated(file: pathlib.Path) -> Dict[str, str]:
+    """Variables of the file by name."""
+    stated: Dict[str, str] = {}
+    for element in _root(file).iter("variable"):
+        name, value = element.get("name"), element.get("value")
+        if name is None or value is None:
+            raise BadConfiguration(f'{file}: a <variable> lacks "name" or "value"')
+        if name in stated:
+            raise BadConfiguration(f'{file}, variable "{name}": stands twice')
+        stated[name] = value
+    return stated
+
+
+def _root(file: pathlib.Path) -> ElementTree.Element:
+    try:
+        text = file.read_text(encoding="utf-8")
+        if "<!DOCTYPE" in text:
+            raise BadConfiguration(f"{file}: a DOCTYPE is not allowed here")
+        builder = ElementTree.TreeBuilder(insert_comments=True)
+        root = ElementTree.fromstring(text, ElementTree.XMLParser(target=builder))
+    except OSError as e:
+        raise BadConfiguration(f"{file}: cannot be read: {e}") from e
+    except (ElementTree.ParseError, UnicodeDecodeError) as e:
+        raise BadConfiguration(f"{file}: not well-formed XML: {e}") from e
+    if root.tag != "configuration":
+        raise BadConfiguration(f"{file}: expected <configuration>, not <{root.tag}>")
+    return root
+
+
+def _rewritten(file: pathlib.Path, texts: Mapping[str, str], variables: Mapping[str, Variable]) -> bytes:
+    """The file's text with these values; what else it holds stays."""
+    root = _root(file)
+    elements = {element.get("name"): element for element in root.iter("variable")}
+    for name, text in texts.items():
+        element = elements.get(name)
+        if element is None:
+            element = ElementTree.SubElement(root, "variable", name=name, type=variables[name].type)
+            element.tail = "\n"
+        element.set("value", text)
+    xml: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
+    return xml + b"\n"
+
+
+def _replace(file: pathlib.Path, content: bytes) -> None:
+    """After a power cut there is the old file or the new one: written beside it, synced, renamed over it."""
+    target = file.resolve()
+    handle, temporary = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent)
+    try:
+        with os.fdopen(handle, "wb") as out:
+            out.write(content)
+            out.flush()
+            os.fsync(out.fileno())
+        os.chmod(temporary, target.stat().st_mode)
+        os.replace(temporary, target)
+        folder = os.open(target.parent, os.O_RDONLY)
+        try:
+            os.fsync(folder)
+        finally:
+            os.close(folder)
+    except BaseException:
+        pathlib.Path(temporary).unlink(missing_ok=True)
+        raise

@@ -1,0 +1,126 @@
+"""What every service answers (thesis 3.2.2.1): discovery, functionality, stop and configuration."""
+from __future__ import annotations
+
+from collections import OrderedDict
+from typing import TYPE_CHECKING, List
+
+from .configuration import Assignment, BadConfiguration
+from .message import Message
+
+if TYPE_CHECKING:
+    from .service import Service
+
+_REMEMBERED = 64
+_REQUESTS_TO_ALL = ("FunctionalityRequest", "ConfigurationRequest")
+_REQUESTS_TO_ONE = ("ConfigurationChange", "ConfigurationTransaction", "ConfigurationUndo")
+
+
+class Contract:
+    """Answers for one service, on its thread."""
+
+    #: Where requests come in.
+    CHANNELS = ("discovery", "functionality", "stop", "configuration")
+
+    def __init__(self, service: "Service") -> None:
+        self._service = service
+        self._answered: "OrderedDict[str, Message]" = OrderedDict()  # a request that comes twice is obeyed once
+
+    def is_order_to_stop(self, message: Message) -> bool:
+        return message.is_a("StopCommand") and (
+            message.get("stopAll") is True or message.get("serviceName") == self._service.name)
+
+    def concerns(self, message: Message) -> bool:
+        """Whether the message is a request that `answer` would answer."""
+        if any(message.is_a(kind) for kind in _REQUESTS_TO_ALL):
+            return message["serviceName"] in ("", self._service.name)
+        if any(message.is_a(kind) for kind in _REQUESTS_TO_ONE):
+            return bool(message["serviceName"] == self._service.name)
+        return message.is_a("DiscoveryRequest")
+
+    def answer(self, message: Message) -> None:
+        if not self.concerns(message):
+            return
+        if message.is_a("DiscoveryRequest"):
+            self._discovery()
+        elif message.is_a("FunctionalityRequest"):
+            self._functionality()
+        elif message.is_a("ConfigurationRequest"):
+            self._configuration()
+        elif message.is_a("ConfigurationChange"):
+            self._change(message)
+        else:
+            self._once(message)
+
+    def _discovery(self) -> None:
+        service = self._service
+        service.send("discovery", Message(
+            "DiscoveryResponse", serviceName=service.name, serviceType=service.role, status=service.status,
+            host=service.host, uptime=service.uptime_s, version=service.version, instance=service.link.instance,
+            className=f"{type(service).__module__}.{type(service).__qualname__}"))
+
+    def _functionality(self) -> None:
+        service = self._service
+        service.send("functionality", Message(
+            "FunctionalityResponse", serviceName=service.name, publishes=self._described(service.publishers),
+            subscribes=self._described(service.subscribers)))
+
+    def _described(self, channels: "dict[str, str]") -> List[str]:
+        return [f"{channel}/{'/'.join(self._service.chain_of(name))}" for channel, name in channels.items()]
+
+    def _configuration(self) -> None:
+        service = self._service
+        service.send("configuration", Message(
+            "ConfigurationResponse", serviceName=service.name, variables=service.configuration.describe(),
+            revision=service.configuration.revision))
+
+    def _change(self, message: Message) -> None:
+        service, name = self._service, message["variableName"]
+        result = Message("ConfigurationChangeResult", serviceName=service.name, variableName=name)
+        try:
+            service.configuration.change({name: message["value"]}, "", veto=service.configuration_refusal)
+            result["accepted"] = True
+            result["value"] = service.configuration.text(name)
+        except BadConfiguration as e:
+            result["value"] = message["value"]
+            result["reason"] = str(e)
+        service.send("configuration", result)
+        if result.get("accepted"):
+            service.configuration_changed([name])
+
+    def _once(self, message: Message) -> None:
+        request = message["requestId"]
+        if request in self._answered:
+            self._service.send("configuration", self._answered[request])
+            return
+        result = Message("ConfigurationTransactionResult", requestId=request, serviceName=self._service.name,
+                         author=message.get("author"))
+        done: List[Assignment] = []
+        try:
+            done = self._undo(message) if message.is_a("ConfigurationUndo") else self._transact(message)
+            result["accepted"] = True
+            result["assignments"] = [
+                Message("ConfigurationAssignment", variableName=name, value=now, previous=before)
+                for name, before, now in done]
+        except BadConfiguration as e:
+            result["reason"] = str(e)
+            result["assignments"] = message.get("assignments") if message.is_a("ConfigurationTransaction") else ()
+        result["revision"] = self._service.configuration.revision
+        self._answered[request] = result
+        while len(self._answered) > _REMEMBERED:
+            self._answered.popitem(last=False)
+        self._service.send("configuration", result)
+        if done:
+            self._service.configuration_changed([name for name, _before, _now in done])
+
+    def _undo(self, message: Message) -> List[Assignment]:
+        return self._service.configuration.undo(message.get("author"))
+
+    def _transact(self, message: Message) -> List[Assignment]:
+        wanted = {}
+        for assignment in message.get("assignments"):
+            name = assignment["variableName"]
+            if name in wanted:
+                raise BadConfiguration(f'variable "{name}" is named twice')
+            wanted[name] = assignment["value"]
+        return self._service.configuration.change(wanted, message.get("author"), message.get("revision"),
+                                                  self._service.configuration_refusal)

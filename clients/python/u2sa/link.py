@@ -1,0 +1,140 @@
+"""The one place that knows paho-mqtt, 1.6 and 2.x alike: a connection that comes back by itself."""
+from __future__ import annotations
+
+import ssl
+import threading
+import uuid
+from dataclasses import dataclass
+from typing import Any, Callable, Optional, Set
+
+import paho.mqtt.client as mqtt
+
+from .codec import encode
+from .message import Message
+from .topics import Topic, delivery
+
+_KEEP_ALIVE_S = 5
+_BACK_OFF_S = (1, 30)
+_IN_FLIGHT = 4096
+
+
+@dataclass(frozen=True)
+class Broker:
+    """Where the Communication Manager is, and who we are to it.
+
+    :param ca_file: certificate of the authority that signed the broker's; given, the connection is TLS
+    :param cert_file, key_file: the client's own, where the broker asks for one
+    """
+
+    host: str = "localhost"
+    port: int = 1883
+    user: Optional[str] = None
+    password: Optional[str] = None
+    ca_file: Optional[str] = None
+    cert_file: Optional[str] = None
+    key_file: Optional[str] = None
+
+
+class CannotConnect(ConnectionError):
+    """The broker cannot be reached, or refused; names the address."""
+
+
+class Link:
+    """One service's connection. All calls are safe from any thread.
+
+    :param received: called with topic and payload of each message, on paho's thread
+    :param trouble: called with one line when the connection is lost, restored or refused
+    """
+
+    def __init__(self, broker: Broker, system_id: str, service: str,
+                 received: Callable[[str, bytes], None], trouble: Callable[[str], None]) -> None:
+        self.instance = str(uuid.uuid4())
+        self._broker = broker
+        self._system_id = system_id
+        self._received = received
+        self._trouble = trouble
+        self._filters: Set[str] = set()
+        self._lock = threading.Lock()
+        self._answered = threading.Event()
+        self._refusal: Optional[str] = None
+        self._closing = False
+        self._client = self._made(f"{system_id}/{service}/{self.instance}")
+        will = Message("ConnectionLost", systemId=system_id, serviceName=service, status="FAILED",
+                       lastError="connection lost", instance=self.instance)
+        self._client.will_set(str(Topic(system_id, "health", will.chain)), encode(will), qos=1, retain=False)
+
+    def _made(self, client_id: str) -> Any:
+        versions = getattr(mqtt, "CallbackAPIVersion", None)
+        first = (versions.VERSION2,) if versions else ()
+        client = mqtt.Client(*first, client_id=client_id, clean_session=True, protocol=mqtt.MQTTv311)
+        broker = self._broker
+        if broker.user is not None:
+            client.username_pw_set(broker.user, broker.password)
+        if broker.ca_file is not None:
+            client.tls_set(broker.ca_file, broker.cert_file, broker.key_file, tls_version=ssl.PROTOCOL_TLS_CLIENT)
+        client.reconnect_delay_set(*_BACK_OFF_S)
+        client.max_inflight_messages_set(_IN_FLIGHT)
+        client.max_queued_messages_set(_IN_FLIGHT)
+        client.on_connect = self._connected
+        client.on_disconnect = self._disconnected
+        client.on_message = lambda _client, _data, packet: self._received(packet.topic, packet.payload)
+        return client
+
+    def open(self, within_s: float = 5.0) -> None:
+        """Connects. :raises CannotConnect: if that fails; later losses are repaired without a word to the caller"""
+        address = f"{self._broker.host}:{self._broker.port}"
+        try:
+            self._client.connect(self._broker.host, self._broker.port, _KEEP_ALIVE_S)
+        except (OSError, ValueError) as e:
+            raise CannotConnect(f"no Communication Manager at {address}: {e}") from e
+        self._client.loop_start()
+        if not self._answered.wait(within_s) or self._refusal is not None:
+            reason = self._refusal or f"no answer within {within_s} s"
+            self.close()
+            raise CannotConnect(f"the Communication Manager at {address} refused: {reason}")
+
+    def subscribe(self, topic_filter: str) -> None:
+        """Asks for the topics of a filter, now and after each reconnection."""
+        with self._lock:
+            self._filters.add(topic_filter)
+        self._client.subscribe(topic_filter, 1)
+
+    def publish(self, channel: str, message: Message) -> bool:
+        """Hands a message over; False if it was not taken, such as while the connection is lost."""
+        qos, retained = delivery(channel)
+        if not self._client.is_connected():
+            return False  # it would be old when the connection is back
+        topic = str(Topic(self._system_id, channel, message.chain))
+        return self._client.publish(topic, encode(message), qos, retained).rc == mqtt.MQTT_ERR_SUCCESS
+
+    def close(self, flush_s: float = 2.0) -> None:
+        """Leaves in order, so that no will is sent. Safe to call twice."""
+        self._closing = True
+        try:
+            self._client.disconnect()
+            thread = getattr(self._client, "_thread", None)
+            if thread is not None and thread is not threading.current_thread():
+                thread.join(flush_s)
+        finally:
+            self._client.loop_stop()
+
+    # Version 1 of paho's callbacks hands over a number, version 2 an object, and other arguments around it.
+    def _connected(self, client: Any, _data: Any, _flags: Any, code: Any, *_rest: Any) -> None:
+        failed = code.is_failure if hasattr(code, "is_failure") else code != 0
+        again = self._answered.is_set()
+        self._refusal = (str(code) if hasattr(code, "is_failure") else mqtt.connack_string(code)) if failed else None
+        if failed:
+            self._trouble(f"the broker refused: {self._refusal}")
+        else:
+            with self._lock:
+                filters = sorted(self._filters)
+            for topic_filter in filters:
+                client.subscribe(topic_filter, 1)
+            if again:
+                self._trouble("connection restored")
+        self._answered.set()
+
+    def _disconnected(self, _client: Any, _data: Any, *details: Any) -> None:
+        if not self._closing:
+            code = details[-2] if len(details) > 1 else details[0]
+            self._trouble(f"connection lost: {code}")

@@ -1,0 +1,90 @@
+"""The messages' classes and fields, in the order of the wire."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+
+from . import tables
+
+#: The key that opens a message within a list: its type chain.
+TYPE_KEY = "type"
+
+
+class Malformed(ValueError):
+    """Bytes, a topic or a value that is not what docs/wire-protocol.md says; names field, value and what was expected."""
+
+
+@dataclass(frozen=True)
+class Field:
+    """One field of a message: name and kind as in the tables of docs/wire-protocol.md."""
+
+    name: str
+    kind: str
+    presence: str  # optional, always or required
+    default: Any
+    least: Optional[float]
+    most: Optional[float]
+    choices: Tuple[str, ...]
+    since: int
+
+    @property
+    def required(self) -> bool:
+        return self.presence == "required"
+
+
+@dataclass(frozen=True)
+class MessageType:
+    """One class of messages."""
+
+    chain: Tuple[str, ...]
+    abstract: bool
+    fields: Tuple[Field, ...]
+
+    @property
+    def name(self) -> str:
+        return self.chain[-1]
+
+    def field(self, name: str) -> Optional[Field]:
+        return next((field for field in self.fields if field.name == name), None)
+
+
+class Schema:
+    """The classes that a reader knows. Immutable: `with_type` makes another one."""
+
+    def __init__(self, types: Mapping[str, MessageType]) -> None:
+        self._types: Dict[str, MessageType] = dict(types)
+
+    @staticmethod
+    def standard() -> "Schema":
+        """The classes of docs/wire-protocol.md."""
+        return Schema({chain[-1]: MessageType(chain, abstract, tuple(Field(*field) for field in fields))
+                       for chain, abstract, fields in tables.MESSAGES})
+
+    def with_type(self, chain: Sequence[str], own_fields: Sequence[Field]) -> "Schema":
+        """These and one more class, whose fields follow those of its nearest known ancestor."""
+        parent = self.nearest(chain[:-1]) if len(chain) > 1 else None
+        inherited = parent.fields if parent else _root_fields()
+        return Schema({**self._types, chain[-1]: MessageType(tuple(chain), False, inherited + tuple(own_fields))})
+
+    def type(self, name: str) -> MessageType:
+        """The class of that name. :raises KeyError: if there is none"""
+        try:
+            return self._types[name]
+        except KeyError:
+            raise KeyError(f'there is no message "{name}"') from None
+
+    def nearest(self, chain: Sequence[str]) -> Optional[MessageType]:
+        """The nearest ancestor that is known, the class itself included (thesis 8.2.5); None if there is none."""
+        return next((self._types[name] for name in reversed(chain) if name in self._types), None)
+
+    def names(self) -> List[str]:
+        return list(self._types)
+
+
+def _root_fields() -> Tuple[Field, ...]:
+    return (Field("systemId", "text", "optional", None, None, None, (), 1),
+            Field("timestamp", "int", "optional", None, None, None, (), 1))
+
+
+#: The classes of docs/wire-protocol.md.
+STANDARD = Schema.standard()

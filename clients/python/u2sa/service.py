@@ -1,0 +1,278 @@
+"""A service: it knows no other service and talks in messages (thesis 3.2.2.1)."""
+from __future__ import annotations
+
+import logging
+import pathlib
+import platform
+import queue
+import signal
+import threading
+import time
+from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+
+from .codec import decode
+from .configuration import Configuration, Value, Variable
+from .contract import Contract
+from .health import Health
+from .link import Broker, Link
+from .message import Message
+from .schema import STANDARD, Malformed, Schema
+from .topics import Topic, check_channel, check_system_id, topic_filter
+
+#: What every service has beside its own variables.
+COMMON_VARIABLES = (
+    Variable("HEALTH INTERVAL", 0.25, "s", 0.01, 3600.0, description="Time between two health reports."),
+    Variable("INBOX CAPACITY", 1024, "", 1, 1_000_000,
+             description="Messages that wait for the service before further ones are dropped and counted."),
+    Variable("MAX ERRORS IN A ROW", 10, "", 1, 1_000_000,
+             description="Exceptions one after the other at which the service ends itself."),
+)
+_SILENT_INTERVALS = 3
+
+
+class Service:
+    """Extend it, register in the constructor, write `callback` and, for something to do at a rate, `step`.
+
+    >>> class Altimeter(Service):
+    ...     role = "PROPRIOCEPTIVE_SENSOR"
+    ...     rate_hz = 10.0
+    ...     def __init__(self, **context):
+    ...         super().__init__("Altimeter", **context)
+    ...         self.register_publisher("sensed-state", "StateInformation")
+    ...     def step(self, now_s):
+    ...         self.publish("sensed-state", Message("StateInformation", sensorName=self.name, z=300.0))
+
+    Everything but `publish` belongs to the thread that calls `run`. Discovery, functionality, stop, configuration and
+    health are answered for every service here.
+
+    :param name: unique within the system
+    :param system_id: the vehicle
+    :param broker: the Communication Manager
+    :param variables: the service's own
+    :param file: its configuration; without one, changes last as long as the object
+    """
+
+    #: What the service is for: a ServiceRole of docs/wire-protocol.md.
+    role = "OBSERVER"
+    #: How often `step` is called [Hz]; 0: never.
+    rate_hz = 0.0
+    #: Told to those who discover the service.
+    version = "unversioned"
+
+    def __init__(self, name: str, system_id: str = "cessna", broker: Broker = Broker(),
+                 variables: Sequence[Variable] = (), file: Optional[pathlib.Path] = None,
+                 schema: Schema = STANDARD) -> None:
+        self.name = name
+        self.system_id = check_system_id(system_id)
+        self.configuration = Configuration((*variables, *COMMON_VARIABLES), file)
+        self.health = Health()
+        self.log = logging.getLogger(f"u2sa.{name}")
+        self.status = "CREATED"
+        self.publishers: Dict[str, str] = {}
+        self.subscribers: Dict[str, str] = {}
+        self._schema = schema
+        self._created = time.monotonic()
+        self._inbox: "queue.Queue[Optional[Tuple[str, Message]]]" = queue.Queue(
+            int(self.configuration.number("INBOX CAPACITY")))
+        self._stopping = threading.Event()
+        self._reported = time.monotonic()
+        self._thread = threading.current_thread()
+        self.link = Link(broker, system_id, name, self._arrived, self._trouble)
+        self._contract = Contract(self)
+
+    # What authors write.
+
+    def begin(self) -> None:
+        """Called first, on the service's thread."""
+
+    def callback(self, channel: str, message: Message) -> None:
+        """Handles one message of a channel that was subscribed to."""
+
+    def step(self, now_s: float) -> None:
+        """Called `rate_hz` times a second. :param now_s: seconds since 1970"""
+
+    def configuration_changed(self, names: List[str]) -> None:
+        """Takes note that variables were changed from outside."""
+
+    def configuration_refusal(self, values: Mapping[str, Value]) -> Optional[str]:
+        """Why the service will not have these values together; None if it will."""
+        return None
+
+    def release(self) -> None:
+        """Closes what `begin` opened and leaves actuators neutral. Called once."""
+
+    # What authors call.
+
+    def register_publisher(self, channel: str, name: str) -> None:
+        """Says that messages of that class and its subclasses will be published on a channel."""
+        self._schema.type(name)
+        self.publishers[check_channel(channel)] = name
+
+    def register_subscriber(self, channel: str, name: str) -> None:
+        """Asks for a channel's messages of that class and its subclasses. Call it before `run`."""
+        self._schema.type(name)
+        self.subscribers[check_channel(channel)] = name
+
+    def publish(self, channel: str, message: Message) -> bool:
+        """Publishes on a registered channel, from any thread. Missing system ID and time are filled in.
+
+        :returns: False, with the reason in the log, if the message was not taken
+        """
+        if not message.is_a(self.publishers.get(channel, "")):
+            self.health.count("refused")
+            self.log.error("not registered as a publisher of %s on %s: not published", message.name, channel)
+            return False
+        return self.send(channel, message)
+
+    def send(self, channel: str, message: Message) -> bool:
+        """`publish` without registration, for answers of the contract."""
+        if "systemId" not in message:
+            message["systemId"] = self.system_id
+        if "timestamp" not in message:
+            message["timestamp"] = time.time_ns() // 1000
+        taken = self.link.publish(channel, message)
+        self.health.count("published" if taken else "refused")
+        return taken
+
+    def stop(self) -> None:
+        """Asks the service to end, from any thread; `run` returns soon after."""
+        self._stopping.set()
+
+    def chain_of(self, name: str) -> Sequence[str]:
+        """The type chain of a class of messages."""
+        return self._schema.type(name).chain
+
+    @property
+    def uptime_s(self) -> float:
+        return time.monotonic() - self._created
+
+    @property
+    def host(self) -> str:
+        return platform.node()
+
+    # The service's life.
+
+    def run(self, signals: bool = True) -> int:
+        """Connects and serves until stopped; returns the process's exit code.
+
+        :param signals: end in order on SIGTERM and SIGINT; only the main thread can ask for that
+        :raises CannotConnect: if the broker is not there in the beginning
+        """
+        self._thread = threading.current_thread()
+        self.link.open()
+        if signals:
+            for number in (signal.SIGTERM, signal.SIGINT):
+                signal.signal(number, lambda _number, _frame: self.stop())
+        for channel, chain in self._filters():
+            self.link.subscribe(topic_filter(self.system_id, channel, chain))
+        self.status = "RUNNING"
+        watch = threading.Thread(target=self._watch, name=f"{self.name} watch", daemon=True)
+        watch.start()
+        try:
+            self._guarded(self.begin)
+            self._loop()
+        finally:
+            failed = self.status == "FAILED"
+            self.status = "FAILED" if failed else "STOPPING"
+            self._guarded(self.release)
+            self.status = "FAILED" if failed else "STOPPED"
+            self._report()
+            self._stopping.set()
+            self.link.close()
+        return 1 if failed else 0
+
+    def _filters(self) -> List[Tuple[str, Sequence[str]]]:
+        own = [(channel, self._schema.type(name).chain) for channel, name in self.subscribers.items()]
+        return own + [(channel, ()) for channel in Contract.CHANNELS if channel not in self.subscribers]
+
+    def _loop(self) -> None:
+        period = 1.0 / self.rate_hz if self.rate_hz > 0.0 else None
+        next_step = time.monotonic()
+        while not self._stopping.is_set() and self.status == "RUNNING":
+            now = time.monotonic()
+            due = self._reported + self.configuration.number("HEALTH INTERVAL")
+            if now >= due:
+                self._report()
+                continue
+            if period is not None and now >= next_step:
+                missed = int((now - next_step) / period)
+                if missed:
+                    self.health.count("overruns", missed)
+                next_step += (missed + 1) * period
+                self._guarded(lambda: self.step(time.time()))
+                continue
+            self._take(max(0.0, min(due, next_step if period is not None else due) - now))
+
+    def _take(self, within_s: float) -> None:
+        """Handles the next message, if one comes in time. A stop is noticed at the next health report at the latest."""
+        try:
+            item = self._inbox.get(timeout=max(within_s, 0.0005))
+        except queue.Empty:
+            return
+        if item is not None:
+            channel, message = item
+            self._guarded(lambda: self._handle(channel, message))
+
+    def _handle(self, channel: str, message: Message) -> None:
+        if channel in Contract.CHANNELS:
+            self._contract.answer(message)
+        if message.is_a(self.subscribers.get(channel, "")):
+            self.callback(channel, message)
+
+    def _guarded(self, code: Callable[[], None]) -> None:
+        failure = self.health.run(code)
+        if failure is None:
+            return
+        self.log.error("%s (exception %d in a row)", self.health.last_error, self.health.in_a_row, exc_info=failure)
+        if self.health.in_a_row >= self.configuration.number("MAX ERRORS IN A ROW"):
+            self.log.error("ends itself after %d exceptions in a row", self.health.in_a_row)
+            self.status = "FAILED"
+
+    def _arrived(self, topic: str, payload: bytes) -> None:
+        """On paho's thread: reads and queues, and obeys a stop at once."""
+        try:
+            where = Topic.parse(topic)
+            message = decode(where.chain, payload, self._schema)
+        except Malformed as e:
+            self.health.count("refused")
+            self.log.warning("a message on %s cannot be read: %s", topic, e)
+            return
+        if where.channel == "stop" and self._contract.is_order_to_stop(message):
+            self.stop()
+            self._wake()
+            return
+        if not self._contract.concerns(message) and not message.is_a(self.subscribers.get(where.channel, "")):
+            return
+        try:
+            self._inbox.put_nowait((where.channel, message))
+        except queue.Full:
+            self.health.count("dropped")
+
+    def _wake(self) -> None:
+        try:
+            self._inbox.put_nowait(None)
+        except queue.Full:
+            return  # then the service's thread has something to take anyway
+
+    def _report(self) -> None:
+        self._reported = time.monotonic()
+        self.send("health", self._described(self.health.report(self.name, self.status, self._inbox.qsize())))
+
+    def _described(self, report: Message) -> Message:
+        report["instance"] = self.link.instance
+        report["interval"] = self.configuration.number("HEALTH INTERVAL")
+        return report
+
+    def _watch(self) -> None:
+        """Reports on behalf of a service whose own thread is silent: whether it lives, and what it hangs in."""
+        interval = self.configuration.number("HEALTH INTERVAL")
+        while not self._stopping.wait(interval):
+            interval = self.configuration.number("HEALTH INTERVAL")
+            if time.monotonic() - self._reported > _SILENT_INTERVALS * interval:
+                report = self._described(self.health.report(self.name, self.status, self._inbox.qsize()))
+                report["threadAlive"] = self._thread.is_alive()
+                report["callbackRunning"] = self.health.running_s()
+                self.send("health", report)
+
+    def _trouble(self, what: str) -> None:
+        self.log.warning("%s", what)

@@ -1,0 +1,111 @@
+"""Looks CBOR through before memory is taken for it: lengths, depth, and keys that come twice, which cbor2 lets pass."""
+from __future__ import annotations
+
+from typing import Set
+
+from .schema import Malformed
+
+DEPTH = 8
+_TEXT, _ARRAY, _MAP, _TAG, _SIMPLE = 3, 4, 5, 6, 7
+_INDEFINITE = 31
+_BREAK = 0xFF
+_LIST_ELEMENTS = 100_000
+_TEXT_BYTES = 1 << 16
+
+
+def check(payload: bytes) -> None:
+    """:raises Malformed: unless the bytes are one well-formed item of at most 8 levels and nothing after it"""
+    scan = _Scan(payload)
+    scan.item(0)
+    if scan.at != len(payload):
+        raise Malformed(f"byte {scan.at}: expected the end of the message, not more bytes")
+
+
+class _Scan:
+    def __init__(self, payload: bytes) -> None:
+        self.bytes = payload
+        self.at = 0
+
+    def item(self, depth: int) -> None:
+        """Steps over one item."""
+        begin = self.at
+        major, info, length = self._head()
+        if major in (2, _TEXT):
+            self._string(major, info, length)
+        elif major == _ARRAY or major == _MAP:
+            if depth == DEPTH:
+                raise Malformed(f"byte {begin}: more than {DEPTH} levels")
+            self._container(major, info, length, depth + 1)
+        elif major == _TAG:
+            self.item(depth)  # a tag is a remark; whether its item is one that a field takes shows later
+        elif major == _SIMPLE and info == _INDEFINITE:
+            raise Malformed(f"byte {begin}: a break where an item was expected")
+
+    def _head(self) -> "tuple[int, int, int]":
+        first = self._take(1)[0]
+        major, info = first >> 5, first & 31
+        if info < 24:
+            return major, info, info
+        if info < 28:
+            return major, info, int.from_bytes(self._take(1 << (info - 24)), "big")
+        if info == _INDEFINITE and major in (2, _TEXT, _ARRAY, _MAP, _SIMPLE):
+            return major, info, -1
+        raise Malformed(f"byte {self.at - 1}: {first:#04x} begins no item")
+
+    def _take(self, count: int) -> bytes:
+        if count > len(self.bytes) - self.at:
+            raise Malformed(f"byte {self.at}: cut short")
+        self.at += count
+        return self.bytes[self.at - count:self.at]
+
+    def _string(self, major: int, info: int, length: int) -> None:
+        if info != _INDEFINITE:
+            self._take(self._bounded(length, _TEXT_BYTES))
+            return
+        total = 0
+        while not self._at_break():
+            chunk, chunk_info, chunk_length = self._head()
+            if chunk != major or chunk_info == _INDEFINITE:
+                raise Malformed(f"byte {self.at}: expected a chunk of the same string")
+            total = self._bounded(total + chunk_length, _TEXT_BYTES)
+            self._take(chunk_length)
+
+    def _container(self, major: int, info: int, length: int, depth: int) -> None:
+        keys: Set[bytes] = set()
+        count = 0
+        while not self._at_break() if info == _INDEFINITE else count < length:
+            count = self._bounded(count + 1, _LIST_ELEMENTS)
+            if major == _MAP:
+                begin = self.at
+                if begin < len(self.bytes) and self.bytes[begin] >> 5 != _TEXT:
+                    raise Malformed(f"byte {begin}: expected a text key")
+                self.item(depth)
+                key = _text(self.bytes[begin:self.at])
+                if key in keys:
+                    raise Malformed(f"byte {begin}: the key comes twice")
+                keys.add(key)
+            self.item(depth)
+
+    def _at_break(self) -> bool:
+        if self.at < len(self.bytes) and self.bytes[self.at] == _BREAK:
+            self.at += 1
+            return True
+        return False
+
+    def _bounded(self, count: int, most: int) -> int:
+        if count > most:
+            raise Malformed(f"byte {self.at}: expected at most {most}, not {count}")
+        return count
+
+
+def _text(item: bytes) -> bytes:
+    """The UTF-8 of a text item, however its length is written."""
+    scan = _Scan(item)
+    _major, info, _length = scan._head()
+    if info != _INDEFINITE:
+        return item[scan.at:]
+    parts = []
+    while not scan._at_break():
+        _chunk, _info, length = scan._head()
+        parts.append(scan._take(length))
+    return b"".join(parts)
