@@ -63,6 +63,15 @@ class HostileBytesTest(unittest.TestCase):
         self.assertEqual((read["x"], read["y"], read["z"]), (1.5, 1.5, 2.0))
 
 
+class OriginTest(unittest.TestCase):
+    def test_origin_stands_behind_the_message_and_is_no_part_of_it(self):
+        payload = (GOLDEN.parent / "origin.cbor").read_bytes()
+        read = decode(["StopCommand"], payload)
+        self.assertEqual(read.origin, ("1f0c", 17))
+        self.assertEqual(encode(read, ("1f0c", 17)), payload)
+        self.assertNotIn("origin", dict(decode(["Tide"], payload).items()))
+
+
 class OtherVersionsTest(unittest.TestCase):
     def test_an_unknown_subclass_is_its_ancestor_and_keeps_the_rest(self):
         payload = bytes.fromhex("a3") + b"\x63uid\x61a" + b"\x65depth\x03" + b"\x64tags\x82\x61x\xf5"

@@ -46,6 +46,18 @@ class ContractTest(unittest.TestCase):
         self.assertEqual(answer["subscribes"], ("goals/GoalList",))
         self.assertIsNone(self.answer("functionality", Message("FunctionalityRequest", serviceName="Other")))
 
+    def test_configuration_is_told_with_limits_and_revision(self):
+        answer = self.answer("configuration", Message("ConfigurationRequest", serviceName="Probe"))
+        gain = answer["variables"][0]
+        self.assertEqual((gain["name"], gain["value"], gain["min"], gain["max"]), ("GAIN", "0.5", 0.0, 1.0))
+        self.assertEqual(answer["revision"], 0)
+
+    def test_gaps_in_a_senders_numbers_are_counted(self):
+        topic = "u2sa/cessna/goals/GoalList"
+        for sender, number in (("a", 1), ("a", 2), ("b", 7), ("a", 5), ("a", 5), ("a", 4), ("b", 8)):
+            self.probe._arrived(topic, encode(Message("GoalList"), (sender, number)))
+        self.assertEqual(self.probe.health.report("Probe", "RUNNING", 0)["missed"], 2)
+
     def test_a_change_is_made_or_refused_with_the_reason(self):
         answer = self.answer("configuration", Message(
             "ConfigurationChange", serviceName="Probe", variableName="GAIN", value="0.75"))

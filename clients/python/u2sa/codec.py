@@ -1,7 +1,7 @@
 """Messages as CBOR (docs/wire-protocol.md, Payload)."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Sequence
+from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import cbor2
 
@@ -12,14 +12,20 @@ from .wellformed import check
 
 PAYLOAD_BYTES = 1 << 20
 CHAIN_NAMES = 8
+_ORIGIN = "origin"
 
 
-def encode(message: Message) -> bytes:
+def encode(message: Message, origin: Optional[Tuple[str, int]] = None) -> bytes:
     """The message's bytes: equal messages have equal ones.
+
+    :param origin: the sender, and which of its messages on the topic this is, from 1
 
     :raises ValueError: if a required field is missing or the bytes exceed 1 MiB
     """
-    payload: bytes = cbor2.dumps(_map(message, within_list=False))
+    pairs = _map(message, within_list=False)
+    if origin is not None:
+        pairs[_ORIGIN] = list(origin)
+    payload: bytes = cbor2.dumps(pairs)
     if len(payload) > PAYLOAD_BYTES:
         raise ValueError(f"{message.name}: {len(payload)} bytes exceed the {PAYLOAD_BYTES} that readers take")
     return payload
@@ -58,7 +64,19 @@ def decode(chain: Sequence[str], payload: bytes, schema: Schema = STANDARD) -> M
         pairs = cbor2.loads(payload)
     except (cbor2.CBORDecodeError, ValueError, OverflowError) as e:
         raise Malformed(f"{chain[-1]}: no CBOR: {e}") from e
-    return _message(chain, pairs, schema, chain[-1])
+    origin = pairs.pop(_ORIGIN, None) if isinstance(pairs, dict) else None
+    message = _message(chain, pairs, schema, chain[-1])
+    message.origin = _origin(origin)
+    return message
+
+
+def _origin(value: Any) -> Optional[Tuple[str, int]]:
+    if value is None:
+        return None
+    if (not isinstance(value, list) or len(value) != 2 or not isinstance(value[0], str) or not 1 <= len(value[0]) <= 64
+            or type(value[1]) is not int or value[1] < 1):
+        raise Malformed(f"origin: expected the sender and a number from 1, not {value!r}")
+    return value[0], value[1]
 
 
 def _check_chain(chain: Sequence[str]) -> None:

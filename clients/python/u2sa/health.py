@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import threading
 import time
-from typing import Callable, List, Optional
+from typing import Any, Callable, Dict, List, Optional
 
 from .message import Message
 
@@ -17,12 +17,12 @@ class Health:
         self._lock = threading.Lock()
         self._took: List[float] = []
         self._running_since: Optional[float] = None
-        self._counts = {"dropped": 0, "refused": 0, "overruns": 0, "exceptions": 0, "published": 0, "expired": 0}
+        self._counts: Dict[str, Any] = {"dropped": 0, "refused": 0, "overruns": 0, "exceptions": 0, "published": 0, "expired": 0, "missed": 0}
         self.last_error: Optional[str] = None
         self.in_a_row = 0
 
     def count(self, what: str, more: int = 1) -> None:
-        """Adds to dropped, refused, overruns, exceptions, published or expired."""
+        """Adds to dropped, refused, overruns, exceptions, published, expired or missed."""
         with self._lock:
             self._counts[what] += more
 

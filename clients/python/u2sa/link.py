@@ -5,7 +5,7 @@ import ssl
 import threading
 import uuid
 from dataclasses import dataclass
-from typing import Any, Callable, Optional, Set
+from typing import Any, Callable, Dict, Optional, Set
 
 import paho.mqtt.client as mqtt
 
@@ -54,6 +54,7 @@ class Link:
         self._received = received
         self._trouble = trouble
         self._filters: Set[str] = set()
+        self._numbers: Dict[str, int] = {}  # of the last message by topic
         self._lock = threading.Lock()
         self._answered = threading.Event()
         self._refusal: Optional[str] = None
@@ -65,8 +66,8 @@ class Link:
 
     def _made(self, client_id: str) -> Any:
         versions = getattr(mqtt, "CallbackAPIVersion", None)
-        first = (versions.VERSION2,) if versions else ()
-        client = mqtt.Client(*first, client_id=client_id, clean_session=True, protocol=mqtt.MQTTv311)
+        first: Dict[str, Any] = {"callback_api_version": versions.VERSION2} if versions else {}
+        client: Any = mqtt.Client(client_id=client_id, clean_session=True, protocol=mqtt.MQTTv311, **first)
         broker = self._broker
         if broker.user is not None:
             client.username_pw_set(broker.user, broker.password)
@@ -102,10 +103,13 @@ class Link:
     def publish(self, channel: str, message: Message) -> bool:
         """Hands a message over; False if it was not taken, such as while the connection is lost."""
         qos, retained = delivery(channel)
-        if not self._client.is_connected():
-            return False  # it would be old when the connection is back
         topic = str(Topic(self._system_id, channel, message.chain))
-        return self._client.publish(topic, encode(message), qos, retained).rc == mqtt.MQTT_ERR_SUCCESS
+        with self._lock:  # numbers leave in their order
+            self._numbers[topic] = self._numbers.get(topic, 0) + 1
+            payload = encode(message, (self.instance, self._numbers[topic]))
+            if not self._client.is_connected():
+                return False  # it would be old when the connection is back
+            return bool(self._client.publish(topic, payload, qos, retained).rc == mqtt.MQTT_ERR_SUCCESS)
 
     def close(self, flush_s: float = 2.0) -> None:
         """Leaves in order, so that no will is sent. Safe to call twice."""

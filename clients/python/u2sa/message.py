@@ -24,8 +24,8 @@ class Message:
     ancestor (None if there is none), `chain` its own, and `unknown` the fields beyond the ancestor's.
     """
 
-    def __init__(self, name: str, _schema: Schema = STANDARD, **fields: Any) -> None:
-        kind = _schema.type(name)
+    def __init__(self, name: str, /, schema: Schema = STANDARD, **fields: Any) -> None:
+        kind = schema.type(name)
         if kind.abstract:
             raise ValueError(f"{name} is abstract: only subclasses travel")
         self._start(kind, kind.chain)
@@ -36,6 +36,7 @@ class Message:
         self.type = kind
         self.chain: Tuple[str, ...] = tuple(chain)
         self.unknown: Dict[str, Any] = {}
+        self.origin: Optional[Tuple[str, int]] = None  # who sent it, and which of its messages on the topic it is
         self._values: Dict[str, Any] = {}
 
     @classmethod

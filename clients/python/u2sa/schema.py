@@ -57,8 +57,9 @@ class Schema:
     @staticmethod
     def standard() -> "Schema":
         """The classes of docs/wire-protocol.md."""
+        rows: List[Tuple[Any, ...]] = list(tables.MESSAGES)
         return Schema({chain[-1]: MessageType(chain, abstract, tuple(Field(*field) for field in fields))
-                       for chain, abstract, fields in tables.MESSAGES})
+                       for chain, abstract, fields in rows})
 
     def with_type(self, chain: Sequence[str], own_fields: Sequence[Field]) -> "Schema":
         """These and one more class, whose fields follow those of its nearest known ancestor."""

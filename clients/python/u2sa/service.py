@@ -28,6 +28,7 @@ COMMON_VARIABLES = (
              description="Exceptions one after the other at which the service ends itself."),
 )
 _SILENT_INTERVALS = 3
+_SENDERS = 4096
 
 
 class Service:
@@ -79,6 +80,7 @@ class Service:
         self._thread = threading.current_thread()
         self.link = Link(broker, system_id, name, self._arrived, self._trouble)
         self._contract = Contract(self)
+        self._newest: Dict[Tuple[str, str], int] = {}  # number of the last message; on paho's thread only
 
     # What authors write.
 
@@ -182,7 +184,7 @@ class Service:
         return 1 if failed else 0
 
     def _filters(self) -> List[Tuple[str, Sequence[str]]]:
-        own = [(channel, self._schema.type(name).chain) for channel, name in self.subscribers.items()]
+        own: List[Tuple[str, Sequence[str]]] = [(channel, self._schema.type(name).chain) for channel, name in self.subscribers.items()]
         return own + [(channel, ()) for channel in Contract.CHANNELS if channel not in self.subscribers]
 
     def _loop(self) -> None:
@@ -237,6 +239,7 @@ class Service:
             self.health.count("refused")
             self.log.warning("a message on %s cannot be read: %s", topic, e)
             return
+        self._count_missed(topic, message)
         if where.channel == "stop" and self._contract.is_order_to_stop(message):
             self.stop()
             self._wake()
@@ -247,6 +250,19 @@ class Service:
             self._inbox.put_nowait((where.channel, message))
         except queue.Full:
             self.health.count("dropped")
+
+    def _count_missed(self, topic: str, message: Message) -> None:
+        """Numbers between a sender's last message on a topic and this one were lost on the way."""
+        if message.origin is None:
+            return
+        sender, number = message.origin
+        last = self._newest.get((sender, topic))
+        if last is not None and number > last + 1:
+            self.health.count("missed", number - last - 1)
+        if last is None or number > last:
+            self._newest[(sender, topic)] = number
+        while len(self._newest) > _SENDERS:
+            del self._newest[next(iter(self._newest))]
 
     def _wake(self) -> None:
         try:

@@ -365,6 +365,7 @@ MESSAGES = [
         ('dataAge', 'float64', 'optional', None, 0.0, None, (), 2),
         ('published', 'int', 'optional', None, None, None, (), 2),
         ('expired', 'int', 'optional', None, None, None, (), 2),
+        ('missed', 'int', 'optional', None, None, None, (), 2),
     ]),
     (('HealthReport', 'ConnectionLost'), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
@@ -386,6 +387,7 @@ MESSAGES = [
         ('dataAge', 'float64', 'optional', None, 0.0, None, (), 2),
         ('published', 'int', 'optional', None, None, None, (), 2),
         ('expired', 'int', 'optional', None, None, None, (), 2),
+        ('missed', 'int', 'optional', None, None, None, (), 2),
     ]),
     (('EmergencyStop',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
