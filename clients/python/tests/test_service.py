@@ -6,6 +6,7 @@ from u2sa.contract import Contract
 
 
 class Probe(Service):
+    _newest = _inbox = _thread = _contract = None  # an author's names do not get in the way
     role = "PROPRIOCEPTIVE_SENSOR"
 
     def __init__(self):
@@ -22,7 +23,7 @@ class Probe(Service):
     def hear(self, channel, message):
         """As if it had come over the line."""
         self._arrived("/".join(("u2sa", "cessna", channel, *message.chain)), encode(message))
-        while not self._inbox.empty():
+        while not self._Service__inbox.empty():
             self._take(0.0)
 
 
@@ -81,9 +82,9 @@ class ContractTest(unittest.TestCase):
 
     def test_a_stop_is_obeyed_where_it_arrives(self):
         self.probe.hear("stop", Message("StopCommand", serviceName="Other"))
-        self.assertFalse(self.probe._stopping.is_set())
+        self.assertFalse(self.probe._Service__stopping.is_set())
         self.probe.hear("stop", Message("StopCommand", serviceName="Probe"))
-        self.assertTrue(self.probe._stopping.is_set())
+        self.assertTrue(self.probe._Service__stopping.is_set())
 
     def test_requests_come_in_on_channels_that_are_subscribed_to(self):
         channels = [channel for channel, _chain in self.probe._filters()]

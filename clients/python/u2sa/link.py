@@ -78,7 +78,7 @@ class Link:
         client.max_queued_messages_set(_IN_FLIGHT)
         client.on_connect = self._connected
         client.on_disconnect = self._disconnected
-        client.on_message = lambda _client, _data, packet: self._received(packet.topic, packet.payload)
+        client.on_message = self._message
         return client
 
     def open(self, within_s: float = 5.0) -> None:
@@ -137,6 +137,12 @@ class Link:
             if again:
                 self._trouble("connection restored")
         self._answered.set()
+
+    def _message(self, _client: Any, _data: Any, packet: Any) -> None:
+        try:
+            self._received(packet.topic, packet.payload)
+        except Exception as e:  # it would end paho's thread, and with it the connection
+            self._trouble(f"receiving a message on {packet.topic} failed: {type(e).__name__}: {e}")
 
     def _disconnected(self, _client: Any, _data: Any, *details: Any) -> None:
         if not self._closing:

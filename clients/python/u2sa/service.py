@@ -43,6 +43,7 @@ class Service:
     ...     def step(self, now_s):
     ...         self.publish("sensed-state", Message("StateInformation", sensorName=self.name, z=300.0))
 
+    What begins with two underscores here is out of the way of what authors call their own things.
     Everything but `publish` belongs to the thread that calls `run`. Discovery, functionality, stop, configuration and
     health are answered for every service here.
 
@@ -71,16 +72,16 @@ class Service:
         self.status = "CREATED"
         self.publishers: Dict[str, str] = {}
         self.subscribers: Dict[str, str] = {}
-        self._schema = schema
-        self._created = time.monotonic()
-        self._inbox: "queue.Queue[Optional[Tuple[str, Message]]]" = queue.Queue(
+        self.__schema = schema
+        self.__created = time.monotonic()
+        self.__inbox: "queue.Queue[Optional[Tuple[str, Message]]]" = queue.Queue(
             int(self.configuration.number("INBOX CAPACITY")))
-        self._stopping = threading.Event()
-        self._reported = time.monotonic()
-        self._thread = threading.current_thread()
+        self.__stopping = threading.Event()
+        self.__reported = time.monotonic()
+        self.__thread = threading.current_thread()
         self.link = Link(broker, system_id, name, self._arrived, self._trouble)
-        self._contract = Contract(self)
-        self._newest: Dict[Tuple[str, str], int] = {}  # number of the last message; on paho's thread only
+        self.__contract = Contract(self)
+        self.__newest: Dict[Tuple[str, str], int] = {}  # number of the last message; on paho's thread only
 
     # What authors write.
 
@@ -107,12 +108,12 @@ class Service:
 
     def register_publisher(self, channel: str, name: str) -> None:
         """Says that messages of that class and its subclasses will be published on a channel."""
-        self._schema.type(name)
+        self.__schema.type(name)
         self.publishers[check_channel(channel)] = name
 
     def register_subscriber(self, channel: str, name: str) -> None:
         """Asks for a channel's messages of that class and its subclasses. Call it before `run`."""
-        self._schema.type(name)
+        self.__schema.type(name)
         self.subscribers[check_channel(channel)] = name
 
     def publish(self, channel: str, message: Message) -> bool:
@@ -138,15 +139,15 @@ class Service:
 
     def stop(self) -> None:
         """Asks the service to end, from any thread; `run` returns soon after."""
-        self._stopping.set()
+        self.__stopping.set()
 
     def chain_of(self, name: str) -> Sequence[str]:
         """The type chain of a class of messages."""
-        return self._schema.type(name).chain
+        return self.__schema.type(name).chain
 
     @property
     def uptime_s(self) -> float:
-        return time.monotonic() - self._created
+        return time.monotonic() - self.__created
 
     @property
     def host(self) -> str:
@@ -160,7 +161,7 @@ class Service:
         :param signals: end in order on SIGTERM and SIGINT; only the main thread can ask for that
         :raises CannotConnect: if the broker is not there in the beginning
         """
-        self._thread = threading.current_thread()
+        self.__thread = threading.current_thread()
         self.link.open()
         if signals:
             for number in (signal.SIGTERM, signal.SIGINT):
@@ -179,20 +180,20 @@ class Service:
             self._guarded(self.release)
             self.status = "FAILED" if failed else "STOPPED"
             self._report()
-            self._stopping.set()
+            self.__stopping.set()
             self.link.close()
         return 1 if failed else 0
 
     def _filters(self) -> List[Tuple[str, Sequence[str]]]:
-        own: List[Tuple[str, Sequence[str]]] = [(channel, self._schema.type(name).chain) for channel, name in self.subscribers.items()]
+        own: List[Tuple[str, Sequence[str]]] = [(channel, self.__schema.type(name).chain) for channel, name in self.subscribers.items()]
         return own + [(channel, ()) for channel in Contract.CHANNELS if channel not in self.subscribers]
 
     def _loop(self) -> None:
         period = 1.0 / self.rate_hz if self.rate_hz > 0.0 else None
         next_step = time.monotonic()
-        while not self._stopping.is_set() and self.status == "RUNNING":
+        while not self.__stopping.is_set() and self.status == "RUNNING":
             now = time.monotonic()
-            due = self._reported + self.configuration.number("HEALTH INTERVAL")
+            due = self.__reported + self.configuration.number("HEALTH INTERVAL")
             if now >= due:
                 self._report()
                 continue
@@ -208,7 +209,7 @@ class Service:
     def _take(self, within_s: float) -> None:
         """Handles the next message, if one comes in time. A stop is noticed at the next health report at the latest."""
         try:
-            item = self._inbox.get(timeout=max(within_s, 0.0005))
+            item = self.__inbox.get(timeout=max(within_s, 0.0005))
         except queue.Empty:
             return
         if item is not None:
@@ -217,7 +218,7 @@ class Service:
 
     def _handle(self, channel: str, message: Message) -> None:
         if channel in Contract.CHANNELS:
-            self._contract.answer(message)
+            self.__contract.answer(message)
         if message.is_a(self.subscribers.get(channel, "")):
             self.callback(channel, message)
 
@@ -234,20 +235,20 @@ class Service:
         """On paho's thread: reads and queues, and obeys a stop at once."""
         try:
             where = Topic.parse(topic)
-            message = decode(where.chain, payload, self._schema)
+            message = decode(where.chain, payload, self.__schema)
         except Malformed as e:
             self.health.count("refused")
             self.log.warning("a message on %s cannot be read: %s", topic, e)
             return
         self._count_missed(topic, message)
-        if where.channel == "stop" and self._contract.is_order_to_stop(message):
+        if where.channel == "stop" and self.__contract.is_order_to_stop(message):
             self.stop()
             self._wake()
             return
-        if not self._contract.concerns(message) and not message.is_a(self.subscribers.get(where.channel, "")):
+        if not self.__contract.concerns(message) and not message.is_a(self.subscribers.get(where.channel, "")):
             return
         try:
-            self._inbox.put_nowait((where.channel, message))
+            self.__inbox.put_nowait((where.channel, message))
         except queue.Full:
             self.health.count("dropped")
 
@@ -256,23 +257,23 @@ class Service:
         if message.origin is None:
             return
         sender, number = message.origin
-        last = self._newest.get((sender, topic))
+        last = self.__newest.get((sender, topic))
         if last is not None and number > last + 1:
             self.health.count("missed", number - last - 1)
         if last is None or number > last:
-            self._newest[(sender, topic)] = number
-        while len(self._newest) > _SENDERS:
-            del self._newest[next(iter(self._newest))]
+            self.__newest[(sender, topic)] = number
+        while len(self.__newest) > _SENDERS:
+            del self.__newest[next(iter(self.__newest))]
 
     def _wake(self) -> None:
         try:
-            self._inbox.put_nowait(None)
+            self.__inbox.put_nowait(None)
         except queue.Full:
             return  # then the service's thread has something to take anyway
 
     def _report(self) -> None:
-        self._reported = time.monotonic()
-        self.send("health", self._described(self.health.report(self.name, self.status, self._inbox.qsize())))
+        self.__reported = time.monotonic()
+        self.send("health", self._described(self.health.report(self.name, self.status, self.__inbox.qsize())))
 
     def _described(self, report: Message) -> Message:
         report["instance"] = self.link.instance
@@ -282,11 +283,11 @@ class Service:
     def _watch(self) -> None:
         """Reports on behalf of a service whose own thread is silent: whether it lives, and what it hangs in."""
         interval = self.configuration.number("HEALTH INTERVAL")
-        while not self._stopping.wait(interval):
+        while not self.__stopping.wait(interval):
             interval = self.configuration.number("HEALTH INTERVAL")
-            if time.monotonic() - self._reported > _SILENT_INTERVALS * interval:
-                report = self._described(self.health.report(self.name, self.status, self._inbox.qsize()))
-                report["threadAlive"] = self._thread.is_alive()
+            if time.monotonic() - self.__reported > _SILENT_INTERVALS * interval:
+                report = self._described(self.health.report(self.name, self.status, self.__inbox.qsize()))
+                report["threadAlive"] = self.__thread.is_alive()
                 report["callbackRunning"] = self.health.running_s()
                 self.send("health", report)
 
