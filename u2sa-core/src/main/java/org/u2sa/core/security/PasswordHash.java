@@ -22,7 +22,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
   private static final String NAME = "pbkdf2-sha512";
   private static final String ALGORITHM = "PBKDF2WithHmacSHA512";
   private static final int MOST_ITERATIONS = 10_000_000;
-  private static final int SALT_BYTES = 16;
+  private static final int SALT_BYTES = 12; // Mosquitto takes no other length
   private static final int HASH_BYTES = 64;
   private static final int PARTS = 4;
 

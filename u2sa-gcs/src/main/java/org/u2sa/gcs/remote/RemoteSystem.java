@@ -7,6 +7,7 @@ import org.u2sa.gcs.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.MessageCodec;
@@ -78,6 +79,28 @@ public final class RemoteSystem {
     timeoutS = value;
   }
 
+  @Option(
+      names = "--user",
+      paramLabel = "NAME",
+      defaultValue = "",
+      description = "User at a secured broker.")
+  private String user;
+
+  @Option(
+      names = "--password-file",
+      paramLabel = "FILE",
+      defaultValue = "",
+      description = "File whose first line is the user's password.")
+  private String passwordFile;
+
+  @Option(
+      names = "--ca",
+      paramLabel = "FILE",
+      defaultValue = "",
+      description =
+          "Certificate (PEM) of the authority that a secured broker must be certified by.")
+  private String caFile;
+
   /**
    * Joins the system.
    *
@@ -115,7 +138,11 @@ public final class RemoteSystem {
 
   private MqttTransport transport(String id) {
     return new MqttTransport(
-        broker.hostInAddress(), broker.port(), id, new MessageCodec(MessageTypes.discovered()));
+        broker.hostInAddress(),
+        broker.port(),
+        id,
+        new MessageCodec(MessageTypes.discovered()),
+        BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile));
   }
 
   private String name() {

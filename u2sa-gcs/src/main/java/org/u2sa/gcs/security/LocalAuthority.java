@@ -1,0 +1,110 @@
+package org.u2sa.gcs.security;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.util.Base64;
+import java.util.List;
+import org.u2sa.core.security.SecretFile;
+import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * An authority for the hosts of one team: a key whose certificate clients trust, and which
+ * certifies brokers. Works with the JDK's keytool, as Java has no other means to make certificates.
+ */
+final class LocalAuthority {
+  private static final String AUTHORITY_DAYS = "3650";
+  private static final String BROKER_DAYS = "825"; // what Apple's clients accept at most
+  private static final String ELLIPTIC = "-keyalg EC -groupname secp256r1";
+
+  private final SecurityDirectory directory;
+
+  private LocalAuthority(SecurityDirectory directory) {
+    this.directory = directory;
+  }
+
+  /** Makes a new one in the folder, which must not hold one. */
+  static LocalAuthority create(SecurityDirectory directory)
+      throws IOException, InterruptedException {
+    Keytool.run(
+        "-genkeypair -alias ca -startdate -1d -validity " + AUTHORITY_DAYS + " " + ELLIPTIC,
+        List.of(
+            "-dname",
+            "CN=U2SA local authority",
+            "-ext",
+            "bc:critical=ca:true,pathlen:0",
+            "-ext",
+            "ku:critical=keyCertSign,cRLSign"),
+        directory.authorityKey());
+    SecretFile.write(directory.authorityKey(), Files.readAllBytes(directory.authorityKey()));
+    String certificate =
+        Keytool.run("-exportcert -rfc -alias ca", List.of(), directory.authorityKey());
+    Files.writeString(directory.authority(), certificate);
+    return new LocalAuthority(directory);
+  }
+
+  /**
+   * The one in the folder.
+   *
+   * @throws BadInputException if its key is not there
+   */
+  static LocalAuthority in(SecurityDirectory directory) {
+    if (!Files.isRegularFile(directory.authorityKey())) {
+      throw new BadInputException(
+          directory.authorityKey()
+              + ": there is no such file; certificates are made where the authority's key lies");
+    }
+    return new LocalAuthority(directory);
+  }
+
+  /** Makes the broker a new key and certifies it for the names and addresses. */
+  void certify(List<String> hosts) throws IOException, InterruptedException {
+    Path work = Files.createTempDirectory(directory.path(), "new"); // for the owner only
+    Path store = work.resolve("server.p12");
+    Path request = work.resolve("request.pem");
+    try {
+      Keytool.run(
+          "-genkeypair -alias server -validity " + BROKER_DAYS + " " + ELLIPTIC,
+          List.of("-dname", "CN=U2SA broker"),
+          store);
+      Files.writeString(request, Keytool.run("-certreq -alias server", List.of(), store));
+      String certificate =
+          Keytool.run(
+              "-gencert -rfc -alias ca -startdate -1d -validity " + BROKER_DAYS,
+              List.of(
+                  "-infile",
+                  request.toString(),
+                  "-ext",
+                  HostNames.extension(hosts),
+                  "-ext",
+                  "ku:critical=digitalSignature",
+                  "-ext",
+                  "eku=serverAuth"),
+              directory.authorityKey());
+      SecretFile.write(directory.key(), keyOf(store).getBytes(StandardCharsets.US_ASCII));
+      Files.writeString(
+          directory.certificate(), certificate + Files.readString(directory.authority()));
+    } finally {
+      Files.deleteIfExists(request);
+      Files.deleteIfExists(store);
+      Files.delete(work);
+    }
+  }
+
+  private static String keyOf(Path store) throws IOException {
+    try {
+      char[] password = Keytool.PASSWORD.toCharArray();
+      byte[] key =
+          KeyStore.getInstance(store.toFile(), password).getKey("server", password).getEncoded();
+      return "-----BEGIN PRIVATE KEY-----\n"
+          + Base64.getMimeEncoder(64, new byte[] {'\n'}).encodeToString(key)
+          + "\n-----END PRIVATE KEY-----\n";
+    } catch (GeneralSecurityException e) {
+      throw new IOException(store + ": " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,144 @@
+package org.u2sa.gcs.security;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.u2sa.core.security.AccessRole;
+import org.u2sa.core.security.PasswordHash;
+import org.u2sa.core.security.SecretFile;
+import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.core.security.User;
+import org.u2sa.core.security.UserFile;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.interfaces.BadInputException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa security user}: adds, lists and removes users of the broker. */
+@Command(name = "user", description = "Add, list and remove users of the broker.")
+final class UserCommand implements Runnable {
+  @Spec private CommandSpec command;
+
+  @Override
+  public void run() {
+    command.commandLine().usage(command.commandLine().getOut());
+  }
+
+  @Command(
+      name = "add",
+      description = {
+        "Add a user, or give one a new password, role and systems.",
+        "",
+        "Without --password-file or --new-password-file the password is asked for."
+      })
+  Integer add(
+      @Parameters(paramLabel = "NAME", description = "Name of the user.") String name,
+      @Option(
+              names = "--role",
+              paramLabel = "ROLE",
+              required = true,
+              split = ",",
+              description =
+                  "What the user is for: service, control, launcher, monitor, safety, operator, observer; several joined by commas.")
+          List<String> roles,
+      @Option(
+              names = "--system",
+              paramLabel = "ID",
+              split = ",",
+              description = "In which systems; default: all of the broker.")
+          List<String> systems,
+      @Option(
+              names = "--password-file",
+              paramLabel = "FILE",
+              description = "Take the password from the file's first line.")
+          Path passwordFile,
+      @Option(
+              names = "--new-password-file",
+              paramLabel = "FILE",
+              description = "Make a random password and write it into this new file.")
+          Path newPasswordFile,
+      @Mixin SecurityFolder folder)
+      throws IOException {
+    SecurityDirectory directory = folder.existing();
+    char[] password =
+        newPasswordFile != null
+            ? Passwords.make(newPasswordFile)
+            : passwordFile != null ? Passwords.read(passwordFile) : Passwords.ask(name);
+    User user = user(name, roles, systems, password);
+    Map<String, User> users = new TreeMap<>(UserFile.read(directory.users()));
+    boolean known = users.put(name, user) != null;
+    UserFile.write(directory.users(), users.values());
+    if (newPasswordFile != null) {
+      SecretFile.write(
+          newPasswordFile, (new String(password) + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+    out()
+        .printf(
+            "%s user %s: %s in %s.%n",
+            known ? "Changed" : "Added",
+            name,
+            user.rolesText(),
+            user.systems().contains(User.EVERY_SYSTEM)
+                ? "every system"
+                : String.join(", ", user.systems()));
+    return ExitCode.DONE;
+  }
+
+  private static User user(String name, List<String> roles, List<String> systems, char[] password) {
+    try {
+      Set<AccessRole> checked = User.rolesOf(String.join(",", roles));
+      return new User(
+          name,
+          checked,
+          systems == null ? List.of(User.EVERY_SYSTEM) : systems,
+          PasswordHash.of(password, new SecureRandom()));
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(e.getMessage(), e);
+    }
+  }
+
+  @Command(name = "list", description = "List the users.")
+  Integer list(@Mixin SecurityFolder folder) {
+    Map<String, User> users = UserFile.read(folder.existing().users());
+    if (users.isEmpty()) {
+      out().println("No users yet: ./u2sa security user add NAME --role ROLE");
+    }
+    for (User user : users.values()) {
+      out()
+          .printf(
+              "%-20s %-30s %s%n", user.name(), user.rolesText(), String.join(",", user.systems()));
+    }
+    return ExitCode.DONE;
+  }
+
+  @Command(
+      name = "remove",
+      description = "Remove a user; a running broker puts it out within two seconds.")
+  Integer remove(
+      @Parameters(paramLabel = "NAME", description = "Name of the user.") String name,
+      @Mixin SecurityFolder folder) {
+    SecurityDirectory directory = folder.existing();
+    Map<String, User> users = new TreeMap<>(UserFile.read(directory.users()));
+    if (users.remove(name) == null) {
+      throw new BadInputException(
+          "user \"" + name + "\": there is none; expected one of " + users.keySet());
+    }
+    UserFile.write(directory.users(), users.values());
+    out().printf("Removed user %s.%n", name);
+    return ExitCode.DONE;
+  }
+
+  private PrintWriter out() {
+    return command.commandLine().getOut();
+  }
+}

@@ -1,0 +1,198 @@
+package org.u2sa.gcs.security;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.GeneralSecurityException;
+import java.security.cert.CertificateFactory;
+import java.security.cert.X509Certificate;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.core.security.UserFile;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.Main;
+
+class SecurityCommandTest {
+  @TempDir Path folder;
+
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+  private SecurityDirectory directory;
+
+  private int run(String... args) {
+    return Main.run(new PrintWriter(out, true), new PrintWriter(err, true), args);
+  }
+
+  @BeforeEach
+  void init() {
+    directory = new SecurityDirectory(folder.resolve("security"));
+    assertThat(run("security", "init", directory.path().toString(), "--host", "vehicle.local"))
+        .as(err.toString())
+        .isEqualTo(ExitCode.DONE);
+  }
+
+  private static X509Certificate certificate(Path file)
+      throws IOException, GeneralSecurityException {
+    try (InputStream in = Files.newInputStream(file)) {
+      return (X509Certificate) CertificateFactory.getInstance("X.509").generateCertificate(in);
+    }
+  }
+
+  @Test
+  void init_newFolder_brokersCertificateIsTheAuthoritysAndKeysAreTheOwners()
+      throws IOException, GeneralSecurityException {
+    X509Certificate authority = certificate(directory.authority());
+    X509Certificate broker = certificate(directory.certificate());
+
+    broker.verify(authority.getPublicKey());
+    broker.checkValidity();
+    assertThat(authority.getBasicConstraints()).isZero(); // an authority, of end certificates only
+    assertThat(broker.getBasicConstraints()).isNegative();
+    assertThat(broker.getSubjectAlternativeNames().toString())
+        .contains("localhost", "127.0.0.1", "vehicle.local");
+    directory.check();
+    for (Path secret : List.of(directory.key(), directory.authorityKey(), directory.users())) {
+      assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(secret)))
+          .as(secret.toString())
+          .isEqualTo("rw-------");
+    }
+  }
+
+  @Test
+  void init_folderInUse_overwritesNothing() {
+    assertThat(run("security", "init", directory.path().toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("not overwritten");
+  }
+
+  @Test
+  void certificate_otherHost_isBySameAuthority() throws IOException, GeneralSecurityException {
+    byte[] before = Files.readAllBytes(directory.authority());
+    assertThat(run("security", "certificate", "10.0.0.7", "--dir", directory.path().toString()))
+        .as(err.toString())
+        .isEqualTo(ExitCode.DONE);
+
+    assertThat(Files.readAllBytes(directory.authority())).isEqualTo(before);
+    X509Certificate broker = certificate(directory.certificate());
+    broker.verify(certificate(directory.authority()).getPublicKey());
+    assertThat(broker.getSubjectAlternativeNames().toString()).contains("10.0.0.7");
+  }
+
+  @Test
+  void certificate_nameWithACommaInIt_isRefused() {
+    assertThat(run("security", "certificate", "a,eku=any", "--dir", directory.path().toString()))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("host \"a,eku=any\"");
+  }
+
+  @Test
+  void user_addListRemove_changesTheFileAndWritesThePasswordForItsOwnerOnly() throws IOException {
+    Path password = folder.resolve("pilot.password");
+    String dir = directory.path().toString();
+    assertThat(
+            run(
+                "security",
+                "user",
+                "add",
+                "pilot",
+                "--role",
+                "operator,observer",
+                "--system",
+                "cessna",
+                "--new-password-file",
+                password.toString(),
+                "--dir",
+                dir))
+        .as(err.toString())
+        .isEqualTo(ExitCode.DONE);
+
+    String word = Files.readString(password).trim();
+    assertThat(UserFile.read(directory.users()).get("pilot").password().matches(word.toCharArray()))
+        .isTrue();
+    assertThat(Files.readString(directory.users())).doesNotContain(word);
+    assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(password)))
+        .isEqualTo("rw-------");
+    assertThat(run("security", "user", "list", "--dir", dir)).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).containsPattern("pilot +operator,observer +cessna");
+    assertThat(run("security", "user", "remove", "pilot", "--dir", dir)).isEqualTo(ExitCode.DONE);
+    assertThat(UserFile.read(directory.users())).isEmpty();
+    assertThat(run("security", "user", "remove", "pilot", "--dir", dir))
+        .isEqualTo(ExitCode.BAD_INPUT);
+  }
+
+  @Test
+  void userAdd_wrongRoleShortPasswordNoTerminal_saysWhatIsExpected() throws IOException {
+    String dir = directory.path().toString();
+    Path tooShort = Files.writeString(folder.resolve("short"), "123456789\n");
+    assertThat(
+            run(
+                "security",
+                "user",
+                "add",
+                "x",
+                "--role",
+                "captain",
+                "--password-file",
+                Files.writeString(folder.resolve("long"), "1234567890\n").toString(),
+                "--dir",
+                dir))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("role \"captain\": expected one of service, control");
+    assertThat(
+            run(
+                "security",
+                "user",
+                "add",
+                "x",
+                "--role",
+                "service",
+                "--password-file",
+                tooShort.toString(),
+                "--dir",
+                dir))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("9 characters; expected 10 or more");
+    assertThat(UserFile.read(directory.users())).isEmpty();
+  }
+
+  @Test
+  void mosquitto_users_haveTheirRolesRights() throws IOException {
+    String dir = directory.path().toString();
+    run(
+        "security",
+        "user",
+        "add",
+        "autopilot",
+        "--role",
+        "control",
+        "--system",
+        "cessna",
+        "--new-password-file",
+        folder.resolve("p").toString(),
+        "--dir",
+        dir);
+    Path target = folder.resolve("mosquitto");
+    assertThat(run("security", "mosquitto", target.toString(), "--dir", dir, "--port", "18883"))
+        .as(err.toString())
+        .isEqualTo(ExitCode.DONE);
+
+    assertThat(Files.readString(target.resolve("mosquitto.conf")))
+        .contains("listener 18883 ", "allow_anonymous false", "tls_version tlsv1.2");
+    assertThat(Files.readString(target.resolve("acl")))
+        .contains(
+            "user autopilot\n",
+            "topic read u2sa/cessna/#\n",
+            "topic write u2sa/cessna/actuation/#\n",
+            "topic write u2sa/cessna/configuration/ConfigurationResponse/#\n")
+        .doesNotContain("u2sa/cessna/stop", "ConfigurationChange/", "emergency-stop");
+    assertThat(Files.readString(target.resolve("passwords"))).startsWith("autopilot:$7$210000$");
+  }
+}
