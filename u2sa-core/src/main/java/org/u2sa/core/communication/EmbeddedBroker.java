@@ -6,6 +6,7 @@ import io.moquette.broker.config.IConfig;
 import io.moquette.broker.config.MemoryConfig;
 import io.moquette.broker.security.PermitAllAuthorizatorPolicy;
 import io.moquette.interception.AbstractInterceptHandler;
+import io.moquette.interception.messages.InterceptConnectMessage;
 import io.moquette.interception.messages.InterceptConnectionLostMessage;
 import io.moquette.interception.messages.InterceptDisconnectMessage;
 import io.moquette.interception.messages.InterceptPublishMessage;
@@ -17,7 +18,9 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.util.List;
+import java.util.Map;
 import java.util.Properties;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.SystemClock;
@@ -44,6 +47,7 @@ final class EmbeddedBroker implements AutoCloseable {
   private final InetSocketAddress address;
   private final Server server = new Server();
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
+  private final Map<String, Will> wills = new ConcurrentHashMap<>();
   private final AtomicLong unreadable = new AtomicLong();
   private final OutgoingCopies copies;
   private final BrokerDoor door;
@@ -179,6 +183,9 @@ final class EmbeddedBroker implements AutoCloseable {
     }
   }
 
+  /** What a client wants to be said when its connection breaks. */
+  private record Will(String topic, byte[] payload) {}
+
   /** Called by Moquette on a thread of its own, one call after the other. */
   private final class Listener extends AbstractInterceptHandler {
     @Override
@@ -203,6 +210,16 @@ final class EmbeddedBroker implements AutoCloseable {
     }
 
     @Override
+    public void onConnect(InterceptConnectMessage message) {
+      if (message.isWillFlag()) {
+        wills.put(
+            message.getClientID(), new Will(message.getWillTopic(), message.getWillMessage()));
+      } else {
+        wills.remove(message.getClientID());
+      }
+    }
+
+    @Override
     public void onSubscribe(InterceptSubscribeMessage message) {
       subscriptions.add(message.getClientID(), message.getTopicFilter());
     }
@@ -214,12 +231,17 @@ final class EmbeddedBroker implements AutoCloseable {
 
     @Override
     public void onDisconnect(InterceptDisconnectMessage message) {
+      wills.remove(message.getClientID());
       subscriptions.remove(message.getClientID());
     }
 
     @Override
     public void onConnectionLost(InterceptConnectionLostMessage message) {
       subscriptions.remove(message.getClientID());
+      Will will = wills.remove(message.getClientID());
+      if (will != null) { // Moquette says it to its clients only
+        deliver(will.topic, will.payload);
+      }
     }
   }
 }

@@ -66,9 +66,18 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
+    if (channel.isRetained()) { // also for those who will ask later
+      send(channel, Topic.of(systemId, channel, message).toString(), message);
+      return;
+    }
     Interest interest = interest(channel, message.typeChain());
-    boolean wanted = interest.wanted || channel.isRetained();
-    if (wanted && !waiting.offer(new Copy(channel, interest.topic, message))) {
+    if (interest.wanted) {
+      send(channel, interest.topic, message);
+    }
+  }
+
+  private void send(Channel<?> channel, String topic, U2SAData message) {
+    if (!waiting.offer(new Copy(channel, topic, message))) {
       drop("the broker is too slow");
     }
   }

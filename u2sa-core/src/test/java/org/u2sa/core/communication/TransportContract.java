@@ -17,6 +17,7 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
  * What every way to the Communication Manager does alike, so that a service cannot tell which it
@@ -126,6 +127,47 @@ abstract class TransportContract {
               subscriber.subscribe(Channels.GOALS);
               return inbox.messages.contains(goals);
             });
+  }
+
+  @Test
+  void subscribe_late_getsTheLastOfEachSource() {
+    ActuatorAnnouncement elevator = announcement("ELEVATOR");
+    ActuatorAnnouncement rudder = announcement("RUDDER / left + right");
+    publisher.publish(Channels.ACTUATORS, elevator);
+    publisher.publish(Channels.ACTUATORS, rudder);
+
+    await()
+        .until(
+            () -> {
+              subscriber.subscribe(Channels.ACTUATORS);
+              return inbox.messages.containsAll(List.of(elevator, rudder));
+            });
+  }
+
+  private static ActuatorAnnouncement announcement(String name) {
+    return frozen(
+        new ActuatorAnnouncement()
+            .actuatorName(name)
+            .minimum(0.0)
+            .maximum(100.0)
+            .effect("turns")
+            .subsystem("all"));
+  }
+
+  @Test
+  void close_rightAfterPublishing_messagesStillArrive() {
+    subscriber.subscribe(Channels.ACTUATION);
+    List<U2SAData> sent = new CopyOnWriteArrayList<>();
+    for (int i = 0; i < 500; i++) {
+      PercentageCommand command = frozen(PercentageCommand.of("RUDDER", i / 5.0));
+      sent.add(command);
+      publisher.publish(Channels.ACTUATION, command);
+    }
+    publisher.close();
+
+    await().until(() -> inbox.messages.size() >= sent.size());
+    assertThat(inbox.messages).containsExactlyElementsOf(sent);
+    assertThat(publisher.refused()).isZero();
   }
 
   @Test

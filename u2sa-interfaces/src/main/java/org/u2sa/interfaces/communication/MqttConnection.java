@@ -2,86 +2,84 @@ package org.u2sa.interfaces.communication;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicLong;
-import org.eclipse.paho.client.mqttv3.IMqttDeliveryToken;
-import org.eclipse.paho.client.mqttv3.MqttAsyncClient;
-import org.eclipse.paho.client.mqttv3.MqttCallbackExtended;
+import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
-import org.eclipse.paho.client.mqttv3.MqttMessage;
-import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
-import org.u2sa.messages.MalformedMessageException;
+import org.u2sa.interfaces.Clock;
 import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.ServiceStatus;
 
-/** One service's MQTT client. Reconnects by itself and then renews its subscriptions. */
-final class MqttConnection implements Connection {
-  private static final int AT_MOST_ONCE = 0;
+/**
+ * One service's MQTT connection: what it sends, and what it is subscribed to. When the broker or
+ * the way to it is gone, it comes back by itself.
+ */
+final class MqttConnection implements Connection, MqttLink.Owner {
   private static final int AT_LEAST_ONCE = 1;
-  private static final long ANSWER_WITHIN_MS = 5_000;
-  private static final int KEEP_ALIVE_S = 5;
-  private static final int MAX_IN_FLIGHT = 4_096;
-  private static final int RECONNECT_AT_MOST_EVERY_MS = 2_000;
 
   private final String address;
   private final String systemId;
-  private final MessageCodec codec;
+  private final String serviceName;
   private final Receiver receiver;
-  private final MqttAsyncClient client;
+  private final String instance = UUID.randomUUID().toString();
+  private final IncomingMessages incoming;
+  private final RetainedTopics retained = new RetainedTopics();
   private final Map<String, Channel<?>> subscribed = new ConcurrentHashMap<>();
   private final Map<String, Map<List<String>, String>> topics = new ConcurrentHashMap<>();
-  private final String instance = UUID.randomUUID().toString();
-  private final AtomicLong refused = new AtomicLong();
+  private final MqttLink link;
+  private volatile long refusedBefore; // when the link broke
   private volatile boolean closed;
 
+  /** Takes what the connection needs; {@link #open} makes it. */
   MqttConnection(
       String address, String systemId, String serviceName, MessageCodec codec, Receiver receiver) {
     this.address = address;
     this.systemId = systemId;
-    this.codec = codec;
+    this.serviceName = serviceName;
     this.receiver = receiver;
-    try {
-      // Brokers drop the older of two clients with one ID, so a restarted service must not take its
-      // predecessor's.
-      String clientId = systemId + "/" + serviceName + "/" + instance;
-      client = new MqttAsyncClient(address, clientId, new MemoryPersistence());
-    } catch (MqttException | IllegalArgumentException e) {
-      throw new CommunicationException(
-          "Communication Manager address " + address + " cannot be used: " + e.getMessage(), e);
-    }
-    client.setCallback(new Callback());
+    incoming = new IncomingMessages(codec, receiver);
+    // Brokers drop the older of two clients with one ID. So a restarted service must not take its
+    // predecessor's, while a connection that comes back takes its own from the broken session.
+    link = new MqttLink(address, systemId + "/" + serviceName + "/" + instance, this);
   }
 
-  void open(BrokerAccess access) {
-    MqttConnectOptions options = new MqttConnectOptions();
-    options.setCleanSession(true);
-    options.setAutomaticReconnect(true);
-    options.setMaxReconnectDelay(RECONNECT_AT_MOST_EVERY_MS);
-    options.setKeepAliveInterval(KEEP_ALIVE_S);
-    options.setSocketFactory(access.sockets());
-    access
-        .user()
-        .ifPresent(
-            user -> {
-              options.setUserName(user);
-              options.setPassword(access.password());
-            });
-    options.setMaxInflight(MAX_IN_FLIGHT);
-    options.setConnectionTimeout((int) (ANSWER_WITHIN_MS / 1_000));
+  /**
+   * Connects for the first time.
+   *
+   * @param options how, without the will; made anew for each attempt
+   * @param patienceS how long to try [s]
+   * @throws CommunicationException if the broker is not there in all that time
+   */
+  void open(Supplier<MqttConnectOptions> options, double patienceS, Clock clock, Random random) {
     try {
-      client.connect(options).waitForCompletion(ANSWER_WITHIN_MS);
-    } catch (MqttException e) {
+      link.open(() -> withWill(options.get()), Clock.micros(patienceS), clock, random);
+    } catch (MqttException | IllegalArgumentException e) {
       close();
       throw new CommunicationException(
           "no Communication Manager at "
               + address
               + ": "
-              + reason(e)
+              + MqttSession.reason(e)
               + "; is it running, and is the address right?",
           e);
     }
+  }
+
+  /** Adds what the broker says in the service's place when the connection breaks. */
+  private MqttConnectOptions withWill(MqttConnectOptions options) {
+    if (!systemId.equals(Topic.ANY_SYSTEM)) {
+      ConnectionLost lost = new ConnectionLost();
+      lost.serviceName(serviceName).status(ServiceStatus.FAILED).lastError("connection lost");
+      lost.instance(instance).systemId(systemId);
+      lost.freeze();
+      Topic topic = Topic.of(systemId, Channels.HEALTH, lost);
+      options.setWill(topic.toString(), lost.serialize(), AT_LEAST_ONCE, false);
+    }
+    return options;
   }
 
   @Override
@@ -92,22 +90,30 @@ final class MqttConnection implements Connection {
   @Override
   public boolean publish(Channel<?> channel, U2SAData message) {
     if (closed || !channel.carries(message) || systemId.equals(Topic.ANY_SYSTEM)) {
-      refused.incrementAndGet();
+      incoming.refuse(1);
       return false;
     }
-    boolean eachMatters = channel.deliversEvery() || channel.isRetained();
     try {
-      client.publish(
-          topic(channel, message),
-          message.serialize(),
-          eachMatters ? AT_LEAST_ONCE : AT_MOST_ONCE,
-          channel.isRetained());
-      return true;
-    } catch (MqttException e) {
-      countRefused("publishing on \"" + channel + "\" failed: " + reason(e));
-      return false;
-    } catch (IllegalStateException e) {
-      countRefused("publishing on \"" + channel + "\" failed: " + e.getMessage()); // too long
+      MqttSession session = link.session();
+      boolean sent = false;
+      if (channel.isRetained()) {
+        String topic = Topic.of(systemId, channel, message).toString();
+        byte[] payload = message.serialize();
+        RetainedTopics.Published last = retained.publishing(topic, payload);
+        sent = session != null && session.publish(topic, payload, true, true, last);
+      } else if (session != null) {
+        sent =
+            session.publish(
+                topic(channel, message), message.serialize(), channel.deliversEvery(), false, null);
+      }
+      if (!sent && session == null) {
+        incoming.refuse(1); // that the link is broken was told
+      } else if (!sent) {
+        incoming.refuse("publishing on \"" + channel + "\" failed: the broker is too slow");
+      }
+      return sent;
+    } catch (MqttException | IllegalStateException e) { // the latter: too long
+      incoming.refuse("publishing on \"" + channel + "\" failed: " + MqttSession.reason(e));
       return false;
     }
   }
@@ -116,130 +122,120 @@ final class MqttConnection implements Connection {
     return topics
         .computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>())
         .computeIfAbsent(
-            message.typeChain(), chain -> new Topic(systemId, channel.name(), chain).toString());
+            message.typeChain(), chain -> Topic.of(systemId, channel, message).toString());
   }
 
   @Override
   public boolean subscribe(Channel<?> channel) {
     subscribed.put(channel.name(), channel);
-    return request(channel);
-  }
-
-  private boolean request(Channel<?> channel) {
+    retained.forget(channel);
+    MqttSession session = link.session();
+    if (session == null) {
+      return !closed; // begins when the link is back
+    }
     try {
-      client
-          .subscribe(Topic.filter(systemId, channel), AT_LEAST_ONCE)
-          .waitForCompletion(ANSWER_WITHIN_MS);
+      session.subscribe(true, Topic.filter(systemId, channel));
       return true;
     } catch (MqttException e) {
       receiver.trouble(
-          "subscribing to \"" + channel + "\" at " + address + " failed: " + reason(e));
-      return false;
+          "subscribing to \"" + channel + "\" at " + address + " failed: " + MqttSession.reason(e));
+      return session.isOver() && !closed;
     }
   }
 
   @Override
   public boolean unsubscribe(Channel<?> channel) {
     subscribed.remove(channel.name());
+    MqttSession session = link.session();
+    if (session == null) {
+      return !closed;
+    }
     try {
-      client.unsubscribe(Topic.filter(systemId, channel)).waitForCompletion(ANSWER_WITHIN_MS);
+      session.unsubscribe(Topic.filter(systemId, channel));
       return true;
     } catch (MqttException e) {
       receiver.trouble(
-          "unsubscribing from \"" + channel + "\" at " + address + " failed: " + reason(e));
-      return false;
+          "unsubscribing from \""
+              + channel
+              + "\" at "
+              + address
+              + " failed: "
+              + MqttSession.reason(e));
+      return session.isOver() && !closed;
     }
+  }
+
+  @Override
+  public void renew(MqttSession session) throws MqttException, InterruptedException {
+    if (link.session() != session) {
+      retained.restore(session);
+    }
+    for (Channel<?> channel : subscribed.values()) {
+      String filter = Topic.filter(systemId, channel);
+      if (!session.isSubscribed(filter)) {
+        session.subscribe(true, filter);
+      }
+    }
+  }
+
+  @Override
+  public void arrived(String topicName, byte[] payload, boolean wasRetained) {
+    Topic topic;
+    try {
+      topic = Topic.parse(topicName);
+    } catch (IllegalArgumentException e) {
+      incoming.refuse("a message cannot be read: " + e.getMessage());
+      return;
+    }
+    Channel<?> channel = subscribed.get(topic.channel());
+    boolean kept = wasRetained || (channel != null && channel.isRetained());
+    if (kept && !retained.isNews(topicName, payload, wasRetained)) {
+      return; // known since before the link broke
+    }
+    if (channel != null) { // otherwise it came in while unsubscribing
+      incoming.hand(channel, topic, payload);
+    }
+  }
+
+  @Override
+  public void lost(MqttSession session, String why) {
+    link.lost(session, why);
+  }
+
+  @Override
+  public void interrupted(String why) {
+    refusedBefore = incoming.refused();
+    receiver.trouble(why);
+  }
+
+  @Override
+  public void restored(double afterS) {
+    receiver.trouble(
+        String.format(
+            "connection to %s restored, subscriptions too, after %.1f s; %d messages could not be sent meanwhile",
+            address, afterS, incoming.refused() - refusedBefore));
+  }
+
+  @Override
+  public void trouble(String what) {
+    receiver.trouble(what);
+  }
+
+  @Override
+  public void unconfirmed(long messages) {
+    incoming.refuse(messages);
   }
 
   @Override
   public long refused() {
-    return refused.get();
+    return incoming.refused();
   }
 
   @Override
   public void close() {
-    if (closed) {
-      return;
-    }
-    closed = true;
-    try {
-      if (client.isConnected()) {
-        client
-            .disconnect()
-            .waitForCompletion(
-                ANSWER_WITHIN_MS); // waits for what is in flight, such as neutral commands
-      } else {
-        client.disconnectForcibly(0, ANSWER_WITHIN_MS, false);
-      }
-      client.close(true);
-    } catch (MqttException e) {
-      receiver.trouble("closing the connection to " + address + " failed: " + reason(e));
-    }
-  }
-
-  private void countRefused(String what) {
-    long count = refused.incrementAndGet();
-    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
-      receiver.trouble(what + " (" + count + " so far)");
-    }
-  }
-
-  private static String reason(MqttException e) {
-    Throwable cause = e.getCause();
-    return cause == null ? e.getMessage() : e.getMessage() + " (" + cause.getMessage() + ")";
-  }
-
-  /** Called by Paho on its own threads. */
-  private final class Callback implements MqttCallbackExtended {
-    @Override
-    public void connectComplete(boolean reconnect, String serverUri) {
-      if (reconnect) {
-        receiver.trouble("connection to " + address + " restored");
-        // Waiting for an answer on Paho's callback thread would deadlock, so the answers are not
-        // awaited here.
-        for (Channel<?> channel : subscribed.values()) {
-          try {
-            client.subscribe(Topic.filter(systemId, channel), AT_LEAST_ONCE);
-          } catch (MqttException e) {
-            receiver.trouble("subscribing to \"" + channel + "\" again failed: " + reason(e));
-          }
-        }
-      }
-    }
-
-    @Override
-    public void connectionLost(Throwable cause) {
-      if (!closed) {
-        receiver.trouble("connection to " + address + " lost: " + cause.getMessage());
-      }
-    }
-
-    @Override
-    public void messageArrived(String topicName, MqttMessage message) {
-      try {
-        Topic topic = Topic.parse(topicName);
-        Channel<?> channel = subscribed.get(topic.channel());
-        if (channel == null) {
-          return; // came in while unsubscribing
-        }
-        U2SAData data = codec.decode(topic.typeChain(), message.getPayload());
-        data.freeze();
-        if (channel.carries(data)) {
-          receiver.receive(channel, data);
-        } else {
-          countRefused("a message on " + topicName + " is not of type " + channel.type().name());
-        }
-      } catch (MalformedMessageException | IllegalArgumentException e) {
-        countRefused("a message on " + topicName + " cannot be read: " + e.getMessage());
-      } catch (RuntimeException e) {
-        // Paho would cut the connection.
-        countRefused("receiving a message on " + topicName + " failed: " + e);
-      }
-    }
-
-    @Override
-    public void deliveryComplete(IMqttDeliveryToken token) {
-      // Nothing waits for a delivery: what was not delivered shows as a lost connection.
+    if (!closed) {
+      closed = true;
+      link.close();
     }
   }
 }

@@ -1,6 +1,9 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.Objects;
+import java.util.Random;
+import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
+import org.u2sa.interfaces.SystemClock;
 import org.u2sa.messages.MessageCodec;
 
 /**
@@ -8,11 +11,17 @@ import org.u2sa.messages.MessageCodec;
  * Paho.
  */
 public final class MqttTransport implements Transport {
+  /** A dead link is found within twice this time here, and within 1.5 times it by the broker. */
+  private static final int KEEP_ALIVE_S = 2;
+
+  private static final int CONNECT_WITHIN_S = 3;
+
   private final String host;
   private final int port;
   private final String systemId;
   private final MessageCodec codec;
   private final BrokerAccess access;
+  private final double patienceS;
 
   /**
    * A transport that connects each service with a client of its own.
@@ -34,6 +43,16 @@ public final class MqttTransport implements Transport {
    */
   public MqttTransport(
       String host, int port, String systemId, MessageCodec codec, BrokerAccess access) {
+    this(host, port, systemId, codec, access, 0.0);
+  }
+
+  private MqttTransport(
+      String host,
+      int port,
+      String systemId,
+      MessageCodec codec,
+      BrokerAccess access,
+      double patienceS) {
     if (port < 1 || port > 65_535) {
       throw new IllegalArgumentException("port: " + port + " is outside 1…65535");
     }
@@ -42,6 +61,17 @@ public final class MqttTransport implements Transport {
     this.systemId = systemId.equals(Topic.ANY_SYSTEM) ? systemId : Topic.checkSystemId(systemId);
     this.codec = Objects.requireNonNull(codec, "codec");
     this.access = Objects.requireNonNull(access, "access");
+    this.patienceS = patienceS;
+  }
+
+  /**
+   * The same transport, whose first attempt to connect may last: so that a host may be started
+   * before the one with the broker.
+   *
+   * @param seconds how long to try to reach a broker that is not there yet [s], at least 0
+   */
+  public MqttTransport waiting(double seconds) {
+    return new MqttTransport(host, port, systemId, codec, access, seconds);
   }
 
   @Override
@@ -49,8 +79,24 @@ public final class MqttTransport implements Transport {
     MqttConnection connection =
         new MqttConnection(
             access.scheme() + "://" + host + ":" + port, systemId, serviceName, codec, receiver);
-    connection.open(access);
+    connection.open(this::options, patienceS, new SystemClock(), new Random());
     return connection;
+  }
+
+  private MqttConnectOptions options() {
+    MqttConnectOptions options = new MqttConnectOptions();
+    options.setCleanSession(true);
+    options.setKeepAliveInterval(KEEP_ALIVE_S);
+    options.setConnectionTimeout(CONNECT_WITHIN_S);
+    options.setSocketFactory(access.sockets());
+    access
+        .user()
+        .ifPresent(
+            user -> {
+              options.setUserName(user);
+              options.setPassword(access.password());
+            });
+    return options;
   }
 
   @Override

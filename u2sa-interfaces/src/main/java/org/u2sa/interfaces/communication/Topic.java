@@ -4,22 +4,30 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.u2sa.messages.MessageType;
+import org.u2sa.messages.U2SAData;
 
 /**
  * Where a message stands on the broker: {@code u2sa/<systemId>/<channel>/<TypeChain…>}, for example
  * {@code u2sa/cessna/actuation/ActuatorCommand/PercentageCommand}. Thesis 8.2.5: the chain lets a
  * reader take an unknown subclass for its nearest known ancestor.
  *
+ * <p>Where the broker keeps the last message of each source, the source stands behind the types,
+ * since a broker keeps one message a topic: {@code
+ * u2sa/cessna/actuators/ActuatorAnnouncement/=RUDDER}.
+ *
  * @param systemId the vehicle
  * @param channel the channel's name
  * @param typeChain the message's types, base first
+ * @param source which of several sources on a retained channel the message is of; empty if the
+ *     channel does not tell them apart
  */
-public record Topic(String systemId, String channel, List<String> typeChain) {
+public record Topic(String systemId, String channel, List<String> typeChain, String source) {
   /** In the place of a system ID in a filter: every system on the broker. */
   public static final String ANY_SYSTEM = "+";
 
   private static final String ROOT = "u2sa";
   private static final int FIRST_TYPE = 3;
+  private static final String SOURCE = "="; // begins the level of the source: no type's name does
   private static final Pattern SYSTEM_ID = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.-]{0,63}");
 
   public Topic {
@@ -27,9 +35,20 @@ public record Topic(String systemId, String channel, List<String> typeChain) {
     typeChain = List.copyOf(typeChain);
   }
 
+  /** A topic on which sources are not told apart. */
+  public Topic(String systemId, String channel, List<String> typeChain) {
+    this(systemId, channel, typeChain, "");
+  }
+
   /** The topic of a message of the given type. */
   public static Topic of(String systemId, Channel<?> channel, MessageType<?> type) {
-    return new Topic(systemId, channel.name(), type.chain());
+    return new Topic(systemId, channel.name(), type.chain(), "");
+  }
+
+  /** The topic of a message on a channel. */
+  public static Topic of(String systemId, Channel<?> channel, U2SAData message) {
+    String source = channel.isRetained() ? channel.sourceOf(message) : "";
+    return new Topic(systemId, channel.name(), message.typeChain(), source);
   }
 
   /**
@@ -45,8 +64,14 @@ public record Topic(String systemId, String channel, List<String> typeChain) {
       throw new IllegalArgumentException(
           "topic \"" + topic + "\": expected u2sa/<systemId>/<channel>/<type…>");
     }
+    String last = levels[levels.length - 1];
+    boolean hasSource = last.startsWith(SOURCE);
+    int types = hasSource ? levels.length - 1 : levels.length;
     return new Topic(
-        levels[1], levels[2], Arrays.asList(levels).subList(FIRST_TYPE, levels.length));
+        levels[1],
+        levels[2],
+        Arrays.asList(levels).subList(FIRST_TYPE, types),
+        hasSource ? SourceLevel.decode(last.substring(SOURCE.length())) : "");
   }
 
   /**
@@ -76,6 +101,7 @@ public record Topic(String systemId, String channel, List<String> typeChain) {
 
   @Override
   public String toString() {
-    return ROOT + "/" + systemId + "/" + channel + "/" + String.join("/", typeChain);
+    String topic = ROOT + "/" + systemId + "/" + channel + "/" + String.join("/", typeChain);
+    return source.isEmpty() ? topic : topic + "/" + SOURCE + SourceLevel.encode(source);
   }
 }

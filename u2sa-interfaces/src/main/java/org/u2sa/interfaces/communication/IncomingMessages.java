@@ -1,0 +1,55 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.concurrent.atomic.AtomicLong;
+import org.u2sa.messages.MalformedMessageException;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.U2SAData;
+
+/**
+ * The way of messages from an MQTT connection to its receiver, and the count of those that did not
+ * get through in either direction.
+ */
+final class IncomingMessages {
+  private final MessageCodec codec;
+  private final Receiver receiver;
+  private final AtomicLong refused = new AtomicLong();
+
+  IncomingMessages(MessageCodec codec, Receiver receiver) {
+    this.codec = codec;
+    this.receiver = receiver;
+  }
+
+  /** Reads one message and hands it over. */
+  void hand(Channel<?> channel, Topic topic, byte[] payload) {
+    try {
+      U2SAData data = codec.decode(topic.typeChain(), payload);
+      data.freeze();
+      if (channel.carries(data)) {
+        receiver.receive(channel, data);
+      } else {
+        refuse("a message on " + topic + " is not of type " + channel.type().name());
+      }
+    } catch (MalformedMessageException | IllegalArgumentException e) {
+      refuse("a message on " + topic + " cannot be read: " + e.getMessage());
+    } catch (RuntimeException e) { // Paho would cut the connection
+      refuse("receiving a message on " + topic + " failed: " + e);
+    }
+  }
+
+  /** Counts a message that did not get through, and tells why, now and then. */
+  void refuse(String why) {
+    long count = refused.incrementAndGet();
+    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      receiver.trouble(why + " (" + count + " so far)");
+    }
+  }
+
+  /** Counts messages whose fate is told elsewhere. */
+  void refuse(long messages) {
+    refused.addAndGet(messages);
+  }
+
+  long refused() {
+    return refused.get();
+  }
+}

@@ -1,0 +1,191 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.Random;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
+import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
+import org.eclipse.paho.client.mqttv3.MqttException;
+import org.u2sa.interfaces.Clock;
+
+/**
+ * Keeps one connection's way to the broker open: makes a new session whenever one breaks, and
+ * declares it open only when all that the connection was subscribed to is confirmed again. Paho's
+ * own reconnecting would hide what fails then.
+ *
+ * <p>One daemon thread makes sessions and looks after the link, the connection's keeper.
+ */
+final class MqttLink {
+  private static final long ANSWER_WITHIN_MS = 4_000;
+  private static final long END_WITHIN_MS = 1_000;
+
+  private final String address;
+  private final String clientId;
+  private final Owner owner;
+  private final ScheduledThreadPoolExecutor keeper;
+  private volatile Supplier<MqttConnectOptions> options;
+  private volatile Clock clock;
+  private volatile BackOff backOff;
+  private final AtomicReference<MqttSession> current = new AtomicReference<>();
+  private volatile boolean closed;
+  private String lastFailure = ""; // touched by the keeper only
+  private long lostAtMicros; // touched by the keeper only
+
+  /** Whose link it is. */
+  interface Owner extends MqttSession.Listener {
+    /** Renews on a new session what the broken one had. Called on the keeper's thread. */
+    void renew(MqttSession session) throws MqttException, InterruptedException;
+
+    /** The link broke. */
+    void interrupted(String why);
+
+    /** The link and all subscriptions are back. */
+    void restored(double afterS);
+
+    /** The link does not come back, for a reason not told before. */
+    void trouble(String what);
+
+    /** Counts messages of which nobody can say that they have arrived. */
+    void unconfirmed(long messages);
+  }
+
+  /** A link that {@link #open} makes. */
+  MqttLink(String address, String clientId, Owner owner) {
+    this.address = address;
+    this.clientId = clientId;
+    this.owner = owner;
+    keeper =
+        new ScheduledThreadPoolExecutor(
+            1,
+            task -> {
+              Thread thread = new Thread(task, "u2sa-link " + clientId);
+              thread.setDaemon(true);
+              return thread;
+            });
+    keeper.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    keeper.setRemoveOnCancelPolicy(true);
+  }
+
+  /**
+   * Connects for the first time.
+   *
+   * @param how settings of a session; asked for at each attempt
+   * @param patienceMicros how long to try
+   * @throws MqttException if the broker is not there in all that time
+   */
+  void open(Supplier<MqttConnectOptions> how, long patienceMicros, Clock time, Random random)
+      throws MqttException {
+    options = how;
+    clock = time;
+    backOff = new BackOff(random);
+    long deadline = clock.micros() + patienceMicros;
+    long waitMs = 0;
+    while (true) {
+      try {
+        keeper.schedule(this::connectOnce, waitMs, TimeUnit.MILLISECONDS).get();
+        return;
+      } catch (ExecutionException e) {
+        if (!(e.getCause() instanceof MqttException failure)) {
+          throw new IllegalStateException(e.getCause());
+        }
+        waitMs = backOff.nextMs();
+        if (clock.micros() + TimeUnit.MILLISECONDS.toMicros(waitMs) > deadline) {
+          throw failure;
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new MqttException(e);
+      }
+    }
+  }
+
+  /** Makes a session unless there is one. Returns whether it made one. */
+  private boolean connectOnce() throws MqttException, InterruptedException {
+    if (closed || current.get() != null) {
+      return false;
+    }
+    MqttSession session = new MqttSession(address, clientId, keeper, ANSWER_WITHIN_MS, owner);
+    boolean open = false;
+    try {
+      session.open(options.get());
+      owner.renew(session);
+      current.set(session);
+      owner.renew(session); // what was subscribed to before it was current
+      if (session.isOver()) { // perhaps before it was current, and then nobody was told
+        throw new MqttException(MqttException.REASON_CODE_CONNECTION_LOST);
+      }
+      open = true;
+    } finally {
+      if (!open || closed) {
+        current.compareAndSet(session, null);
+        owner.unconfirmed(session.abandon());
+      }
+    }
+    backOff.reset();
+    return true;
+  }
+
+  /** The session in use; null while there is none. */
+  MqttSession session() {
+    return current.get();
+  }
+
+  /** Takes note that a session broke, and begins to make a new one. Called on Paho's threads. */
+  void lost(MqttSession session, String why) {
+    owner.unconfirmed(session.end());
+    if (!current.compareAndSet(session, null) || closed) {
+      return; // closed, or not in use yet: who opens it notices
+    }
+    owner.interrupted("connection to " + address + " lost: " + why);
+    onKeeper(
+        () -> {
+          lostAtMicros = clock.micros();
+          lastFailure = "";
+          connectAgain();
+        },
+        backOff.nextMs());
+  }
+
+  private void connectAgain() {
+    try {
+      if (connectOnce()) {
+        owner.restored(Clock.seconds(clock.micros() - lostAtMicros));
+      }
+    } catch (MqttException e) {
+      String failure = MqttSession.reason(e);
+      if (!failure.equals(lastFailure) && !closed) {
+        lastFailure = failure; // said once, however long it lasts
+        owner.trouble("no way back to " + address + " yet: " + failure + "; tries on");
+      }
+      onKeeper(this::connectAgain, backOff.nextMs());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // closed
+    }
+  }
+
+  private void onKeeper(Runnable task, long delayMs) {
+    try {
+      keeper.schedule(task, delayMs, TimeUnit.MILLISECONDS);
+    } catch (RejectedExecutionException e) {
+      current.set(null); // closed meanwhile
+    }
+  }
+
+  /** Ends the session after what is on the way was sent, and with it all attempts. */
+  void close() {
+    closed = true;
+    MqttSession session = current.getAndSet(null);
+    if (session != null) {
+      owner.unconfirmed(session.close());
+    }
+    keeper.shutdownNow();
+    try {
+      keeper.awaitTermination(END_WITHIN_MS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

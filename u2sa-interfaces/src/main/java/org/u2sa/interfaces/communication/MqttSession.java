@@ -1,0 +1,209 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.Arrays;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.eclipse.paho.client.mqttv3.IMqttActionListener;
+import org.eclipse.paho.client.mqttv3.IMqttDeliveryToken;
+import org.eclipse.paho.client.mqttv3.IMqttToken;
+import org.eclipse.paho.client.mqttv3.MqttAsyncClient;
+import org.eclipse.paho.client.mqttv3.MqttCallback;
+import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
+import org.eclipse.paho.client.mqttv3.MqttException;
+import org.eclipse.paho.client.mqttv3.MqttMessage;
+import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
+
+/**
+ * One MQTT session, from its opening until it breaks or is closed: a Paho client that is used once,
+ * so that nothing of a broken link comes back later. Knows how many messages it owes.
+ */
+final class MqttSession {
+  private static final int AT_MOST_ONCE = 0;
+  private static final int AT_LEAST_ONCE = 1;
+  private static final int REFUSED = 0x80; // in the broker's answer to a subscription
+  private static final int OWED_AT_MOST = 4_096;
+  private static final long FAREWELL_WITHIN_MS = 1_000;
+  private static final long OVER = Long.MIN_VALUE / 2;
+
+  private final MqttAsyncClient client;
+  private final Listener listener;
+  private final long answerWithinMs;
+  private final AtomicLong owed = new AtomicLong(); // far below zero: the session is over
+  private final Set<String> consented = ConcurrentHashMap.newKeySet();
+  private final CountDownLatch settled = new CountDownLatch(1);
+  private volatile boolean closing;
+
+  /** Whom a session tells. Calls come on Paho's threads. */
+  interface Listener {
+    /** A message came in. Must not throw. */
+    void arrived(String topicName, byte[] payload, boolean wasRetained);
+
+    /** The session broke; it will not be of use again. */
+    void lost(MqttSession session, String why);
+  }
+
+  /** Takes what a session needs; {@link #open} begins it. */
+  MqttSession(
+      String address,
+      String clientId,
+      ScheduledExecutorService keeper,
+      long answerWithinMs,
+      Listener listener)
+      throws MqttException {
+    this.listener = listener;
+    this.answerWithinMs = answerWithinMs;
+    client =
+        new MqttAsyncClient(
+            address, clientId, new MemoryPersistence(), new KeepAlive(keeper), null);
+    client.setCallback(new Callback());
+  }
+
+  /**
+   * Begins the session. Called on a daemon thread, from which Paho's threads inherit that they do
+   * not keep the program alive.
+   *
+   * @throws MqttException if the broker does not answer, or refuses
+   */
+  void open(MqttConnectOptions options) throws MqttException {
+    options.setMaxInflight(2 * OWED_AT_MOST); // the bound is held here
+    client.connect(options).waitForCompletion(answerWithinMs);
+  }
+
+  /**
+   * Sends a message.
+   *
+   * @param eachMatters whether the broker is to confirm it
+   * @param delivered told when the broker has confirmed it; null if nobody wants to know
+   * @return whether it was taken; otherwise the session is over, or owes too many already
+   * @throws MqttException if it cannot be sent
+   * @throws IllegalStateException if it is too long
+   */
+  boolean publish(
+      String topic,
+      byte[] payload,
+      boolean eachMatters,
+      boolean retained,
+      IMqttActionListener delivered)
+      throws MqttException {
+    long owing = owed.incrementAndGet();
+    boolean sent = false;
+    try {
+      if (owing > 0 && owing <= OWED_AT_MOST) {
+        int quality = eachMatters ? AT_LEAST_ONCE : AT_MOST_ONCE;
+        client.publish(topic, payload, quality, retained, null, delivered);
+        sent = true;
+      }
+    } finally {
+      if (!sent) {
+        owed.decrementAndGet();
+      }
+    }
+    return sent;
+  }
+
+  /**
+   * Asks for messages and waits for the broker's consent.
+   *
+   * @throws MqttException if it does not answer, or does not allow it
+   */
+  void subscribe(boolean eachMatters, String... filters) throws MqttException {
+    int[] qualities = new int[filters.length];
+    Arrays.fill(qualities, eachMatters ? AT_LEAST_ONCE : AT_MOST_ONCE);
+    IMqttToken answer = client.subscribe(filters, qualities);
+    answer.waitForCompletion(answerWithinMs);
+    for (int granted : answer.getGrantedQos()) {
+      if (granted == REFUSED) {
+        throw new MqttException(MqttException.REASON_CODE_NOT_AUTHORIZED);
+      }
+    }
+    consented.addAll(Arrays.asList(filters));
+  }
+
+  /** Whether the broker has consented to {@link #subscribe} with this filter. */
+  boolean isSubscribed(String filter) {
+    return consented.contains(filter);
+  }
+
+  /** Ends {@link #subscribe}. */
+  void unsubscribe(String... filters) throws MqttException {
+    consented.removeAll(Arrays.asList(filters));
+    client.unsubscribe(filters).waitForCompletion(answerWithinMs);
+  }
+
+  /** Whether the session broke or was ended. */
+  boolean isOver() {
+    return owed.get() < 0;
+  }
+
+  /**
+   * Takes leave of the broker after what is on the way, such as neutral commands, was sent and, if
+   * each matters, confirmed. Paho alone would send its farewell before what waits.
+   *
+   * @return the number of messages of which nobody can say that they have arrived
+   */
+  long close() {
+    closing = true;
+    if (owed.get() == 0) {
+      settled.countDown();
+    }
+    try {
+      settled.await(answerWithinMs, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // ends at once, then
+    }
+    long lost = end();
+    try {
+      client.disconnect(FAREWELL_WITHIN_MS).waitForCompletion(FAREWELL_WITHIN_MS);
+    } catch (MqttException e) {
+      return lost + abandon(); // it broke meanwhile: nothing to take leave of
+    }
+    abandon();
+    return lost;
+  }
+
+  /** Cuts the session off without a word. Safe on one that was never open. */
+  long abandon() {
+    long lost = end();
+    try {
+      client.disconnectForcibly(0, 0, false);
+      client.close(true);
+    } catch (MqttException e) {
+      return lost; // Paho is closing it already
+    }
+    return lost;
+  }
+
+  /** Ends the account: what is owed now was lost, or nobody can say. */
+  long end() {
+    return Math.max(0, owed.getAndSet(OVER));
+  }
+
+  private final class Callback implements MqttCallback {
+    @Override
+    public void connectionLost(Throwable cause) {
+      listener.lost(MqttSession.this, reason(cause));
+    }
+
+    @Override
+    public void messageArrived(String topicName, MqttMessage message) {
+      listener.arrived(topicName, message.getPayload(), message.isRetained());
+    }
+
+    @Override
+    public void deliveryComplete(IMqttDeliveryToken token) {
+      if (owed.decrementAndGet() == 0 && closing) {
+        settled.countDown();
+      }
+    }
+  }
+
+  /** Paho's words and those of what lies beneath. */
+  static String reason(Throwable e) {
+    Throwable cause = e.getCause();
+    return cause == null ? e.getMessage() : e.getMessage() + " (" + cause.getMessage() + ")";
+  }
+}

@@ -1,0 +1,113 @@
+package org.u2sa.interfaces.communication;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.eclipse.paho.client.mqttv3.IMqttActionListener;
+import org.eclipse.paho.client.mqttv3.IMqttToken;
+import org.eclipse.paho.client.mqttv3.MqttException;
+
+/**
+ * What one connection knows of retained messages: the last that it published on each topic, so that
+ * a broker that lost them gets them again, and the last that came in, so that a renewed
+ * subscription does not bring one twice. Safe for several threads.
+ */
+final class RetainedTopics {
+  private static final long ANSWER_WITHIN_MS = 300;
+
+  private final Map<String, Published> published = new ConcurrentHashMap<>();
+  private final Map<String, byte[]> received = new ConcurrentHashMap<>();
+  private volatile Inquiry inquiry; // null unless the broker is being asked what it holds
+
+  /** One message of this connection, and whether the broker has confirmed it. */
+  static final class Published implements IMqttActionListener {
+    private final byte[] payload;
+    private volatile boolean confirmed;
+
+    private Published(byte[] payload) {
+      this.payload = payload;
+    }
+
+    @Override
+    public void onSuccess(IMqttToken token) {
+      confirmed = true;
+    }
+
+    @Override
+    public void onFailure(IMqttToken token, Throwable error) {
+      confirmed = false;
+    }
+  }
+
+  /** Which topics the broker's answer is still awaited for. */
+  private record Inquiry(Set<String> unanswered, CountDownLatch answers) {
+    void answered(String topic) {
+      if (unanswered.remove(topic)) {
+        answers.countDown();
+      }
+    }
+  }
+
+  /** Takes note of a message that is about to be published; to be told of its delivery. */
+  Published publishing(String topic, byte[] payload) {
+    Published last = new Published(payload);
+    published.put(topic, last);
+    return last;
+  }
+
+  /** Takes note of a message that came in. Returns whether it is news. */
+  boolean isNews(String topic, byte[] payload, boolean wasRetained) {
+    Inquiry asked = inquiry;
+    if (asked != null) {
+      asked.answered(topic);
+    }
+    byte[] before = received.put(topic, payload);
+    return !(wasRetained && Arrays.equals(before, payload));
+  }
+
+  /** Forgets what came in on a channel: a subscription that is made anew wants it. */
+  void forget(Channel<?> channel) {
+    received.keySet().removeIf(topic -> Topic.parse(topic).channel().equals(channel.name()));
+  }
+
+  /**
+   * Gives the broker of a new session what it lacks of this connection's messages: those that it
+   * does not hold, and those of which it is not known that it got them. What another connection
+   * published since is left alone.
+   *
+   * @throws MqttException if the broker does not answer
+   */
+  void restore(MqttSession session) throws MqttException, InterruptedException {
+    Map<String, Published> mine = new LinkedHashMap<>(published);
+    if (mine.isEmpty()) {
+      return;
+    }
+    Set<String> lacking = ConcurrentHashMap.newKeySet();
+    lacking.addAll(mine.keySet());
+    String[] topics = mine.keySet().toArray(new String[0]);
+    CountDownLatch answers = new CountDownLatch(topics.length);
+    inquiry = new Inquiry(lacking, answers);
+    try {
+      session.subscribe(false, topics);
+      answers.await(ANSWER_WITHIN_MS, TimeUnit.MILLISECONDS);
+      session.unsubscribe(topics);
+    } catch (MqttException e) {
+      if (e.getReasonCode() != MqttException.REASON_CODE_NOT_AUTHORIZED) {
+        throw e;
+      }
+      lacking.clear(); // who may not ask leaves alone what he knows to have been there
+    } finally {
+      inquiry = null;
+    }
+    for (Map.Entry<String, Published> each : mine.entrySet()) {
+      Published last = each.getValue();
+      if (lacking.contains(each.getKey()) || !last.confirmed) {
+        session.publish(each.getKey(), last.payload, true, true, last);
+      }
+    }
+  }
+}
