@@ -193,10 +193,8 @@ class BrokenLinkTest {
     wire.goDead();
     int sent = 0;
     while (remoteInbox.troubles.isEmpty()) {
-      remote.publish(
-          Channels.GOAL_REPORTS, frozen(new org.u2sa.messages.Waypoint().uid("w"), sent));
-      sent++;
-      java.util.concurrent.locks.LockSupport.parkNanos(10_000_000);
+      remote.publish(Channels.STOP, frozen(new StopCommand(), ++sent));
+      LockSupport.parkNanos(10_000_000); // not as fast as the processor can
     }
 
     assertThat(remote.refused()).isGreaterThanOrEqualTo(sent - 1);

@@ -179,7 +179,7 @@ final class MqttConnection implements Connection, MqttLink.Owner {
   }
 
   @Override
-  public void arrived(String topicName, byte[] payload, boolean wasRetained) {
+  public void arrived(String topicName, byte[] payload) {
     Topic topic;
     try {
       topic = Topic.parse(topicName);
@@ -188,8 +188,7 @@ final class MqttConnection implements Connection, MqttLink.Owner {
       return;
     }
     Channel<?> channel = subscribed.get(topic.channel());
-    boolean kept = wasRetained || (channel != null && channel.isRetained());
-    if (kept && !retained.isNews(topicName, payload, wasRetained)) {
+    if ((channel == null || channel.isRetained()) && !retained.isNews(topicName, payload)) {
       return; // known since before the link broke
     }
     if (channel != null) { // otherwise it came in while unsubscribing

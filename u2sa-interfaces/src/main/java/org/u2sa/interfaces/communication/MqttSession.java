@@ -40,7 +40,7 @@ final class MqttSession {
   /** Whom a session tells. Calls come on Paho's threads. */
   interface Listener {
     /** A message came in. Must not throw. */
-    void arrived(String topicName, byte[] payload, boolean wasRetained);
+    void arrived(String topicName, byte[] payload);
 
     /** The session broke; it will not be of use again. */
     void lost(MqttSession session, String why);
@@ -190,7 +190,7 @@ final class MqttSession {
 
     @Override
     public void messageArrived(String topicName, MqttMessage message) {
-      listener.arrived(topicName, message.getPayload(), message.isRetained());
+      listener.arrived(topicName, message.getPayload());
     }
 
     @Override

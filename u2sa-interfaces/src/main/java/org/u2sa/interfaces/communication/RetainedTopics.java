@@ -21,6 +21,7 @@ final class RetainedTopics {
 
   private final Map<String, Published> published = new ConcurrentHashMap<>();
   private final Map<String, byte[]> received = new ConcurrentHashMap<>();
+  private final Set<String> knownBefore = ConcurrentHashMap.newKeySet();
   private volatile Inquiry inquiry; // null unless the broker is being asked what it holds
 
   /** One message of this connection, and whether the broker has confirmed it. */
@@ -45,10 +46,12 @@ final class RetainedTopics {
 
   /** Which topics the broker's answer is still awaited for. */
   private record Inquiry(Set<String> unanswered, CountDownLatch answers) {
-    void answered(String topic) {
-      if (unanswered.remove(topic)) {
+    boolean answered(String topic) {
+      boolean awaited = unanswered.remove(topic);
+      if (awaited) {
         answers.countDown();
       }
+      return awaited;
     }
   }
 
@@ -59,14 +62,16 @@ final class RetainedTopics {
     return last;
   }
 
-  /** Takes note of a message that came in. Returns whether it is news. */
-  boolean isNews(String topic, byte[] payload, boolean wasRetained) {
+  /**
+   * Takes note of a message that came in. Returns whether it is news: the first on its topic in a
+   * session may be the one that came last in the session before.
+   */
+  boolean isNews(String topic, byte[] payload) {
     Inquiry asked = inquiry;
-    if (asked != null) {
-      asked.answered(topic);
-    }
+    boolean answer = asked != null && asked.answered(topic); // the subscription brings it again
+    boolean first = answer ? knownBefore.contains(topic) : knownBefore.remove(topic);
     byte[] before = received.put(topic, payload);
-    return !(wasRetained && Arrays.equals(before, payload));
+    return !(first && Arrays.equals(before, payload));
   }
 
   /** Forgets what came in on a channel: a subscription that is made anew wants it. */
@@ -82,6 +87,7 @@ final class RetainedTopics {
    * @throws MqttException if the broker does not answer
    */
   void restore(MqttSession session) throws MqttException, InterruptedException {
+    knownBefore.addAll(received.keySet());
     Map<String, Published> mine = new LinkedHashMap<>(published);
     if (mine.isEmpty()) {
       return;
