@@ -25,6 +25,7 @@ import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceSwap;
 import org.u2sa.service.U2SAService;
 
 /**
@@ -91,12 +92,33 @@ public final class ServiceKit implements AutoCloseable {
 
   /** The context that a service started now would get. */
   public ServiceContext context() {
+    return contextBuilder().build();
+  }
+
+  private ServiceContext.Builder contextBuilder() {
     return ServiceContext.of(SYSTEM_ID, XmlConfiguration.inMemory("the test", variables))
         .clock(clock)
         .transport(bus)
         .logDirectory(directory)
-        .seed(seed)
-        .build();
+        .seed(seed);
+  }
+
+  /**
+   * Puts a new service in the place of one that runs, as a launcher does on order, and returns when
+   * it waits for its first message or step.
+   *
+   * @throws IllegalStateException with the reason if the swap was refused; the old one goes on
+   */
+  public <S extends U2SAService> S swap(
+      U2SAService running, Function<ServiceContext, S> constructor) {
+    S successor = constructor.apply(contextBuilder().inPlaceOf(running).build());
+    ServiceSwap swap = new ServiceSwap(running, successor, () -> true).order();
+    settle();
+    if (!swap.isDecided() || swap.outcome().isPresent()) {
+      throw new IllegalStateException("not swapped: " + swap.outcome().orElse("not yet decided"));
+    }
+    services.push(successor);
+    return successor;
   }
 
   /**

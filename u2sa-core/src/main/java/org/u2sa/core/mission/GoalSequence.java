@@ -7,10 +7,12 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.MessageField;
 import org.u2sa.messages.MessageType;
+import org.u2sa.service.HandOver;
 
 /**
  * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3).
@@ -63,6 +65,38 @@ final class GoalSequence {
     first = other.first;
     loop = other.loop;
     options = other.options;
+  }
+
+  /** Writes down how far it is, under a name, for a Mission Manager that takes over. */
+  void handOver(HandOver state, String name) {
+    state
+        .messages(name + " GOALS", goals.values())
+        .texts(name + " ORDER", order)
+        .texts(name + " CURRENT", current)
+        .texts(name + " PENDING", pending)
+        .texts(name + " FINISHED", finished)
+        .text(name + " FIRST", first);
+  }
+
+  /** The sequence that was handed over under a name, as far as it was; empty if there is none. */
+  static Optional<GoalSequence> takenOver(
+      HandOver state, String name, boolean loop, Options options) {
+    List<GoalInformation> goals = state.messages(name + " GOALS", GoalInformation.class);
+    return goals.isEmpty()
+        ? Optional.empty()
+        : Optional.of(new GoalSequence(state, name, goals, loop, options));
+  }
+
+  private GoalSequence(
+      HandOver state, String name, List<GoalInformation> goals, boolean loop, Options options) {
+    goals.forEach(goal -> this.goals.put(goal.uid(), goal));
+    order.addAll(state.texts(name + " ORDER"));
+    current.addAll(state.texts(name + " CURRENT"));
+    pending.addAll(state.texts(name + " PENDING"));
+    finished.addAll(state.texts(name + " FINISHED"));
+    first = state.text(name + " FIRST").orElseGet(() -> goals.get(0).uid());
+    this.loop = loop;
+    this.options = options;
   }
 
   /** Changes how the mission goes on from here. */

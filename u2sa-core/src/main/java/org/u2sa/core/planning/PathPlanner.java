@@ -29,6 +29,8 @@ public class PathPlanner extends EventDrivenService {
   private final EndOfMission end;
   private PlanningSettings settings;
   private Optional<GoalList> goals = Optional.empty();
+  private Optional<GoalList> takenOver =
+      Optional.empty(); // which comes once more, as it is retained
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
   private Optional<GoalInformation> finished =
       Optional.empty(); // reported, and still the newest such
@@ -84,6 +86,7 @@ public class PathPlanner extends EventDrivenService {
   protected final void takeOver(HandOver state) {
     PlannerProgress before = PlannerProgress.takenOver(state);
     goals = before.goals();
+    takenOver = goals;
     finished = before.finished();
     reportedMicros = before.reportedMicros();
     holdAt = before.holdAt();
@@ -105,10 +108,10 @@ public class PathPlanner extends EventDrivenService {
 
   @Override
   public final void callback(U2SAData data) {
-    if (data instanceof GoalList list && goals.filter(list::equals).isPresent()) {
-      return; // the retained one, once more after taking over or reconnecting
-    }
-    if (data instanceof GoalList list) {
+    if (data instanceof GoalList list && takenOver.filter(list::equals).isPresent()) {
+      takenOver = Optional.empty(); // the retained one, on which the planner before has acted
+    } else if (data instanceof GoalList list) {
+      takenOver = Optional.empty();
       goals = Optional.of(list);
       if (goal.isPresent() && isFinished(goal.get().uid())) {
         goal = Optional.empty(); // if the list names it again, it is to be reached once more
