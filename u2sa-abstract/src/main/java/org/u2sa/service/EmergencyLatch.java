@@ -44,10 +44,17 @@ public final class EmergencyLatch {
       return false;
     }
     if (first || at > stoppedMicros) {
-      stop = message;
+      stop = message.timestamp().isPresent() ? message : stamped(message, at);
       stoppedMicros = at;
     }
     return first;
+  }
+
+  /** So that a repetition, and the clear that names it, mean this one. */
+  private static EmergencyStop stamped(EmergencyStop message, long atMicros) {
+    EmergencyStop copy = (EmergencyStop) message.copy();
+    copy.timestamp(atMicros);
+    return copy;
   }
 
   private boolean lift(EmergencyStop message) {

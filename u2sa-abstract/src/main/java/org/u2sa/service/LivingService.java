@@ -129,6 +129,11 @@ abstract class LivingService extends CommunicatingService {
     }
   }
 
+  /** Whether messages that are not urgent may wait until the service wakes by itself. */
+  boolean isPatient() {
+    return false;
+  }
+
   /** Ends the present wait of the service's thread. */
   final void wake() {
     Clock.Waiter waiting = waiter;

@@ -18,6 +18,7 @@ public abstract class PeriodicService extends LoopingService {
   private static final double SLOWEST_HZ = 0.001;
 
   private final long periodMicros;
+  private volatile boolean patient;
   private long
       dueMicros; // touched by the service's thread, and by a predecessor's before the start
   private boolean hasSucceeded;
@@ -46,6 +47,19 @@ public abstract class PeriodicService extends LoopingService {
    * @param nowS the time now [s] of the run's clock
    */
   protected abstract void step(double nowS);
+
+  /**
+   * Lets messages wait for the next step, urgent ones aside: for a service that hears much and acts
+   * seldom. Called in the constructor.
+   */
+  protected final void handleMessagesAtSteps() {
+    patient = true;
+  }
+
+  @Override
+  final boolean isPatient() {
+    return patient;
+  }
 
   @Override
   public void callback(U2SAData data) {

@@ -60,7 +60,10 @@ final class ServiceReceiver implements Receiver {
     if (!inbox.put(channel, message) && Long.bitCount(inbox.dropped()) == 1) {
       service.log(LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
     }
-    served.present.wake(); // asked anew: the message may have been moved to a successor
+    U2SAService waiting = served.present; // asked anew: it may have been moved to a successor
+    if (channel.isUrgent() || !waiting.isPatient()) {
+      waiting.wake();
+    }
   }
 
   @Override

@@ -14,6 +14,9 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
@@ -21,11 +24,12 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Keeps the goals of the mission and says which are current (thesis 3.2.3.2). In: goal-reports,
- * goal-updates, goal-commands. Out: goals, at the start and at each change.
+ * goal-updates, goal-commands, failsafe. Out: goals, at the start and at each change.
  *
  * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A goal
  * that comes in completed or abandoned is a report, any other an update. A list without goals says
- * that the mission is over.
+ * that the mission is over. A failsafe to return or to land has goals of its own; when it is over,
+ * the mission is resumed where it was left.
  */
 public final class MissionManager extends EventDrivenService {
   static final Variable<String> MISSION =
@@ -46,6 +50,9 @@ public final class MissionManager extends EventDrivenService {
           .describedAs(
               "Of several next goals, whether ALL are to be finished before what follows, or ANY one.");
 
+  /** The mission by which it lands; the Safety Manager asks whether there is one. */
+  public static final Variable<String> LAND_MISSION = FailsafeMissions.LAND_MISSION;
+
   static final Variable<Double> DEFAULT_THRESHOLD =
       Variable.number("DEFAULT THRESHOLD", "m")
           .range(Range.positive())
@@ -53,9 +60,13 @@ public final class MissionManager extends EventDrivenService {
           .describedAs("Horizontal threshold of waypoints that give none.");
 
   /** The goal to which a vehicle returns on command. */
-  private static final String HOME = "home";
+  static final String HOME = "home";
 
-  private GoalSequence sequence;
+  private final FailsafeMissions failsafes;
+  private GoalSequence sequence; // the one that is pursued: the mission, or a failsafe's
+  private Optional<Waypoint> home = Optional.empty();
+  private GoalSequence mission; // where it was left for a failsafe; null while it is pursued
+  private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
 
@@ -67,10 +78,12 @@ public final class MissionManager extends EventDrivenService {
   public MissionManager(ServiceContext context) {
     super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
     sequence = load();
+    failsafes = new FailsafeMissions(this, context());
     registerPublisher(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.GOAL_UPDATES);
     registerSubscriber(Channels.GOAL_COMMANDS);
+    registerSubscriber(Channels.FAILSAFE);
   }
 
   private Mission read(String file, double thresholdM) {
@@ -95,12 +108,13 @@ public final class MissionManager extends EventDrivenService {
   }
 
   private GoalSequence load() {
-    Mission mission = read(getVariable(MISSION), getVariable(DEFAULT_THRESHOLD));
-    log("mission " + mission.origin() + " with goals " + names(mission.goals()));
-    mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
-    GoalSequence loaded = new GoalSequence(mission.goals(), getVariable(LOOP), options());
-    if (mission.home().isPresent() && !loaded.knows(HOME)) {
-      loaded.update(mission.home().get().waypoint(HOME, getVariable(DEFAULT_THRESHOLD)));
+    Mission loadedMission = read(getVariable(MISSION), getVariable(DEFAULT_THRESHOLD));
+    log("mission " + loadedMission.origin() + " with goals " + names(loadedMission.goals()));
+    loadedMission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
+    GoalSequence loaded = new GoalSequence(loadedMission.goals(), getVariable(LOOP), options());
+    home = loadedMission.home().map(place -> place.waypoint(HOME, getVariable(DEFAULT_THRESHOLD)));
+    if (home.isPresent() && !loaded.knows(HOME)) {
+      loaded.update(home.get());
     }
     return loaded;
   }
@@ -114,15 +128,32 @@ public final class MissionManager extends EventDrivenService {
     if (variableNames.contains(MISSION.name())
         || variableNames.contains(DEFAULT_THRESHOLD.name())) {
       beginAnew();
-    } else {
-      sequence.rules(getVariable(LOOP), options());
+    }
+    if (FailsafeMissions.areConfiguredBy(variableNames)) {
+      loadFailsafes();
+    }
+    if (variableNames.contains(LOOP.name()) || variableNames.contains(OPTIONS.name())) {
+      (mission == null ? sequence : mission).rules(getVariable(LOOP), options());
       publishGoals();
+    }
+  }
+
+  private void loadFailsafes() {
+    try {
+      failsafes.load();
+    } catch (BadInputException e) {
+      log(LogLevelEnum.ERROR, e.getMessage() + ": the failsafe missions stay as they were");
     }
   }
 
   private void beginAnew() {
     try {
-      sequence = load();
+      GoalSequence loaded = load();
+      if (mission == null) {
+        sequence = loaded;
+      } else {
+        mission = loaded; // begins when the failsafe is over
+      }
     } catch (BadInputException e) {
       log(LogLevelEnum.ERROR, e.getMessage() + ": goes on with the mission before");
       return;
@@ -139,7 +170,9 @@ public final class MissionManager extends EventDrivenService {
 
   @Override
   public void callback(U2SAData data) {
-    if (data instanceof GoalCommand command) {
+    if (data instanceof FailsafeState failsafe) {
+      react(failsafe.action());
+    } else if (data instanceof GoalCommand command) {
       changeTo(command.uid());
     } else if (!(data instanceof GoalInformation goal)) {
       unexpected(data);
@@ -147,6 +180,26 @@ public final class MissionManager extends EventDrivenService {
       finish(goal);
     } else {
       update(goal);
+    }
+  }
+
+  /** Turns to a failsafe's own mission, or back to where the mission was left. */
+  private void react(FailsafeAction action) {
+    if (action == pursuedFor) {
+      return;
+    }
+    pursuedFor = action;
+    Optional<GoalSequence> other = failsafes.sequence(action, home);
+    if (other.isPresent()) {
+      mission = mission == null ? sequence : mission;
+      sequence = other.get();
+      log(LogLevelEnum.WARN, "leaves the mission: " + action);
+      publishGoals();
+    } else if (mission != null && action == FailsafeAction.CONTINUE) {
+      sequence = mission;
+      mission = null;
+      log("resumes the mission");
+      publishGoals();
     }
   }
 

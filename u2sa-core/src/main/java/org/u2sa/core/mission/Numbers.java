@@ -4,8 +4,8 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.Units;
 import org.u2sa.interfaces.xml.XmlElement;
 
-/** Numbers with units in mission files. */
-final class Numbers {
+/** Numbers with units in files. */
+public final class Numbers {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
@@ -16,8 +16,9 @@ final class Numbers {
    *
    * @param ifUnset unit if there is no such attribute
    * @param to unit of the answer
+   * @throws org.u2sa.interfaces.BadInputException if it is no number, or has another kind of unit
    */
-  static double converted(XmlElement element, String ifUnset, String to) {
+  public static double converted(XmlElement element, String ifUnset, String to) {
     String unit = element.optionalAttribute("unit").orElse(ifUnset);
     if (!NUMBER.matcher(element.text()).matches()) {
       throw element.error(

@@ -41,7 +41,7 @@ final class EndOfMission {
    * The next step of holding.
    *
    * @param place where to hold; if empty or without coordinates, where the vehicle was when holding
-   *     began
+   *     began; at the altitude that it had then if the place has none
    */
   List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
     PlanningSettings now = settings.get();
@@ -49,7 +49,11 @@ final class EndOfMission {
       return List.of();
     }
     if (circle.isEmpty()) {
-      Place centre = place.filter(Place::isHorizontal).orElse(vehicle.place());
+      Place centre =
+          place
+              .filter(Place::isHorizontal)
+              .map(known -> known.orAltitudeOf(vehicle.place()))
+              .orElse(vehicle.place());
       circle = Optional.of(new LoiterCircle(centre, now.loiterRadiusM(), vehicle));
     }
     Point ahead = circle.get().ahead(vehicle, now.lines().lookAheadM(vehicle.speedMps()));

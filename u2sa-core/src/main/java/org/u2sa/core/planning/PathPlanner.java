@@ -11,6 +11,8 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -18,11 +20,11 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Plans the way to the current goal (thesis 3.2.3.4): a state machine with one state for each class
- * of goals. In: state, goals. Out: navigation, goal-reports.
+ * of goals. In: state, goals, failsafe. Out: navigation, goal-reports.
  *
  * <p>It plans once for each state estimate, so without fresh states it gives no navigation points.
- * The same class serves aircraft and ground vehicles; only their configuration differs (thesis
- * 4.6.2.3).
+ * While a failsafe says so it holds where it is, as at the mission's end, or gives none. The same
+ * class serves aircraft and ground vehicles; only their configuration differs (thesis 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
   private final PlannerStates states;
@@ -35,6 +37,7 @@ public class PathPlanner extends EventDrivenService {
   private Optional<GoalInformation> finished =
       Optional.empty(); // reported, and still the newest such
   private Optional<Place> holdAt = Optional.empty(); // the last place reached or given up
+  private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private String foreseen = ""; // UID of the goal that the pursuit expects next
   private long reportedMicros;
   private String complaint =
@@ -61,6 +64,7 @@ public class PathPlanner extends EventDrivenService {
     registerPublisher(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.STATE, settings.staleAfterS());
+    registerSubscriber(Channels.FAILSAFE);
   }
 
   private static WaypointGuidance chosenGuidance(PathPlanner planner) {
@@ -120,9 +124,28 @@ public class PathPlanner extends EventDrivenService {
       if (isUsable(state)) {
         plan(state);
       }
+    } else if (data instanceof FailsafeState state) {
+      react(state.action());
     } else {
       unexpected(data);
     }
+  }
+
+  /** Holds, or stops holding: then the goal is pursued anew from where the vehicle is. */
+  private void react(FailsafeAction action) {
+    if (action == failsafe) {
+      return;
+    }
+    log(LogLevelEnum.WARN, "failsafe " + action);
+    if (action == FailsafeAction.HOLD) {
+      foreseen = goal.map(GoalInformation::uid).orElse(foreseen);
+      goal = Optional.empty();
+      finished = Optional.empty();
+    }
+    if (action == FailsafeAction.HOLD || failsafe == FailsafeAction.HOLD) {
+      end.leave(); // holds where the vehicle is now
+    }
+    failsafe = action;
   }
 
   private boolean isUsable(StateInformation state) {
@@ -134,6 +157,13 @@ public class PathPlanner extends EventDrivenService {
   }
 
   private void plan(StateInformation state) {
+    if (failsafe == FailsafeAction.STOP) {
+      return;
+    }
+    if (failsafe == FailsafeAction.HOLD) {
+      publish(end.plan(Vehicle.of(state).orElseThrow(), Optional.empty()), state);
+      return;
+    }
     if (goals.isEmpty()) {
       return; // no mission yet: nothing to hold for either
     }

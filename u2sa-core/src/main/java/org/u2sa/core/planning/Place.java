@@ -83,6 +83,11 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
         : Optional.empty();
   }
 
+  /** This place, at the altitude of another if it has none itself. */
+  Place orAltitudeOf(Place other) {
+    return upM.isPresent() ? this : new Place(onEarth, x, y, other.upM);
+  }
+
   /** Whether both horizontal coordinates are known. */
   boolean isHorizontal() {
     return x.isPresent() && y.isPresent();

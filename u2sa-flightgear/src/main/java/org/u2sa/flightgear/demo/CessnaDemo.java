@@ -89,6 +89,9 @@ final class CessnaDemo implements Callable<Integer> {
             .console(line -> terminal.out().println(line))
             .override("MissionManager", "MISSION", CessnaFiles.absolute(mission.origin()))
             .override("Simulator", "MISSION", CessnaFiles.absolute(mission.origin()));
+    if (options.mission().isPresent()) {
+      launch.override("SafetyManager", "FENCE", ""); // the fence is of the configured mission
+    }
     demoWind.applyTo(launch);
     broker.configure(system, launch, terminal);
     if (options.realtime()) {

@@ -1,0 +1,124 @@
+package org.u2sa.core.mission;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.service.ServiceContext;
+
+/** The goals of a vehicle that returns or lands because something is wrong. */
+final class FailsafeMissions {
+  static final Variable<String> RETURN_MISSION =
+      Variable.text("RETURN MISSION")
+          .ifAbsent("")
+          .describedAs(
+              "The mission's XML file for the failsafe RETURN, relative to the configuration file; empty: to the mission's home.");
+
+  static final Variable<String> LAND_MISSION =
+      Variable.text("LAND MISSION")
+          .ifAbsent("")
+          .describedAs(
+              "The mission's XML file for the failsafe LAND, relative to the configuration file; empty: it returns instead.");
+
+  private final MissionManager manager;
+  private final ServiceContext context;
+  private final Map<FailsafeAction, List<GoalInformation>> goals =
+      new EnumMap<>(FailsafeAction.class);
+
+  /**
+   * Reads the files that the configuration names.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if one is wrong
+   */
+  FailsafeMissions(MissionManager manager, ServiceContext context) {
+    this.manager = manager;
+    this.context = context;
+    load();
+  }
+
+  static boolean areConfiguredBy(Set<String> variables) {
+    return variables.contains(RETURN_MISSION.name()) || variables.contains(LAND_MISSION.name());
+  }
+
+  /**
+   * Reads the files anew.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if one is wrong; then nothing has changed
+   */
+  void load() {
+    List<GoalInformation> returning = load(FailsafeAction.RETURN, RETURN_MISSION);
+    List<GoalInformation> landing = load(FailsafeAction.LAND, LAND_MISSION);
+    goals.put(FailsafeAction.RETURN, returning);
+    goals.put(FailsafeAction.LAND, landing);
+  }
+
+  private List<GoalInformation> load(FailsafeAction action, Variable<String> file) {
+    String path = manager.getVariable(file);
+    if (path.isEmpty()) {
+      return Collections.emptyList();
+    }
+    Mission mission =
+        Mission.load(
+            context.configuration().resolve(path),
+            context.messageTypes(),
+            manager.getVariable(MissionManager.DEFAULT_THRESHOLD));
+    return mission.goals().stream()
+        .map(goal -> renamed(goal, action + " "))
+        .collect(Collectors.toList());
+  }
+
+  /** Names must differ from the mission's, so that a planner sees that the goal is another. */
+  private static GoalInformation renamed(GoalInformation goal, String prefix) {
+    GoalInformation copy = goal.copy();
+    List<String> next = new ArrayList<>();
+    goal.next().forEach(name -> next.add(prefix + name));
+    copy.uid(prefix + goal.uid());
+    copy.next(next);
+    copy.freeze();
+    return copy;
+  }
+
+  /**
+   * What to pursue at that action; empty if the mission goes on, or is merely held.
+   *
+   * @param home of the mission
+   */
+  Optional<GoalSequence> sequence(FailsafeAction action, Optional<Waypoint> home) {
+    if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
+      return Optional.empty();
+    }
+    List<GoalInformation> own = goals.get(action);
+    if (own.isEmpty() && action == FailsafeAction.LAND) {
+      manager.log(LogLevelEnum.ERROR, "told to land, but there is no LAND MISSION: returns");
+      own = goals.get(FailsafeAction.RETURN);
+    }
+    if (own.isEmpty() && home.isPresent()) {
+      own = Collections.singletonList(renamed(home.get(), FailsafeAction.RETURN + " "));
+    }
+    if (own.isEmpty()) {
+      manager.log(
+          LogLevelEnum.ERROR,
+          "told to " + action + ", but there is neither a RETURN MISSION nor a home: holds");
+      return Optional.of(ended());
+    }
+    return Optional.of(new GoalSequence(own, false, GoalSequence.Options.ALL));
+  }
+
+  /** Goals of which none is left: the planner holds as at a mission's end. */
+  private static GoalSequence ended() {
+    GoalInformation none = new Waypoint().uid("none").horizontalThreshold(1.0);
+    GoalSequence sequence =
+        new GoalSequence(Collections.singletonList(none), false, GoalSequence.Options.ALL);
+    sequence.finish(none.uid());
+    return sequence;
+  }
+}

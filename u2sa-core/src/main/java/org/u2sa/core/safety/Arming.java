@@ -1,0 +1,77 @@
+package org.u2sa.core.safety;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ArmingState;
+
+/** Whether the vehicle may move: not before all checks have passed once, and somebody wants it. */
+final class Arming {
+  private final SafetyManager manager;
+  private final ArmingChecks checks;
+  private boolean armed;
+  private boolean waits; // for the checks to pass, to arm by itself
+  private boolean saidArmed;
+  private int saidReasons = -1;
+
+  Arming(SafetyManager manager, ArmingChecks checks) {
+    this.manager = manager;
+    this.checks = checks;
+    waits = manager.getVariable(SafetyVariables.ARM_AT_START);
+  }
+
+  void see(U2SAData message) {
+    checks.see(message);
+  }
+
+  boolean isArmed() {
+    return armed;
+  }
+
+  /** Arms if nothing speaks against it; who is armed stays so. */
+  void arm(long nowMicros) {
+    if (armed) {
+      return;
+    }
+    List<String> reasons = checks.reasons(nowMicros);
+    if (reasons.isEmpty()) {
+      armed = true;
+      waits = false;
+      manager.log("armed");
+    } else {
+      manager.log(LogLevelEnum.WARN, "not armed: " + String.join("; ", reasons));
+    }
+  }
+
+  /** Arms as soon as the checks pass, once, if ARM AT START. */
+  void armAtStart(long nowMicros) {
+    if (waits && checks.reasons(nowMicros).isEmpty()) {
+      arm(nowMicros);
+    }
+  }
+
+  void disarm(String why) {
+    waits = false;
+    if (armed) {
+      armed = false;
+      manager.log(LogLevelEnum.WARN, "disarmed: " + why);
+    }
+  }
+
+  /** Whether what {@link #state} would say differs from what it said last, numbers aside. */
+  boolean hasChanged(long nowMicros) {
+    return armed != saidArmed || reasons(nowMicros).size() != saidReasons;
+  }
+
+  ArmingState state(long nowMicros) {
+    List<String> reasons = reasons(nowMicros);
+    saidArmed = armed;
+    saidReasons = reasons.size();
+    return new ArmingState().armed(armed).reasons(reasons);
+  }
+
+  private List<String> reasons(long nowMicros) {
+    return armed ? new ArrayList<>() : checks.reasons(nowMicros);
+  }
+}

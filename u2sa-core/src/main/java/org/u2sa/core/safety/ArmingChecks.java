@@ -1,0 +1,77 @@
+package org.u2sa.core.safety;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.EmergencyLatch;
+
+/** What must be before the vehicle may move, and why not if it is not. */
+final class ArmingChecks {
+  private final Configurator configuration;
+  private final List<Watch> watches;
+  private final Conditions conditions;
+  private final EmergencyLatch emergency;
+  private final LandMission landMission;
+  private final Set<String> actuators = new TreeSet<>();
+  private boolean mission;
+
+  ArmingChecks(
+      Configurator configuration,
+      List<Watch> watches,
+      Conditions conditions,
+      EmergencyLatch emergency,
+      LandMission landMission) {
+    this.configuration = configuration;
+    this.watches = watches;
+    this.conditions = conditions;
+    this.emergency = emergency;
+    this.landMission = landMission;
+    configuration.getVariable(SafetyVariables.MISSION_REQUIRED);
+    configuration.getVariable(SafetyVariables.REQUIRED_ACTUATORS);
+  }
+
+  void see(U2SAData message) {
+    if (message instanceof GoalList goals) {
+      mission = !goals.goals().isEmpty();
+    } else if (message instanceof ActuatorAnnouncement announcement) {
+      actuators.add(announcement.actuatorName());
+    }
+  }
+
+  /** All that speaks against arming now; empty if nothing does. */
+  List<String> reasons(long nowMicros) {
+    List<String> reasons = new ArrayList<>();
+    emergency
+        .stop()
+        .ifPresent(
+            stop -> reasons.add("emergency stop by \"" + stop.operator() + "\": " + stop.reason()));
+    reasons.addAll(conditions.notAlive());
+    for (Watch watch : watches) {
+      watch
+          .objection(nowMicros)
+          .ifPresent(words -> reasons.add(watch.hazard().words() + ": " + words));
+    }
+    if (!mission && configuration.getVariable(SafetyVariables.MISSION_REQUIRED)) {
+      reasons.add("mission: no goals");
+    }
+    actuators().ifPresent(reasons::add);
+    landMission.objection().ifPresent(reasons::add);
+    return reasons;
+  }
+
+  private Optional<String> actuators() {
+    List<String> required =
+        Words.names(configuration.getVariable(SafetyVariables.REQUIRED_ACTUATORS));
+    required.removeAll(actuators);
+    if (!required.isEmpty()) {
+      return Optional.of("actuators: not there: " + String.join(", ", required));
+    }
+    return actuators.isEmpty() ? Optional.of("actuators: none is there") : Optional.empty();
+  }
+}

@@ -1,0 +1,50 @@
+package org.u2sa.core.safety;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ServiceCondition;
+
+/** How the services are, as the health monitor says it. */
+final class Conditions {
+  /** A service that is silent may yet turn out to be alive. */
+  private static final Set<Condition> WORKING = EnumSet.of(Condition.ALIVE, Condition.SILENT);
+
+  private final Map<String, ServiceCondition> newest = new TreeMap<>();
+
+  void see(ServiceCondition condition) {
+    newest.put(condition.serviceName(), condition);
+  }
+
+  /** What is wrong with a service; empty if it works, or nobody has said anything of it. */
+  Optional<String> failure(String service) {
+    return Optional.ofNullable(newest.get(service))
+        .filter(condition -> !WORKING.contains(condition.condition()))
+        .map(Conditions::words);
+  }
+
+  /** All services that are not alive. */
+  List<String> notAlive() {
+    List<String> all = new ArrayList<>();
+    for (ServiceCondition condition : newest.values()) {
+      if (condition.condition() != Condition.ALIVE) {
+        all.add(words(condition));
+      }
+    }
+    return all;
+  }
+
+  private static String words(ServiceCondition condition) {
+    String reason = condition.reason();
+    return "service "
+        + condition.serviceName()
+        + " is "
+        + condition.condition()
+        + (reason.isEmpty() ? "" : ": " + reason);
+  }
+}

@@ -1,0 +1,38 @@
+package org.u2sa.core.safety;
+
+import java.util.Optional;
+import org.u2sa.messages.U2SAData;
+
+/** Whether the state estimator works: by the health monitor's word, and by the states that come. */
+final class EstimatorWatch implements Watch {
+  private final PositionWatch states;
+  private final Watch service;
+
+  EstimatorWatch(PositionWatch states, Watch service) {
+    this.states = states;
+    this.service = service;
+  }
+
+  @Override
+  public Hazard hazard() {
+    return Hazard.ESTIMATOR;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    service.see(message, nowMicros);
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    Optional<String> failure = service.trouble(nowMicros);
+    return failure.isEmpty() && states.fresh(nowMicros).isEmpty()
+        ? Optional.of("no fresh states")
+        : failure;
+  }
+
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    return Optional.empty(); // the position's says it
+  }
+}

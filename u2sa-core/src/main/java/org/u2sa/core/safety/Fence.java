@@ -1,0 +1,139 @@
+package org.u2sa.core.safety;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.geom.prep.PreparedGeometry;
+import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Where a vehicle may be: within a polygon, outside of others, between two altitudes. On a plane of
+ * metres east and north of the polygon's first corner, which serves for fences of some tens of
+ * kilometres. Immutable.
+ */
+final class Fence {
+  private final Optional<Geodetic> origin; // empty: of a local plane
+  private final Polygon keepIn;
+  private final List<Polygon> keepOuts;
+  private final OptionalDouble floorM;
+  private final OptionalDouble ceilingM;
+  private final PreparedGeometry inside;
+  private final List<PreparedGeometry> outside;
+
+  /**
+   * @param origin where the plane touches the earth; empty for a plane of its own (LOCAL_ENU)
+   * @param keepIn the vehicle must stay inside
+   * @param keepOuts the vehicle must stay out of each
+   */
+  Fence(
+      Optional<Geodetic> origin,
+      Polygon keepIn,
+      List<Polygon> keepOuts,
+      OptionalDouble floorM,
+      OptionalDouble ceilingM) {
+    this.origin = origin;
+    this.keepIn = keepIn;
+    this.keepOuts = List.copyOf(keepOuts);
+    this.floorM = floorM;
+    this.ceilingM = ceilingM;
+    inside = PreparedGeometryFactory.prepare(keepIn);
+    outside =
+        List.of(
+            keepOuts.stream()
+                .map(PreparedGeometryFactory::prepare)
+                .toArray(PreparedGeometry[]::new));
+  }
+
+  /**
+   * The same, drawn in on all sides.
+   *
+   * @throws IllegalArgumentException if nothing is left of it
+   */
+  Fence drawnInBy(double marginM) {
+    if (marginM == 0.0) {
+      return this;
+    }
+    if (!(keepIn.buffer(-marginM) instanceof Polygon smaller) || smaller.isEmpty()) {
+      throw new IllegalArgumentException(
+          "a margin of " + Words.metres(marginM) + " leaves no keep-in area in one piece");
+    }
+    List<Polygon> larger =
+        List.of(
+            keepOuts.stream().map(each -> (Polygon) each.buffer(marginM)).toArray(Polygon[]::new));
+    return new Fence(
+        origin, smaller, larger, shifted(floorM, marginM), shifted(ceilingM, -marginM));
+  }
+
+  private static OptionalDouble shifted(OptionalDouble altitude, double byM) {
+    return altitude.isPresent() ? OptionalDouble.of(altitude.getAsDouble() + byM) : altitude;
+  }
+
+  /**
+   * Where a state lies on the fence's plane: x east, y north, z altitude [m]; an altitude that it
+   * lacks is 0.
+   *
+   * @throws IllegalArgumentException if the one is on the earth and the other on a local plane
+   */
+  Point place(StateInformation state) {
+    if (state.referenceFrame().isEarth() != origin.isPresent()) {
+      throw new IllegalArgumentException(
+          "a state in "
+              + state.referenceFrame()
+              + " does not fit a fence "
+              + (origin.isPresent() ? "on the earth" : "on a local plane"));
+    }
+    StateInformation own = inFrame(state);
+    double x = own.x().orElseThrow();
+    double y = own.y().orElseThrow();
+    double z = own.z().orElse(0.0);
+    if (origin.isEmpty()) {
+      return Point.of(x, y, z);
+    }
+    Point plane = plane(origin.get(), x, y);
+    return Point.of(plane.x(), plane.y(), z);
+  }
+
+  /** East, north and up velocity of a state [m/s]; what it lacks is 0. */
+  Point velocity(StateInformation state) {
+    StateInformation own = inFrame(state);
+    return Point.of(own.xDot().orElse(0.0), own.yDot().orElse(0.0), own.zDot().orElse(0.0));
+  }
+
+  private StateInformation inFrame(StateInformation state) {
+    ReferenceFrame wanted = origin.isPresent() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_ENU;
+    return state.referenceFrame().equals(wanted) ? state : state.in(wanted);
+  }
+
+  /** A place on the earth on the plane that touches it at the origin. */
+  static Point plane(Geodetic origin, double longitudeDeg, double latitudeDeg) {
+    return origin.enuOf(new Geodetic(longitudeDeg, latitudeDeg, 0.0));
+  }
+
+  /** Whether all of a region is where the vehicle may be, altitudes aside. */
+  boolean allows(Geometry region) {
+    return inside.covers(region) && outside.stream().noneMatch(each -> each.intersects(region));
+  }
+
+  /** Whether a place is where the vehicle may be, altitudes aside. */
+  boolean allows(Point place) {
+    return allows(new GeometryFactory().createPoint(new Coordinate(place.x(), place.y())));
+  }
+
+  /** The least altitude allowed [m]. */
+  OptionalDouble floorM() {
+    return floorM;
+  }
+
+  /** The greatest altitude allowed [m]. */
+  OptionalDouble ceilingM() {
+    return ceilingM;
+  }
+}

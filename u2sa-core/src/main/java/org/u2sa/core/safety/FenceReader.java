@@ -1,0 +1,151 @@
+package org.u2sa.core.safety;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.operation.valid.IsValidOp;
+import org.locationtech.jts.operation.valid.TopologyValidationError;
+import org.u2sa.core.mission.Coordinates;
+import org.u2sa.core.mission.Numbers;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+
+/** Reads {@code <fence>} (docs/health-and-failsafes.md) and refuses what encloses nothing. */
+final class FenceReader {
+  private static final int LEAST_CORNERS = 3;
+  private static final int CIRCLE_CORNERS = 64;
+
+  private final GeometryFactory geometry = new GeometryFactory();
+  private final boolean onEarth;
+  private Geodetic origin; // the first corner read; null until then, and on a local plane
+
+  private FenceReader(boolean onEarth) {
+    this.onEarth = onEarth;
+  }
+
+  /**
+   * Reads a fence.
+   *
+   * @throws org.u2sa.interfaces.BadInputException naming file, line, element, value and what was
+   *     expected
+   */
+  static Fence read(Path file) {
+    XmlElement root = XmlReader.read(file, "fence");
+    root.refuseUnknownAttributes();
+    root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
+    return new FenceReader(isOnEarth(root)).fence(root);
+  }
+
+  private static boolean isOnEarth(XmlElement root) {
+    Optional<XmlElement> reference = root.child("reference");
+    String frame = reference.map(XmlElement::text).orElse("Global");
+    if (!frame.equalsIgnoreCase("Global") && !frame.equalsIgnoreCase("Local ENU")) {
+      throw reference.get().error("\"" + frame + "\" is not one of Global, Local ENU");
+    }
+    return frame.equalsIgnoreCase("Global");
+  }
+
+  private Fence fence(XmlElement root) {
+    XmlElement keepIn =
+        root.child("keepIn")
+            .orElseThrow(() -> root.error("lacks <keepIn>; expected one, of 3 or more <corner>"));
+    Polygon inside = polygon(keepIn);
+    List<Polygon> outside = new ArrayList<>();
+    for (XmlElement keepOut : root.children("keepOut")) {
+      outside.add(keepOut.child("centre").isPresent() ? circle(keepOut) : polygon(keepOut));
+    }
+    OptionalDouble floor = altitude(root, "floor");
+    OptionalDouble ceiling = altitude(root, "ceiling");
+    if (floor.isPresent() && ceiling.isPresent() && floor.getAsDouble() >= ceiling.getAsDouble()) {
+      throw root.child("ceiling")
+          .orElseThrow()
+          .error(
+              ceiling.getAsDouble() + " m is not above the floor of " + floor.getAsDouble() + " m");
+    }
+    return new Fence(Optional.ofNullable(origin), inside, outside, floor, ceiling);
+  }
+
+  private static OptionalDouble altitude(XmlElement root, String name) {
+    Optional<XmlElement> element = root.child(name);
+    element.ifPresent(each -> each.refuseUnknownAttributes("unit"));
+    return element.isPresent()
+        ? OptionalDouble.of(Numbers.converted(element.get(), "m", "m"))
+        : OptionalDouble.empty();
+  }
+
+  private Polygon polygon(XmlElement area) {
+    area.refuseUnknownAttributes();
+    area.refuseUnknownChildren("corner");
+    List<Coordinate> corners = new ArrayList<>();
+    for (XmlElement corner : area.children("corner")) {
+      corners.add(place(corner));
+    }
+    if (corners.size() < LEAST_CORNERS) {
+      throw area.error("has " + corners.size() + " <corner>; expected 3 or more");
+    }
+    corners.add(corners.get(0).copy());
+    Polygon polygon = geometry.createPolygon(corners.toArray(new Coordinate[0]));
+    TopologyValidationError wrong = new IsValidOp(polygon).getValidationError();
+    if (wrong != null || polygon.getArea() == 0.0) {
+      throw area.error(
+          "encloses no area in one piece"
+              + (wrong == null ? "" : " (" + wrong.getMessage() + ")")
+              + "; expected the corners in order, once around");
+    }
+    return polygon;
+  }
+
+  private Polygon circle(XmlElement area) {
+    area.refuseUnknownAttributes();
+    area.refuseUnknownChildren("centre", "radius");
+    Coordinate centre = place(area.child("centre").orElseThrow());
+    XmlElement radius =
+        area.child("radius").orElseThrow(() -> area.error("has a <centre> but no <radius>"));
+    radius.refuseUnknownAttributes("unit");
+    double radiusM = Numbers.converted(radius, "m", "m");
+    if (!(radiusM > 0.0)) {
+      throw radius.error(radiusM + " m: expected more than 0 m");
+    }
+    double around = radiusM / Math.cos(Math.PI / CIRCLE_CORNERS); // none of the circle is left out
+    Coordinate[] corners = new Coordinate[CIRCLE_CORNERS + 1];
+    for (int i = 0; i < CIRCLE_CORNERS; i++) {
+      double angle = 2.0 * Math.PI * i / CIRCLE_CORNERS;
+      corners[i] =
+          new Coordinate(centre.x + around * Math.cos(angle), centre.y + around * Math.sin(angle));
+    }
+    corners[CIRCLE_CORNERS] = corners[0].copy();
+    return geometry.createPolygon(corners);
+  }
+
+  private Coordinate place(XmlElement element) {
+    element.refuseUnknownAttributes();
+    element.refuseUnknownChildren("x", "y");
+    double x = number(element, "x");
+    double y = number(element, "y");
+    if (!onEarth) {
+      return new Coordinate(x, y);
+    }
+    Coordinates.checkLongitude(element.child("x").orElseThrow(), x);
+    Coordinates.checkLatitude(element.child("y").orElseThrow(), y);
+    if (origin == null) {
+      origin = new Geodetic(x, y, 0.0);
+    }
+    Point plane = Fence.plane(origin, x, y);
+    return new Coordinate(plane.x(), plane.y());
+  }
+
+  private double number(XmlElement element, String name) {
+    XmlElement number =
+        element.child(name).orElseThrow(() -> element.error("lacks <" + name + ">"));
+    number.refuseUnknownAttributes("unit");
+    String unit = onEarth ? "deg" : "m";
+    return Numbers.converted(number, unit, unit);
+  }
+}

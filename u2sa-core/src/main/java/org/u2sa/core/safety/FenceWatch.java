@@ -1,0 +1,96 @@
+package org.u2sa.core.safety;
+
+import java.util.Optional;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Acts before the fence is reached: when the vehicle could no longer stop or turn round inside. The
+ * floor counts once the vehicle has been above it, so that it can take off.
+ */
+final class FenceWatch implements Watch {
+  private final Fence fence;
+  private final Configurator configuration;
+  private final PositionWatch states;
+  private boolean aboveFloor;
+
+  FenceWatch(Fence fence, Configurator configuration, PositionWatch states) {
+    this.fence = fence;
+    this.configuration = configuration;
+    this.states = states;
+    Manoeuvre.of(configuration);
+  }
+
+  @Override
+  public Hazard hazard() {
+    return Hazard.FENCE;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    // states are kept by the watch of the position
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    return known(nowMicros).flatMap(this::trouble);
+  }
+
+  private Optional<StateInformation> known(long nowMicros) {
+    return states.fresh(nowMicros).filter(state -> state.x().isPresent() && state.y().isPresent());
+  }
+
+  private Optional<String> trouble(StateInformation state) {
+    Manoeuvre manoeuvre = Manoeuvre.of(configuration);
+    Point place = fence.place(state);
+    Point velocity = fence.velocity(state);
+    if (!fence.allows(manoeuvre.region(place, velocity))) {
+      return Optional.of(ahead(manoeuvre, place, velocity));
+    }
+    return state.z().isPresent()
+        ? vertical(place.z(), manoeuvre.overshootM(velocity.z()))
+        : Optional.empty();
+  }
+
+  private String ahead(Manoeuvre manoeuvre, Point place, Point velocity) {
+    if (!fence.allows(place)) {
+      return "outside";
+    }
+    double speed = Math.hypot(velocity.x(), velocity.y());
+    double straight = speed * manoeuvre.reactionS();
+    return manoeuvre.turns()
+        ? "too near to turn with a radius of " + Words.metres(manoeuvre.turnRadiusM(speed))
+        : "too near to stop within " + Words.metres(straight + manoeuvre.stoppingM(speed));
+  }
+
+  private Optional<String> vertical(double altitudeM, double overshootM) {
+    double expectedM = altitudeM + overshootM;
+    if (fence.ceilingM().isPresent()
+        && Math.max(altitudeM, expectedM) > fence.ceilingM().getAsDouble()) {
+      return Optional.of(
+          "ceiling "
+              + Words.metres(fence.ceilingM().getAsDouble())
+              + " at "
+              + Words.metres(altitudeM));
+    }
+    if (fence.floorM().isEmpty()) {
+      return Optional.empty();
+    }
+    double floorM = fence.floorM().getAsDouble();
+    boolean clear = Math.min(altitudeM, expectedM) >= floorM;
+    aboveFloor |= clear;
+    return aboveFloor && !clear
+        ? Optional.of("floor " + Words.metres(floorM) + " at " + Words.metres(altitudeM))
+        : Optional.empty();
+  }
+
+  /** A vehicle that stands is to be inside; it may be too near to turn, as on a runway. */
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    return known(nowMicros)
+        .filter(state -> !fence.allows(fence.place(state)))
+        .map(state -> "outside the keep-in area, or inside a keep-out one");
+  }
+}

@@ -1,0 +1,43 @@
+package org.u2sa.core.safety;
+
+import org.u2sa.interfaces.Variable;
+import org.u2sa.messages.contract.FailsafeAction;
+
+/** What can be wrong with a vehicle on its way, each with its entry in the failsafe matrix. */
+enum Hazard {
+  OPERATOR("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN),
+  POSITION("position", "ON POSITION LOSS", FailsafeAction.HOLD),
+  ESTIMATOR("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD),
+  ACTUATOR_LINK("actuator link", "ON ACTUATOR LINK LOSS", FailsafeAction.HOLD),
+  HEALTH_MONITOR("health monitor", "ON HEALTH MONITOR LOSS", FailsafeAction.CONTINUE),
+  LOW_BATTERY("low battery", "ON LOW BATTERY", FailsafeAction.RETURN),
+  CRITICAL_BATTERY("critical battery", "ON CRITICAL BATTERY", FailsafeAction.RETURN),
+  FENCE("geofence", "ON FENCE", FailsafeAction.RETURN);
+
+  private final String words;
+  private final Variable<String> action;
+
+  Hazard(String words, String variable, FailsafeAction ifAbsent) {
+    this.words = words;
+    action =
+        Variable.text(variable)
+            .oneOf(
+                FailsafeAction.CONTINUE.name(),
+                FailsafeAction.HOLD.name(),
+                FailsafeAction.RETURN.name(),
+                FailsafeAction.LAND.name(),
+                FailsafeAction.STOP.name())
+            .ifAbsent(ifAbsent.name())
+            .describedAs("Failsafe matrix: what the vehicle does because of this: " + words + ".");
+  }
+
+  /** What it is called in causes. */
+  String words() {
+    return words;
+  }
+
+  /** The variable that says what is done about it. */
+  Variable<String> action() {
+    return action;
+  }
+}

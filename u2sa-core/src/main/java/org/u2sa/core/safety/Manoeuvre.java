@@ -1,0 +1,114 @@
+package org.u2sa.core.safety;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.locationtech.jts.algorithm.ConvexHull;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * What a vehicle needs to get out of its own way: how far it goes before it stands, or where it may
+ * be before it has turned round.
+ *
+ * @param turns whether it turns; otherwise it brakes
+ * @param reactionS from the failsafe until it brakes or turns [s]; till then it goes straight on
+ * @param brakingMps2 its deceleration [m/s²]
+ * @param bankRad of its turns [rad]
+ * @param windMps that may blow it on while it turns [m/s]
+ * @param verticalMps2 with which a climb or descent ends [m/s²]
+ */
+record Manoeuvre(
+    boolean turns,
+    double reactionS,
+    double brakingMps2,
+    double bankRad,
+    double windMps,
+    double verticalMps2) {
+  private static final double GRAVITY_MPS2 = 9.80665;
+  private static final double SLOWEST_MPS = 0.1;
+  private static final int ARC_CORNERS = 12;
+  private static final GeometryFactory GEOMETRY = new GeometryFactory();
+
+  /** Declares and reads the variables. */
+  static Manoeuvre of(Configurator configuration) {
+    return new Manoeuvre(
+        configuration.getVariable(SafetyVariables.FENCE_MANOEUVRE).equals(SafetyVariables.TURN),
+        configuration.getVariable(SafetyVariables.REACTION_TIME),
+        configuration.getVariable(SafetyVariables.BRAKING),
+        configuration.getVariable(SafetyVariables.TURN_BANK),
+        configuration.getVariable(SafetyVariables.WIND_ALLOWANCE),
+        configuration.getVariable(SafetyVariables.VERTICAL_ACCELERATION));
+  }
+
+  /** Distance from the first braking until it stands [m]: v²/2a. */
+  double stoppingM(double speedMps) {
+    return speedMps * speedMps / (2.0 * brakingMps2);
+  }
+
+  /** Radius of its turn in the air [m]: v²/(g tan φ), at the airspeed that it has at most. */
+  double turnRadiusM(double speedMps) {
+    double fastest = speedMps + windMps;
+    return fastest * fastest / lateralMps2();
+  }
+
+  /** How far wind may blow it on while it turns round [m], to any side. */
+  double driftM(double speedMps) {
+    return windMps * Math.PI * (speedMps + windMps) / lateralMps2();
+  }
+
+  private double lateralMps2() {
+    return GRAVITY_MPS2 * Math.tan(bankRad);
+  }
+
+  /** Altitude that it gains or loses before a climb or descent has ended [m], signed. */
+  double overshootM(double upMps) {
+    return upMps * reactionS + Math.signum(upMps) * upMps * upMps / (2.0 * verticalMps2);
+  }
+
+  /**
+   * Where it may be until it stands, or has turned round by either side: of a turn, the hull of
+   * both half circles ahead, and as far on as the wind may blow it meanwhile.
+   *
+   * @param place east and north [m]
+   * @param velocity east and north [m/s]
+   */
+  Geometry region(Point place, Point velocity) {
+    Coordinate here = new Coordinate(place.x(), place.y());
+    double speed = Math.hypot(velocity.x(), velocity.y());
+    if (speed < SLOWEST_MPS) {
+      return GEOMETRY.createPoint(here);
+    }
+    double east = velocity.x() / speed;
+    double north = velocity.y() / speed;
+    double straight = speed * reactionS;
+    if (!turns) {
+      double ahead = straight + stoppingM(speed);
+      return GEOMETRY.createLineString(
+          new Coordinate[] {here, new Coordinate(here.x + ahead * east, here.y + ahead * north)});
+    }
+    double radius = turnRadiusM(speed);
+    double drift = driftM(speed);
+    double around = (radius + drift) / Math.cos(Math.PI / (2.0 * ARC_CORNERS)); // outside the arc
+    List<Coordinate> corners = new ArrayList<>();
+    for (int i = 0; i <= ARC_CORNERS; i++) {
+      double angle = Math.PI * i / ARC_CORNERS;
+      double ahead = straight + around * Math.sin(angle);
+      double aside = radius + around * Math.cos(angle);
+      corners.add(at(here, east, north, ahead, aside));
+      corners.add(at(here, east, north, ahead, -aside));
+    }
+    corners.add(at(here, east, north, straight - drift, radius + around));
+    corners.add(at(here, east, north, straight - drift, -radius - around));
+    corners.add(here);
+    return new ConvexHull(corners.toArray(new Coordinate[0]), GEOMETRY).getConvexHull();
+  }
+
+  private static Coordinate at(
+      Coordinate here, double east, double north, double ahead, double aside) {
+    return new Coordinate(
+        here.x + ahead * east + aside * north, here.y + ahead * north - aside * east);
+  }
+}

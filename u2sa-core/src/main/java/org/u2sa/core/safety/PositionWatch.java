@@ -1,0 +1,61 @@
+package org.u2sa.core.safety;
+
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+
+/** Whether the vehicle knows where it is: lost with fresh states, their x and y, or certainty. */
+final class PositionWatch implements Watch {
+  private final Configurator configuration;
+  private StateInformation newest; // null until the first
+
+  PositionWatch(Configurator configuration) {
+    this.configuration = configuration;
+    configuration.getVariable(SafetyVariables.STATE_DEADLINE);
+    configuration.getVariable(SafetyVariables.POSITION_SIGMA_LIMIT);
+  }
+
+  @Override
+  public Hazard hazard() {
+    return Hazard.POSITION;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    if (message instanceof StateInformation state && state.timestamp().isPresent()) {
+      newest = state;
+    }
+  }
+
+  /** The newest state, unless it is older than its deadline. */
+  Optional<StateInformation> fresh(long nowMicros) {
+    return newest != null
+            && ageS(nowMicros) <= configuration.getVariable(SafetyVariables.STATE_DEADLINE)
+        ? Optional.of(newest)
+        : Optional.empty();
+  }
+
+  private double ageS(long nowMicros) {
+    return Clock.seconds(nowMicros - newest.timestamp().orElseThrow());
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    if (newest == null) {
+      return Optional.of("no state yet");
+    }
+    if (fresh(nowMicros).isEmpty()) {
+      return Optional.of("state is " + Words.seconds(ageS(nowMicros)) + " old");
+    }
+    if (newest.x().isEmpty() || newest.y().isEmpty()) {
+      return Optional.of("state lacks x or y");
+    }
+    double sigmaM = Math.max(newest.xSigma().orElse(0.0), newest.ySigma().orElse(0.0));
+    double limitM = configuration.getVariable(SafetyVariables.POSITION_SIGMA_LIMIT);
+    return sigmaM > limitM
+        ? Optional.of("uncertain by " + Words.metres(sigmaM) + ", limit " + Words.metres(limitM))
+        : Optional.empty();
+  }
+}

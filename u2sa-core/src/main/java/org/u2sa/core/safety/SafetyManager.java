@@ -1,0 +1,184 @@
+package org.u2sa.core.safety;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ArmCommand;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.service.EmergencyLatch;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Decides what the vehicle does when something is wrong, by the failsafe matrix in its
+ * configuration, and whether it may move at all. In: state, conditions, health, operator, power,
+ * actuators, goals, arming, emergency-stop. Out: failsafe, arming-state, emergency-stop.
+ *
+ * <p>Failsafes act while it is armed. Of several causes the most severe wins.
+ */
+public final class SafetyManager extends PeriodicService {
+  private static final double CHECKS_PER_S = 10.0;
+
+  private static final List<Channel<?>> HEARD =
+      List.of(
+          Channels.STATE,
+          Channels.CONDITIONS,
+          Channels.HEALTH,
+          Channels.OPERATOR,
+          Channels.POWER,
+          Channels.ACTUATORS,
+          Channels.GOALS,
+          Channels.CONFIGURATION,
+          Channels.ARMING,
+          Channels.EMERGENCY_STOP);
+
+  private final EmergencyLatch emergency;
+  private final Conditions conditions = new Conditions();
+  private final List<Watch> watches;
+  private final FailsafeDecision decision;
+  private final LandMission landMission;
+  private final Arming arming;
+  private FailsafeAction said = FailsafeAction.CONTINUE;
+  private List<Hazard> saidHazards = List.of();
+  private double repeatDueS;
+
+  /**
+   * Called by the launcher.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if the fence's file is wrong
+   */
+  public SafetyManager(ServiceContext context) {
+    super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S);
+    emergency = new EmergencyLatch(clock(), context.systemId());
+    decision = new FailsafeDecision(this);
+    landMission = new LandMission(decision);
+    watches = Watches.of(this, conditions, context.configuration());
+    getVariable(SafetyVariables.REPEAT_INTERVAL);
+    arming = new Arming(this, new ArmingChecks(this, watches, conditions, emergency, landMission));
+    registerPublisher(Channels.FAILSAFE);
+    registerPublisher(Channels.ARMING_STATE);
+    registerPublisher(Channels.EMERGENCY_STOP);
+    handleMessagesAtSteps();
+    HEARD.forEach(this::registerSubscriber);
+  }
+
+  @Override
+  protected void begin() {
+    publishFailsafe(FailsafeAction.CONTINUE);
+    publish(arming.state(clock().micros()));
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    long now = clock().micros();
+    if (data instanceof ArmCommand command) {
+      obey(command, now);
+    } else if (data instanceof EmergencyStop stop) {
+      stopOrGo(stop, now);
+    } else {
+      if (data instanceof ServiceCondition condition) {
+        conditions.see(condition);
+      }
+      landMission.see(data);
+      arming.see(data);
+      watches.forEach(watch -> watch.see(data, now));
+    }
+  }
+
+  private void obey(ArmCommand command, long now) {
+    log("\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm"));
+    if (command.arm()) {
+      decision.acknowledge();
+      arming.arm(now);
+    } else {
+      arming.disarm("by \"" + command.operator() + "\"");
+    }
+    publish(arming.state(now).requestId(command.requestId()));
+  }
+
+  private void stopOrGo(EmergencyStop message, long now) {
+    if (!emergency.accept(message)) {
+      return;
+    }
+    if (emergency.isStopped()) {
+      arming.disarm("emergency stop by \"" + message.operator() + "\": " + message.reason());
+    } else {
+      log("emergency stop cleared by \"" + message.operator() + "\"");
+      decision.acknowledge();
+      publish(Channels.EMERGENCY_STOP, message); // once more: a repeated stop may have overtaken it
+    }
+    publish(arming.state(now));
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    boolean repeat = nowS >= repeatDueS;
+    if (repeat) {
+      repeatDueS = nowS + getVariable(SafetyVariables.REPEAT_INTERVAL);
+    }
+    if (arming.isArmed()) {
+      decide(now);
+    } else if (!emergency.isStopped()) {
+      arming.armAtStart(now);
+    }
+    FailsafeAction action = action();
+    if (repeat || action != said || !decision.hazards().equals(saidHazards)) {
+      publishFailsafe(action);
+    }
+    if (repeat || arming.hasChanged(now)) {
+      publish(arming.state(now));
+    }
+    if (repeat) {
+      emergency.stop().ifPresent(stop -> publish(Channels.EMERGENCY_STOP, stop));
+      if (landMission.isOpen()) {
+        publish(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(""));
+      }
+    }
+  }
+
+  private void decide(long now) {
+    for (Watch watch : watches) {
+      Optional<String> trouble = watch.trouble(now);
+      trouble.ifPresent(words -> decision.present(watch.hazard(), words, now));
+    }
+    decision.forgetUntil(now);
+    if (decision.action() == FailsafeAction.STOP) {
+      EmergencyStop stop =
+          new EmergencyStop()
+              .active(true)
+              .operator(getServiceName())
+              .reason(String.join("; ", decision.causes()));
+      publish(Channels.EMERGENCY_STOP, stop);
+      stopOrGo(stop, now);
+    }
+  }
+
+  private FailsafeAction action() {
+    if (emergency.isStopped()) {
+      return FailsafeAction.STOP;
+    }
+    return arming.isArmed() ? decision.action() : FailsafeAction.CONTINUE;
+  }
+
+  private void publishFailsafe(FailsafeAction action) {
+    List<String> causes =
+        action == FailsafeAction.CONTINUE && !arming.isArmed() ? List.of() : decision.causes();
+    if (action != said || !decision.hazards().equals(saidHazards)) {
+      log(
+          action == FailsafeAction.CONTINUE ? LogLevelEnum.INFO : LogLevelEnum.WARN,
+          "failsafe " + action + " because of " + causes);
+      said = action;
+      saidHazards = decision.hazards();
+    }
+    publish(new FailsafeState().action(action).causes(causes));
+  }
+}

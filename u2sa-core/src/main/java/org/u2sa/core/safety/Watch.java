@@ -1,0 +1,21 @@
+package org.u2sa.core.safety;
+
+import java.util.Optional;
+import org.u2sa.messages.U2SAData;
+
+/** Looks out for one hazard. Belongs to the Safety Manager's thread. */
+interface Watch {
+  /** What it looks out for. */
+  Hazard hazard();
+
+  /** Takes note of a message, of whatever kind. */
+  void see(U2SAData message, long nowMicros);
+
+  /** What is wrong now, in words; empty if nothing is. */
+  Optional<String> trouble(long nowMicros);
+
+  /** What speaks against arming, in words; empty if nothing does. */
+  default Optional<String> objection(long nowMicros) {
+    return trouble(nowMicros);
+  }
+}

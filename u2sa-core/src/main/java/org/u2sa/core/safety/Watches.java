@@ -1,0 +1,62 @@
+package org.u2sa.core.safety;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.XmlConfiguration;
+
+/** Makes the watches that a configuration asks for. */
+final class Watches {
+  private Watches() {}
+
+  static List<Watch> of(Configurator variables, Conditions conditions, XmlConfiguration file) {
+    PositionWatch position = new PositionWatch(variables);
+    List<Watch> watches = new ArrayList<>();
+    watches.add(new OperatorWatch(variables));
+    watches.add(position);
+    watches.add(
+        new EstimatorWatch(
+            position,
+            new ServiceWatch(
+                Hazard.ESTIMATOR,
+                conditions,
+                () -> variables.getVariable(SafetyVariables.ESTIMATOR_SERVICE))));
+    watches.add(
+        new ServiceWatch(
+            Hazard.ACTUATOR_LINK,
+            conditions,
+            () -> variables.getVariable(SafetyVariables.ACTUATOR_SERVICES)));
+    watches.add(new MonitorWatch(variables));
+    watches.add(
+        new BatteryWatch(
+            Hazard.LOW_BATTERY,
+            variables,
+            SafetyVariables.LOW_VOLTAGE,
+            SafetyVariables.LOW_REMAINING));
+    watches.add(
+        new BatteryWatch(
+            Hazard.CRITICAL_BATTERY,
+            variables,
+            SafetyVariables.CRITICAL_VOLTAGE,
+            SafetyVariables.CRITICAL_REMAINING));
+    addFence(watches, variables, file, position);
+    return watches;
+  }
+
+  private static void addFence(
+      List<Watch> watches, Configurator variables, XmlConfiguration file, PositionWatch position) {
+    String path = variables.getVariable(SafetyVariables.FENCE);
+    double marginM = variables.getVariable(SafetyVariables.FENCE_MARGIN);
+    Manoeuvre.of(variables); // declared with and without a fence
+    if (path.isEmpty()) {
+      return;
+    }
+    Fence fence = FenceReader.read(file.resolve(path));
+    try {
+      watches.add(new FenceWatch(fence.drawnInBy(marginM), variables, position));
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(file.resolve(path) + ": FENCE MARGIN: " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,100 @@
+package org.u2sa.core.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.testkit.ServiceKit;
+
+/** What the planner does when a failsafe says so. */
+@Timeout(30)
+class PlannerFailsafeTest {
+  private final ServiceKit kit = new ServiceKit();
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  private void begin() {
+    kit.start(PathPlanner::new);
+    Waypoint far =
+        new Waypoint()
+            .uid("1")
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(1000.0)
+            .y(0.0)
+            .horizontalThreshold(2.0);
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(far)));
+    state(0.0);
+  }
+
+  private void state(double north) {
+    kit.advance(0.1);
+    kit.publish(
+        Channels.STATE,
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(north)
+            .y(0.0)
+            .z(-80.0)
+            .psi(0.0)
+            .xDot(5.0)
+            .yDot(0.0));
+  }
+
+  private void failsafe(FailsafeAction action) {
+    kit.publish(Channels.FAILSAFE, new FailsafeState().action(action).causes(List.of("a test")));
+  }
+
+  private Point point() {
+    return kit.latest(Channels.NAVIGATION).orElseThrow().point();
+  }
+
+  @Test
+  void hold_aircraft_circlesWhereItWasAndThenGoesOn() {
+    kit.with("AT END", "HOLD").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    assertThat(point().x()).isCloseTo(10.0, within(1e-9));
+    failsafe(FailsafeAction.HOLD);
+    state(100.0);
+    state(150.0); // on the circle round the place of the first state after the order
+
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+    failsafe(FailsafeAction.CONTINUE);
+    state(160.0);
+    assertThat(point().y()).isCloseTo(0.0, within(1e-9));
+  }
+
+  @Test
+  void hold_vehicleThatStopsAtTheEnd_givesNoNavigationPoints() {
+    begin();
+    failsafe(FailsafeAction.HOLD);
+    kit.forget();
+    state(10.0);
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+  }
+
+  @Test
+  void stop_givesNoNavigationPoints() {
+    kit.with("AT END", "HOLD");
+    begin();
+    failsafe(FailsafeAction.STOP);
+    kit.forget();
+    state(10.0);
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+  }
+}
