@@ -84,6 +84,7 @@ public class PathPlanner extends EventDrivenService {
     new PlannerProgress(goals, goal, finished, reportedMicros, holdAt, foreseen).handOver(state);
     goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
     end.handOver(state);
+    state.text("FAILSAFE", failsafe.name());
   }
 
   @Override
@@ -101,6 +102,7 @@ public class PathPlanner extends EventDrivenService {
       goal = Optional.empty();
     }
     end.takeOver(state);
+    failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
   }
 
   @Override
