@@ -184,6 +184,11 @@ public final class ServiceSwap {
     if (!move(Stage.ORDERED, Stage.UNDER_WAY)) {
       return false;
     }
+    if (old.context().configuration().revision()
+        != successor.context().configuration().revision()) {
+      refuse(Stage.UNDER_WAY, "its configuration was changed meanwhile; order the swap again");
+      return false;
+    }
     if (!handOver()) {
       return false;
     }

@@ -72,6 +72,18 @@ class ServiceSwapTest {
   }
 
   @Test
+  void swap_configurationChangedSinceTheSuccessorWasMade_isRefusedAndLosesNoChange() {
+    Counting successor = make(Counting::new);
+    assertThat(old.setVariable("LOG LEVEL", "DEBUG")).isTrue();
+
+    assertThat(swap(successor))
+        .contains("its configuration was changed meanwhile; order the swap again");
+
+    assertThat(old.isRunning()).isTrue();
+    assertThat(swap(make(Counting::new))).isEmpty();
+  }
+
+  @Test
   void swap_done_takesOverBeforeItBeginsAndTheOldOneIsReleasedInSilence() {
     Counting successor = make(Counting::new);
 

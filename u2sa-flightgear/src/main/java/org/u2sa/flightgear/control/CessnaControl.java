@@ -3,6 +3,7 @@ package org.u2sa.flightgear.control;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.flightgear.ControlStatus;
 import org.u2sa.interfaces.LogLevelEnum;
@@ -31,7 +32,7 @@ public final class CessnaControl extends ControlSystem {
           .describedAs("How long throttle, mixture and flaps obey a command that is not renewed.");
 
   private final FlightStateReader reader = new FlightStateReader();
-  private final Autopilot autopilot;
+  private Autopilot autopilot;
   private FlightPhase loggedPhase;
   private boolean loggedNavigating;
   private double statusDueS = Double.NEGATIVE_INFINITY;
@@ -43,6 +44,20 @@ public final class CessnaControl extends ControlSystem {
     getVariable(POWER_EXPIRY); // a wrong value must fail before the flight
     autopilot = new Autopilot(GuidanceVariables.tuning(this));
     registerPublisher(ControlStatus.CHANNEL);
+  }
+
+  @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return GuidanceVariables.refusal(values);
+  }
+
+  /** Flies on with other gains and limits, from where it is. */
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    HandOver state = new HandOver(getClass().getName());
+    autopilot.handOver(state);
+    autopilot = new Autopilot(GuidanceVariables.tuning(this));
+    autopilot.takeOver(state);
   }
 
   @Override

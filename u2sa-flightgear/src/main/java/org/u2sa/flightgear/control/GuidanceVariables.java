@@ -1,5 +1,8 @@
 package org.u2sa.flightgear.control;
 
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
@@ -83,6 +86,26 @@ final class GuidanceVariables {
         c.getVariable(STALL_MARGIN),
         c.getVariable(STALL_BAND),
         Math.toRadians(c.getVariable(ALPHA_LIMIT)));
+  }
+
+  /** Why speeds, each allowed, do not go together; empty if they do. */
+  static Optional<String> refusal(Map<String, Object> values) {
+    double cruiseMps = (Double) values.get(CRUISE_SPEED.name());
+    double fastestMps = (Double) values.get(FASTEST_SPEED.name());
+    double leastMps =
+        (Double) values.get(STALL_SPEED.name()) * (Double) values.get(STALL_MARGIN.name());
+    if (cruiseMps > fastestMps) {
+      return Optional.of(
+          "CRUISE SPEED " + cruiseMps + " m/s is above FASTEST SPEED " + fastestMps + " m/s");
+    }
+    return leastMps < cruiseMps
+        ? Optional.empty()
+        : Optional.of(
+            String.format(
+                Locale.ROOT,
+                "STALL SPEED times STALL MARGIN is %.1f m/s, expected less than CRUISE SPEED %.1f m/s",
+                leastMps,
+                cruiseMps));
   }
 
   /** All that the configuration says. */

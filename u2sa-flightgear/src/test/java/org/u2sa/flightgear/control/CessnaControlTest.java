@@ -1,6 +1,7 @@
 package org.u2sa.flightgear.control;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.testkit.ServiceKit;
 
@@ -146,6 +148,50 @@ class CessnaControlTest {
     assertThat(kit.percent("ELEVATOR")).isZero();
     assertThat(kit.percent("THROTTLE")).isZero();
     assertThat(kit.percent("MIXTURE")).isEqualTo(100.0);
+  }
+
+  private void set(String variable, String value) {
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange().serviceName("Control").variableName(variable).value(value));
+  }
+
+  private double bankDemandDeg() {
+    return Math.toDegrees(kit.latest(ControlStatus.CHANNEL).orElseThrow().bank().orElseThrow());
+  }
+
+  @Test
+  void configurationChange_ofTheBankLimitInATurn_fliesOnWithIt() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 100);
+    assertThat(bankDemandDeg()).isGreaterThan(20.0);
+    double throttle = kit.percent("THROTTLE");
+
+    set("BANK LIMIT", "12");
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 1);
+    assertThat(kit.percent("THROTTLE")).as("goes on").isCloseTo(throttle, within(2.0));
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 100);
+
+    assertThat(bankDemandDeg()).isCloseTo(12.0, within(0.1));
+    assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().phase())
+        .isEqualTo(FlightPhase.CRUISE);
+  }
+
+  @Test
+  void configurationChange_toSpeedsThatDoNotGoTogether_isRefused() {
+    CessnaControl control = kit.start(CessnaControl::new);
+
+    set("STALL MARGIN", "2");
+    assertThat(control.getVariable("STALL MARGIN")).isEqualTo(1.2);
+    assertThat(kit.log("Control"))
+        .anyMatch(
+            line ->
+                line.contains(
+                    "STALL SPEED times STALL MARGIN is 52.4 m/s, expected less than CRUISE SPEED 40.0"));
+
+    set("FASTEST SPEED", "35");
+    assertThat(kit.log("Control"))
+        .anyMatch(line -> line.contains("CRUISE SPEED 40.0 m/s is above FASTEST SPEED 35.0 m/s"));
   }
 
   private void fly(AircraftState state, Point point, int steps) {
