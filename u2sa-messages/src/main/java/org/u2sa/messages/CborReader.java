@@ -114,12 +114,15 @@ final class CborReader {
     depth++;
     for (key = in.nextFieldName(); key != null; key = in.nextFieldName()) {
       MessageField<U2SAData> field = message.ownType().fieldOrNull(key);
-      if (field == null ? !skipped.add(key) : field.isSet(message)) {
+      if (field == null ? !skipped.add(key) : field.isSet(message) || skipped.contains(key)) {
         throw malformed("the key comes twice");
       }
       in.nextToken();
       if (field != null) {
         field.read(this, message);
+        if (!field.isSet(message)) {
+          skipped.add(key); // a constant that only later readers know
+        }
       } else if (depth == 1 && key.equals(Origin.KEY)) {
         origin = origin();
       } else if (unknown != null && !key.equals(Schema.TYPE_KEY)) {

@@ -214,7 +214,12 @@ final class ScalarKinds {
 
     @Override
     public E read(CborReader in) throws IOException, MalformedMessageException {
-      return named(in.text());
+      String name = in.text();
+      try {
+        return named(name);
+      } catch (IllegalArgumentException e) {
+        throw new UnknownConstantException(e.getMessage() + ", not \"" + name + "\"");
+      }
     }
   }
 }

@@ -81,7 +81,16 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
 
   @Override
   void read(CborReader in, T message) throws IOException, MalformedMessageException {
-    message.storage().put(this, checked(values.read(in)));
+    V value;
+    try {
+      value = values.read(in);
+    } catch (UnknownConstantException e) {
+      if (!isOptional()) {
+        throw e;
+      }
+      return; // as if it were absent: what it would have meant, this reader cannot know
+    }
+    message.storage().put(this, checked(value));
   }
 
   @Override

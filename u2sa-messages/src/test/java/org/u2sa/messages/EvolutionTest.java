@@ -2,6 +2,7 @@ package org.u2sa.messages;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
@@ -176,5 +177,19 @@ class EvolutionTest {
     assertThat(read.completed()).isFalse();
     assertThat(read.next()).isEmpty();
     assertThat(read.x()).isEmpty();
+  }
+
+  @Test
+  void decode_unknownConstantOfAnOptionalEnum_isAbsent() throws MalformedMessageException {
+    ObjectDescription buoy = new Circle().radius(1.0).uid("1").x(1.0).y(2.0);
+    byte[] bytes = buoy.level(ObjectLevel.HINDRANCE).serialize();
+    String text = new String(bytes, StandardCharsets.ISO_8859_1);
+    bytes[text.indexOf("HINDRANCE")] = 'K';
+
+    ObjectDescription read = (ObjectDescription) old.decode(Circle.TYPE.chain(), bytes);
+
+    assertThat(read.level()).isEmpty();
+    assertThat(read.presenceVector()).isZero();
+    assertThat(((Circle) read).radius()).isEqualTo(1.0);
   }
 }

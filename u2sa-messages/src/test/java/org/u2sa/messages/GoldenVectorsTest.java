@@ -84,7 +84,11 @@ class GoldenVectorsTest {
   @Test
   void golden_everyFile_hasItsMessage() throws IOException {
     try (Stream<Path> files = Files.list(FOLDER)) {
-      assertThat(files.map(file -> file.getFileName().toString().replaceAll("\\.[a-z]+$", "")))
+      assertThat(
+              files
+                  .map(file -> file.getFileName().toString())
+                  .filter(name -> !name.endsWith(".sha256")) // manifests of released formats
+                  .map(name -> name.replaceAll("\\.[a-z]+$", "")))
           .allMatch(GoldenMessages.all()::containsKey);
     }
   }

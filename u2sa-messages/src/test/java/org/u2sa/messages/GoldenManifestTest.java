@@ -1,0 +1,82 @@
+package org.u2sa.messages;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The golden vectors of every released format stand as they were released; scripts/wire/freeze adds
+ * a format.
+ */
+class GoldenManifestTest {
+  private static final Path FOLDER = Repository.file("docs/wire/golden");
+
+  /** File names of all frozen formats with their SHA-256. */
+  private static Map<String, String> frozen() throws IOException {
+    Map<String, String> frozen = new LinkedHashMap<>();
+    try (Stream<Path> files = Files.list(FOLDER)) {
+      for (Path manifest :
+          files.filter(file -> file.toString().endsWith(".sha256")).sorted().toList()) {
+        for (String line : Files.readAllLines(manifest, UTF_8)) {
+          String[] parts = line.split("  ", 2);
+          assertThat(frozen.put(parts[1], parts[0])).as("%s is in two formats", line).isNull();
+        }
+      }
+    }
+    return frozen;
+  }
+
+  @Test
+  void frozenVectors_ofEveryFormat_areAsReleased() throws IOException, NoSuchAlgorithmException {
+    List<String> wrong = new ArrayList<>();
+    for (Map.Entry<String, String> entry : frozen().entrySet()) {
+      Path file = FOLDER.resolve(entry.getKey());
+      if (!Files.exists(file) || !sha256(file).equals(entry.getValue())) {
+        wrong.add(entry.getKey());
+      }
+    }
+
+    assertThat(wrong).as("golden vectors of a released format that changed or are gone").isEmpty();
+  }
+
+  @Test
+  void frozenVectors_ofEveryFormat_areStillWrittenByTheCode() throws IOException {
+    for (String file : frozen().keySet()) {
+      if (file.endsWith(".cbor")) {
+        assertThat(GoldenMessages.all()).containsKey(file.substring(0, file.length() - 5));
+      }
+    }
+    assertThat(frozen()).hasSizeGreaterThanOrEqualTo(66);
+  }
+
+  @Test
+  void frozenVectors_ofFormat1_haveNoFieldOfALaterOne() throws IOException {
+    Map<String, U2SAData> golden = GoldenMessages.all();
+    for (String line : Files.readAllLines(FOLDER.resolve("format-1.sha256"), UTF_8)) {
+      String name = line.split("  ", 2)[1];
+      if (name.endsWith(".cbor")) {
+        U2SAData message = golden.get(name.substring(0, name.length() - 5));
+        for (MessageField<U2SAData> field : message.ownType().fields()) {
+          assertThat(field.since() > 1 && field.isSet(message)).as(name + " " + field).isFalse();
+        }
+      }
+    }
+  }
+
+  private static String sha256(Path file) throws IOException, NoSuchAlgorithmException {
+    byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
+    return HexFormat.of().formatHex(digest);
+  }
+}
