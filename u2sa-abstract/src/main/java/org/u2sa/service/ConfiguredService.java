@@ -29,7 +29,7 @@ abstract class ConfiguredService extends Thread implements Logger {
     configuration = context.configuration();
     String configuredName = configuration.getVariable(ServiceVariables.SERVICE_NAME);
     Optional<U2SAService> before = context.predecessor();
-    String ownName = configuredName.isEmpty() ? serviceName : configuredName;
+    String ownName = ServiceName.checked(configuredName.isEmpty() ? serviceName : configuredName);
     setName(before.map(U2SAService::getServiceName).orElse(ownName));
     String configuredPath = configuration.getVariable(ServiceVariables.LOG_PATH);
     Path directory = configuredPath.isEmpty() ? context.logDirectory() : Paths.get(configuredPath);

@@ -1,0 +1,54 @@
+package org.u2sa.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.ConfigurationException;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.testkit.ServiceKit;
+
+class ServiceNameTest {
+  /** Named by the configuration. */
+  private static final class Nameless extends EventDrivenService {
+    Nameless(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Nameless");
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"Lidar", "LEFT WHEEL", "gps_2", "imu-1.front", "9"})
+  void checked_plainName_isTaken(String name) {
+    assertThat(ServiceName.checked(name)).isEqualTo(name);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", " ", "../x", "a/b", ".hidden", "-x", "a\nb", "a+b", "é"})
+  void checked_otherText_isRefused(String name) {
+    assertThatThrownBy(() -> ServiceName.checked(name)).isInstanceOf(ConfigurationException.class);
+  }
+
+  @Test
+  void checked_longerThan64_isRefused() {
+    assertThat(ServiceName.checked("a".repeat(64))).hasSize(64);
+    assertThatThrownBy(() -> ServiceName.checked("a".repeat(65)))
+        .isInstanceOf(ConfigurationException.class);
+  }
+
+  @Test
+  void create_nameThatWouldMoveTheLogFile_isRefusedWithItsValue() {
+    try (ServiceKit kit = new ServiceKit().with("SERVICE NAME", "../elsewhere")) {
+      assertThatThrownBy(() -> kit.start(Nameless::new))
+          .isInstanceOf(ConfigurationException.class)
+          .hasMessageContaining("\"../elsewhere\"")
+          .hasMessageContaining("SERVICE NAME");
+    }
+  }
+}
