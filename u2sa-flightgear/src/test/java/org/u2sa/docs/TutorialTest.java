@@ -11,8 +11,10 @@ import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** The tutorial's listings are the sources that are compiled and tested in u2sa-core. */
+/** Listings of the tutorial and of other pages are sources that are compiled and tested in u2sa-core. */
 class TutorialTest {
   /** A comment that names a file of the repository, and the fenced block after it. */
   private static final Pattern LISTING =
@@ -21,10 +23,11 @@ class TutorialTest {
   private static final Path EXAMPLE =
       Page.ROOT.resolve("u2sa-core/src/test/java/org/u2sa/examples");
 
-  @Test
-  void listings_areTheirFiles() throws IOException {
-    Page tutorial = new Page("docs/tutorial.md");
-    Matcher listings = LISTING.matcher(tutorial.text());
+  @ParameterizedTest
+  @ValueSource(strings = {"docs/tutorial.md", "docs/hot-swap.md"})
+  void listings_areTheirFiles(String path) throws IOException {
+    Page page = new Page(path);
+    Matcher listings = LISTING.matcher(page.text());
     StringBuilder expected = new StringBuilder();
     while (listings.find()) {
       String file = Files.readString(Page.ROOT.resolve(listings.group(2)));
@@ -32,7 +35,7 @@ class TutorialTest {
           expected, Matcher.quoteReplacement(listings.group(1) + file + listings.group(4)));
     }
     listings.appendTail(expected);
-    tutorial.mustBe(expected.toString());
+    page.mustBe(expected.toString());
   }
 
   @Test

@@ -1,0 +1,134 @@
+package org.u2sa.core.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.ServiceSwap;
+
+/** Many swaps of a service that is reached over MQTT: no message is lost, none handled twice. */
+@Timeout(120)
+class SwapOverMqttTest {
+  private static final int MESSAGES = 3_000;
+  private static final int LEAST_SWAPS = 30;
+
+  @TempDir private Path logs;
+  private final CountDownLatch last = new CountDownLatch(1);
+
+  /** Keeps numbers only, as many as come. */
+  private final class Numbers extends EventDrivenService {
+    private final List<Integer> handled = new ArrayList<>(); // of this instance, in order
+
+    Numbers(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Numbers");
+      registerSubscriber(Channels.GOAL_COMMANDS);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      int number = Integer.parseInt(((GoalCommand) data).uid());
+      handled.add(number);
+      if (number == MESSAGES - 1) {
+        last.countDown();
+      }
+    }
+  }
+
+  /** Publishes and hears nothing. */
+  private static final class Deaf implements Receiver {
+    @Override
+    public void receive(Channel<?> channel, U2SAData message) {}
+
+    @Override
+    public void trouble(String what) {
+      throw new AssertionError(what);
+    }
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return probe.getLocalPort();
+    }
+  }
+
+  private ServiceContext.Builder context(MqttTransport transport, XmlConfiguration configuration) {
+    return ServiceContext.of("stress", configuration)
+        .clock(new SystemClock())
+        .transport(transport)
+        .logDirectory(logs);
+  }
+
+  @Test
+  void swap_overMqtt_eachMessageIsHandledOnce() throws Exception {
+    int port = freePort();
+    XmlConfiguration manager =
+        XmlConfiguration.inMemory("test", Map.of("COMMUNICATION MANAGER PORT", port));
+    MqttTransport transport =
+        new MqttTransport("127.0.0.1", port, "stress", new MessageCodec(MessageTypes.standard()));
+    try (CommunicationManager communication =
+        CommunicationManager.start("stress", manager, MessageTypes.standard(), line -> {})) {
+      assertThat(communication).isNotNull();
+      XmlConfiguration configuration =
+          XmlConfiguration.inMemory("Numbers", Map.of("INBOX CAPACITY", MESSAGES));
+      List<Numbers> all = new ArrayList<>();
+      all.add(new Numbers(context(transport, configuration).build()));
+      all.get(0).start();
+      CompletableFuture<Void> published = CompletableFuture.runAsync(() -> publish(transport));
+
+      while (last.getCount() > 0 && !published.isCompletedExceptionally()
+          || all.size() <= LEAST_SWAPS) {
+        Numbers old = all.get(all.size() - 1);
+        Numbers next =
+            new Numbers(context(transport, configuration.forSuccessor()).inPlaceOf(old).build());
+        assertThat(new ServiceSwap(old, next, () -> true).order().await(10.0)).isEmpty();
+        all.add(next);
+      }
+      published.get();
+      assertThat(last.await(30, TimeUnit.SECONDS)).isTrue();
+      all.get(all.size() - 1).kill();
+
+      List<Integer> handled = new ArrayList<>();
+      all.forEach(service -> handled.addAll(service.handled));
+      assertThat(handled).hasSize(MESSAGES).doesNotHaveDuplicates().isSorted();
+      assertThat(all)
+          .filteredOn(service -> !service.handled.isEmpty())
+          .hasSizeGreaterThan(LEAST_SWAPS / 4);
+    }
+  }
+
+  private static void publish(MqttTransport transport) {
+    try (Connection publisher = transport.connect("publisher", new Deaf())) {
+      for (int i = 0; i < MESSAGES; i++) {
+        GoalCommand message = new GoalCommand().uid(Integer.toString(i));
+        message.freeze();
+        assertThat(publisher.publish(Channels.GOAL_COMMANDS, message)).isTrue();
+      }
+    }
+  }
+}
