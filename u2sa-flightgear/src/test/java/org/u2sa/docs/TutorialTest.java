@@ -14,7 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Listings of the tutorial and of other pages are sources that are compiled and tested in u2sa-core. */
+/**
+ * Listings of the tutorial and of other pages are sources that are compiled and tested in
+ * u2sa-core.
+ */
 class TutorialTest {
   /** A comment that names a file of the repository, and the fenced block after it. */
   private static final Pattern LISTING =
