@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.planning.VectorFieldPlanner;
 import org.u2sa.flightgear.control.ThesisControl;
 import org.u2sa.interfaces.ConfigurationReference;
 import org.u2sa.interfaces.Variable;
@@ -59,6 +60,7 @@ class ConfigurationPageTest {
     for (SystemFile.Entry entry : system.services()) {
       services.put(entry.simpleName(), declaredBy(Class.forName(entry.className())));
     }
+    services.put("VectorFieldPlanner", declaredBy(VectorFieldPlanner.class));
     services.put("ThesisControl", declaredBy(ThesisControl.class));
     List<Variable<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
