@@ -28,7 +28,6 @@ final class HealthWatch implements AutoCloseable {
   private final Clock.Waiter waiter;
   private final Supplier<List<U2SAService>> services;
   private final Launcher launcher;
-  private final boolean restartsMonitor;
   private final Thread thread = new Thread(this::run, "u2sa-health-watch");
   private long restartedMicros = Long.MIN_VALUE;
   private volatile boolean closed;
@@ -36,17 +35,11 @@ final class HealthWatch implements AutoCloseable {
   /**
    * @param services those of the process at the moment
    * @param launcher through whom it speaks
-   * @param restartsMonitor whether nobody outside this process restarts a health monitor
    */
-  HealthWatch(
-      Clock clock,
-      Supplier<List<U2SAService>> services,
-      Launcher launcher,
-      boolean restartsMonitor) {
+  HealthWatch(Clock clock, Supplier<List<U2SAService>> services, Launcher launcher) {
     this.clock = clock;
     this.services = services;
     this.launcher = launcher;
-    this.restartsMonitor = restartsMonitor;
     waiter = clock.newWaiter(thread.getName());
     thread.setDaemon(true);
   }
@@ -75,7 +68,7 @@ final class HealthWatch implements AutoCloseable {
   private void look(U2SAService service) {
     Optional<HealthReport> overdue = service.overdueHealth();
     overdue.ifPresent(report -> launcher.publish(Channels.HEALTH, report));
-    if (restartsMonitor && service.role() == ServiceRole.HEALTH_MONITOR) {
+    if (service.role() == ServiceRole.HEALTH_MONITOR) {
       boolean hung =
           overdue.isPresent() && overdue.get().callbackRunning().orElse(0) > HUNG_AFTER_S;
       if (hung || service.status() == ServiceStatus.FAILED) {

@@ -70,7 +70,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private void startWatch() {
-    watch = new HealthWatch(options.clock(), this::services, launcher, !options.supervised());
+    watch = new HealthWatch(options.clock(), this::services, launcher);
     watch.start();
   }
 

@@ -2,7 +2,6 @@ package org.u2sa.gcs.run;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
@@ -67,6 +66,12 @@ public final class RunCommand implements Callable<Integer> {
           "Run one service of the file, by its class's simple name, and find the Communication Manager at its configured address.")
   private String only;
 
+  @Option(
+      names = "--supervised",
+      hidden = true,
+      description = "With --only: the process that started this one starts it again if need be.")
+  private boolean supervised;
+
   @Override
   public Integer call() throws InterruptedException {
     SystemFile system = SystemFile.read(file);
@@ -84,7 +89,7 @@ public final class RunCommand implements Callable<Integer> {
     if (only != null) {
       options.override(MANAGER, "BROKER", "external");
       system = system.only(only);
-      options.oneOfSeveral(false);
+      options.oneOfSeveral(supervised);
     }
     return separate ? runSeparately(system, options, terminal) : run(system, options, terminal);
   }
@@ -115,11 +120,16 @@ public final class RunCommand implements Callable<Integer> {
     }
   }
 
-  @SuppressWarnings("try") // the hook is there to be closed, not called
+  @SuppressWarnings("try") // hook and supervisor are there to be closed, not called
   private Integer runSeparately(SystemFile file, LaunchOptions options, Terminal terminal)
       throws InterruptedException {
+    List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
+    ProcessCommand start = new ProcessCommand(file.file(), logs, seed, settings);
     try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
-        ServiceProcesses processes = new ServiceProcesses(file, logs, seed, settings);
+        ServiceProcesses processes =
+            new ServiceProcesses(start, entries, line -> say(terminal, line));
+        Supervisor supervisor =
+            new Supervisor(file, manager, processes, line -> say(terminal, line));
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
       processes.start();
       say(
@@ -129,10 +139,7 @@ public final class RunCommand implements Callable<Integer> {
               + " runs in processes: "
               + processes.names()
               + ". Ctrl-C ends it.");
-      Map<String, Integer> failed = processes.awaitEnd();
-      failed.forEach(
-          (name, code) -> say(terminal, "Service " + name + " ended with exit code " + code + "."));
-      return failed.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+      return processes.awaitEnd().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 

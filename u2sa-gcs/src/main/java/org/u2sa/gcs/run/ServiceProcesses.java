@@ -2,44 +2,49 @@ package org.u2sa.gcs.run;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import org.u2sa.core.launch.SystemFile;
+import java.util.function.Consumer;
 import org.u2sa.gcs.ExitCode;
-import org.u2sa.gcs.Main;
 
-/** One Java process a service, each {@code u2sa run --only}. */
+/**
+ * One Java process a service: starts them, says at once when one ends, kills and starts again. All
+ * calls are safe from any thread.
+ */
 final class ServiceProcesses implements AutoCloseable {
   private static final long END_WITHIN_S = 5;
 
-  private final SystemFile file;
-  private final Path logs;
-  private final long seed;
-  private final List<String> settings;
-  private final Map<String, Process> processes = new LinkedHashMap<>();
+  private final ProcessCommand command;
+  private final List<String> entries;
+  private final Consumer<String> console;
+  private final Map<String, Process> processes = new LinkedHashMap<>(); // guarded by this
+  private final Map<String, Integer> failed = new LinkedHashMap<>(); // last ends; guarded by this
+  private volatile Consumer<String> onFailure = entry -> {};
   private volatile boolean closing;
 
-  ServiceProcesses(SystemFile file, Path logs, long seed, List<String> settings) {
-    this.file = file;
-    this.logs = logs;
-    this.seed = seed;
-    this.settings = settings;
+  /**
+   * @param entries simple names of the services' classes
+   * @param console takes what happens to the processes, a line each
+   */
+  ServiceProcesses(ProcessCommand command, List<String> entries, Consumer<String> console) {
+    this.command = command;
+    this.entries = List.copyOf(entries);
+    this.console = console;
+  }
+
+  /** Sets what is told which service's process ended badly, on a thread of the JVM's. */
+  void onFailure(Consumer<String> takes) {
+    onFailure = takes;
   }
 
   /** Starts one process a service, unless {@link #close} was called meanwhile. */
   synchronized void start() {
-    for (SystemFile.Entry entry : file.services()) {
-      if (closing) {
-        return;
-      }
+    for (String entry : entries) {
       try {
-        processes.put(
-            entry.simpleName(),
-            new ProcessBuilder(command(entry.simpleName())).inheritIO().start());
+        start(entry);
       } catch (IOException e) {
         close();
         throw new UncheckedIOException(e);
@@ -47,49 +52,74 @@ final class ServiceProcesses implements AutoCloseable {
     }
   }
 
-  private List<String> command(String service) {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.add("-XX:+UseSerialGC");
-    command.add("-Du2sa.home=" + System.getProperty("u2sa.home", ""));
-    command.add("-cp");
-    command.add(System.getProperty("java.class.path"));
-    command.add(Main.class.getName());
-    command.addAll(
-        List.of(
-            "run",
-            file.file().toString(),
-            "--only",
-            service,
-            "--logs",
-            logs.toString(),
-            "--seed",
-            String.valueOf(seed)));
-    for (String setting : settings) {
-      command.add("--set");
-      command.add(setting);
+  private synchronized boolean start(String entry) throws IOException {
+    if (closing) {
+      return false;
     }
-    return command;
+    Process process = command.of(entry).inheritIO().start();
+    processes.put(entry, process);
+    failed.remove(entry);
+    process.onExit().thenAccept(ended -> ended(entry, ended));
+    return true;
+  }
+
+  private void ended(String entry, Process process) {
+    int code = process.exitValue();
+    boolean badly;
+    synchronized (this) {
+      badly = !closing && code != ExitCode.DONE && processes.get(entry) == process;
+      if (badly) {
+        failed.put(entry, code);
+      }
+      notifyAll();
+    }
+    if (badly) {
+      console.accept("Service " + entry + " ended with exit code " + code + ".");
+      onFailure.accept(entry);
+    }
+  }
+
+  /** Whether the service's process lives. */
+  synchronized boolean isAlive(String entry) {
+    Process process = processes.get(entry);
+    return process != null && process.isAlive();
+  }
+
+  /**
+   * Kills the service's process, if it lives, and starts another one.
+   *
+   * @return whether it was started; not while everything ends
+   * @throws IOException if the process cannot be started
+   */
+  boolean startAnew(String entry) throws IOException, InterruptedException {
+    Process old;
+    synchronized (this) {
+      old = processes.remove(entry); // whose end is no news
+    }
+    if (old != null && old.isAlive()) {
+      old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+    }
+    boolean started = start(entry);
+    if (started) {
+      console.accept("Service " + entry + " was started anew.");
+    }
+    return started;
   }
 
   String names() {
-    return String.join(", ", processes.keySet());
+    return String.join(", ", entries);
   }
 
-  /** Waits for all, and returns the exit codes of those that did not end well. */
-  Map<String, Integer> awaitEnd() throws InterruptedException {
-    Map<String, Integer> failed = new LinkedHashMap<>();
-    for (Map.Entry<String, Process> process : processes.entrySet()) {
-      int code = process.getValue().waitFor();
-      if (code != ExitCode.DONE && !closing) {
-        failed.put(process.getKey(), code);
-      }
+  /** Waits until no process is left, and returns the exit codes of those that did not end well. */
+  synchronized Map<String, Integer> awaitEnd() throws InterruptedException {
+    while (processes.values().stream().anyMatch(Process::isAlive)) {
+      wait();
     }
-    return failed;
+    return new LinkedHashMap<>(failed);
   }
 
   private synchronized List<Process> started() {
-    return List.copyOf(processes.values());
+    return new ArrayList<>(processes.values());
   }
 
   /** Asks all processes to end, and ends those that do not. */
