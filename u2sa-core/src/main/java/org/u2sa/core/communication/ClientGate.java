@@ -179,9 +179,9 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
 
   private void admit(ChannelHandlerContext ctx, Introduction said) {
     rules = new PacketRules(door, user, clientId);
-    Optional<String> will = said.willTopic().flatMap(topic -> rules.refusalOfWill(topic, said));
-    if (will.isPresent()) {
-      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, will.get());
+    Optional<String> foreign = said.willTopic().flatMap(rules::refusalOfSystem);
+    if (foreign.isPresent()) { // it means to act where it may not: better told at once
+      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
     }
     Optional<String> taken = door.enter(clientId, this);
@@ -192,7 +192,10 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     stage = Stage.IN;
     door.strangers().remove(this);
     outflow.admitted(user, clientId);
-    ctx.fireChannelRead(said.forMoquette(name));
+    // Without its will a client may still come: every client of U2SA has one, also an observer's.
+    Optional<String> will = said.willTopic().flatMap(topic -> rules.refusalOfWill(topic, said));
+    will.ifPresent(why -> door.refusals().add("will refused, " + why, who()));
+    ctx.fireChannelRead(said.forMoquette(name, will.isEmpty()));
   }
 
   private void refuse(ChannelHandlerContext ctx, MqttConnectReturnCode code, String why) {

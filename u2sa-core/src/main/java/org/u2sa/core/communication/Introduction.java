@@ -79,8 +79,10 @@ final class Introduction {
   /**
    * The packet as Moquette gets it: with the door's pass for a password, and no session that would
    * outlast the connection, as what queued in it would have no bound.
+   *
+   * @param withWill whether the client's will, if it has one, may be published
    */
-  MqttConnectMessage forMoquette(String name) {
+  MqttConnectMessage forMoquette(String name, boolean withWill) {
     MqttConnectVariableHeader said = packet.variableHeader();
     MqttConnectVariableHeader header =
         new MqttConnectVariableHeader(
@@ -88,16 +90,16 @@ final class Introduction {
             said.version(),
             true,
             true,
-            said.isWillRetain(),
-            said.willQos(),
-            said.isWillFlag(),
+            withWill && said.isWillRetain(),
+            withWill ? said.willQos() : 0,
+            withWill && said.isWillFlag(),
             true,
             said.keepAliveTimeSeconds());
     MqttConnectPayload payload =
         new MqttConnectPayload(
             clientId,
-            packet.payload().willTopic(),
-            packet.payload().willMessageInBytes(),
+            withWill ? packet.payload().willTopic() : null,
+            withWill ? packet.payload().willMessageInBytes() : null,
             name,
             pass.getBytes(StandardCharsets.US_ASCII));
     return new MqttConnectMessage(packet.fixedHeader(), header, payload);

@@ -51,7 +51,18 @@ final class PacketRules {
         : refusalOfStop(topic, ByteBufUtil.getBytes(publish.content()));
   }
 
-  /** Why the client may not have that will. */
+  /** Why the client may not come as one of the topic's system; empty if it may, or it is none. */
+  Optional<String> refusalOfSystem(String topic) {
+    try {
+      return user == null || user.mayEnter(Topic.parse(topic).systemId())
+          ? Optional.empty()
+          : Optional.of("it is another system");
+    } catch (IllegalArgumentException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** Why the client may not have that will; empty if it may. */
   Optional<String> refusalOfWill(String topic, Introduction said) {
     Optional<String> refusal = refusalOfTopic(topic);
     if (refusal.isEmpty() && said.isWillRetained() && !door.mayRetain(topic)) {
@@ -63,7 +74,7 @@ final class PacketRules {
         && !user.mayClearEmergencyStop()) {
       refusal = refusalOfStop(topic, said.will());
     }
-    return refusal.map(why -> "its will may not be published: " + why);
+    return refusal;
   }
 
   /** A topic's answer does not change, and a client has few topics. */

@@ -10,12 +10,15 @@ import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.awaitility.core.ConditionFactory;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -30,6 +33,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.PercentageCommand;
@@ -42,8 +46,11 @@ import org.u2sa.messages.contract.EmergencyStop;
 class SecuredBrokerTest {
   private static final MessageTypes TYPES = MessageTypes.standard();
 
+  @TempDir static Path authorityFolder;
+  @TempDir static Path otherFolder;
+  private static SecurityDirectory authority;
+
   @TempDir Path folder;
-  @TempDir Path otherFolder;
 
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final RecordingReceiver inbox = new RecordingReceiver();
@@ -52,16 +59,22 @@ class SecuredBrokerTest {
   private int port;
   private CommunicationManager manager;
 
+  @BeforeAll
+  static void makeAuthority() throws IOException, InterruptedException, GeneralSecurityException {
+    authority = TestAuthority.in(authorityFolder);
+  }
+
   @BeforeEach
-  void start() throws IOException, InterruptedException, GeneralSecurityException {
+  void start() throws IOException {
     try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       port = probe.getLocalPort();
     }
-    directory = TestAuthority.in(folder);
+    directory = TestAuthority.copy(authority, folder);
     TestAuthority.addUser(directory, "sensor", "service", "cessna");
     TestAuthority.addUser(directory, "control", "control", "cessna");
     TestAuthority.addUser(directory, "safety", "safety", "cessna");
     TestAuthority.addUser(directory, "pilot", "operator", "cessna");
+    TestAuthority.addUser(directory, "screen", "observer", "cessna");
     TestAuthority.addUser(directory, "boatman", "operator", "boat");
     manager = start(Map.of("SECURITY DIRECTORY", folder.toString()));
     Connection local = manager.transport().connect("Local", inbox);
@@ -113,8 +126,23 @@ class SecuredBrokerTest {
     return message;
   }
 
+  private static ConditionFactory soon() {
+    return await().atMost(Duration.ofSeconds(30));
+  }
+
+  /** Publishes until it arrives: no single message of this channel is sure to. */
+  private static void awaitArrival(
+      PercentageCommand command, Connection from, RecordingReceiver at) {
+    soon()
+        .until(
+            () -> {
+              from.publish(Channels.ACTUATION, command);
+              return at.messages.contains(command);
+            });
+  }
+
   private void awaitLog(String... parts) {
-    await()
+    soon()
         .until(
             () -> log.stream().anyMatch(line -> List.of(parts).stream().allMatch(line::contains)));
   }
@@ -130,7 +158,7 @@ class SecuredBrokerTest {
     sensor.publish(Channels.STATE, state);
     connect("control").publish(Channels.ACTUATION, right);
 
-    await().until(() -> inbox.messages.contains(right) && inbox.messages.contains(state));
+    soon().until(() -> inbox.messages.contains(right) && inbox.messages.contains(state));
     assertThat(inbox.messages).doesNotContain(wrong);
     awaitLog(
         "role service may not publish on actuation",
@@ -152,33 +180,50 @@ class SecuredBrokerTest {
     safety.publish(Channels.EMERGENCY_STOP, set);
     connect("pilot").publish(Channels.EMERGENCY_STOP, byOperator);
 
-    await().until(() -> inbox.messages.contains(set) && inbox.messages.contains(byOperator));
+    soon().until(() -> inbox.messages.contains(set) && inbox.messages.contains(byOperator));
     assertThat(inbox.messages).doesNotContain(byService, bySafety);
     awaitLog("only an operator clears an emergency stop", "\"safety\"");
   }
 
   @Test
-  void otherSystemsOperator_neitherCommandsNorHears() {
+  void otherSystemsOperator_neitherCommandsNorHears() throws IOException, GeneralSecurityException {
     PercentageCommand command = frozen(PercentageCommand.of("RUDDER", 1.0));
-    RecordingReceiver hears = new RecordingReceiver();
-    Connection boatman = transport(accessOf("boatman"), "cessna").connect("Remote", hears);
+    RecordingReceiver boatmanHears = new RecordingReceiver();
+    Connection boatman =
+        transport(accessOf("boatman"), Topic.ANY_SYSTEM).connect("Remote", boatmanHears);
     connections.add(boatman);
-    boatman.subscribe(Channels.ACTUATION);
+    assertThat(boatman.subscribe(Channels.ACTUATION)).isTrue();
     RecordingReceiver pilotHears = new RecordingReceiver();
-    connect("pilot", pilotHears).subscribe(Channels.ACTUATION);
-    Connection control = connect("control");
+    assertThat(connect("pilot", pilotHears).subscribe(Channels.ACTUATION)).isTrue();
 
-    boatman.publish(Channels.EMERGENCY_STOP, frozen(new EmergencyStop().active(true)));
-    await()
-        .until(
-            () -> {
-              control.publish(Channels.ACTUATION, command);
-              return pilotHears.messages.contains(command);
-            });
+    byte[] stop = frozen(new EmergencyStop().active(true)).serialize();
+    try (RawClient cunning = new RawClient(TestAuthority.socket(directory), port)) {
+      assertThat(cunning.introduce("cunning", "boatman", "boatman")).isZero();
+      cunning.publish("u2sa/cessna/emergency-stop/EmergencyStop", stop, 0);
+      awaitLog("message refused, it is another system", "\"boatman\"");
+    }
+    awaitArrival(command, connect("control"), pilotHears);
 
-    awaitLog("it is another system", "\"boatman\"");
-    assertThat(hears.messages).isEmpty();
+    assertThat(boatmanHears.messages).isEmpty();
     assertThat(inbox.messages).noneMatch(EmergencyStop.class::isInstance);
+  }
+
+  @Test
+  void connect_asAClientOfAnotherSystem_isRefused() {
+    assertThatThrownBy(() -> connect("boatman"))
+        .isInstanceOf(CommunicationException.class)
+        .hasMessageContaining("Not authorized");
+    awaitLog("log-in refused, it is another system", "\"boatman\"");
+  }
+
+  @Test
+  void connect_observerWhoseWillItsRoleForbids_isLetInWithoutIt() {
+    RecordingReceiver screenHears = new RecordingReceiver();
+    PercentageCommand command = frozen(PercentageCommand.of("RUDDER", 1.0));
+
+    assertThat(connect("screen", screenHears).subscribe(Channels.ACTUATION)).isTrue();
+    awaitArrival(command, connect("control"), screenHears);
+    awaitLog("will refused, role observer may not publish on health", "\"screen\"");
   }
 
   @Test
@@ -187,7 +232,8 @@ class SecuredBrokerTest {
 
     assertThatThrownBy(() -> connect("pilot"))
         .isInstanceOf(CommunicationException.class)
-        .hasMessageContaining("ssl://localhost:" + port);
+        .hasMessageContaining("ssl://localhost:" + port)
+        .hasMessageContaining("Bad user name or password");
 
     awaitLog("log-in refused, wrong password", "\"pilot\"", "127.0.0.1");
   }
@@ -251,7 +297,7 @@ class SecuredBrokerTest {
     RecordingReceiver pilot = new RecordingReceiver();
     connect("pilot", pilot);
     UserFile.write(directory.users(), List.of());
-    await().until(() -> pilot.troubles.stream().anyMatch(line -> line.contains("lost")));
+    soon().until(() -> pilot.troubles.stream().anyMatch(line -> line.contains("lost")));
     awaitLog("its user was changed or removed", "\"pilot\"");
   }
 

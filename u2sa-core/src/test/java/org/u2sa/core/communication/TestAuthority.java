@@ -1,15 +1,20 @@
 package org.u2sa.core.communication;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.KeyStore;
 import java.security.SecureRandom;
+import java.security.cert.CertificateFactory;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.TrustManagerFactory;
 import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.SecretFile;
 import org.u2sa.core.security.SecurityDirectory;
@@ -45,6 +50,32 @@ final class TestAuthority {
             .getBytes(StandardCharsets.US_ASCII));
     UserFile.write(directory.users(), List.of());
     return directory;
+  }
+
+  /** Another folder with the same certificate, which takes less time than a new one. */
+  static SecurityDirectory copy(SecurityDirectory from, Path folder) throws IOException {
+    SecurityDirectory directory = new SecurityDirectory(folder);
+    Files.copy(from.authority(), directory.authority());
+    Files.copy(from.certificate(), directory.certificate());
+    SecretFile.write(directory.key(), Files.readAllBytes(from.key()));
+    UserFile.write(directory.users(), List.of());
+    return directory;
+  }
+
+  /** A socket, not connected yet, that trusts this authority. */
+  static Socket socket(SecurityDirectory directory) throws IOException, GeneralSecurityException {
+    KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
+    trusted.load(null, null);
+    try (InputStream in = Files.newInputStream(directory.authority())) {
+      trusted.setCertificateEntry(
+          "authority", CertificateFactory.getInstance("X.509").generateCertificate(in));
+    }
+    TrustManagerFactory managers =
+        TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+    managers.init(trusted);
+    SSLContext context = SSLContext.getInstance("TLS");
+    context.init(null, managers.getTrustManagers(), null);
+    return context.getSocketFactory().createSocket();
   }
 
   private static List<String> arguments(Path store) {

@@ -86,6 +86,8 @@ public final class MqttTransport implements Transport {
   private MqttConnectOptions options() {
     MqttConnectOptions options = new MqttConnectOptions();
     options.setCleanSession(true);
+    // Paho would try MQTT 3.1 after a refusal, and then tell of that attempt's failure only.
+    options.setMqttVersion(MqttConnectOptions.MQTT_VERSION_3_1_1);
     options.setKeepAliveInterval(KEEP_ALIVE_S);
     options.setConnectionTimeout(CONNECT_WITHIN_S);
     options.setSocketFactory(access.sockets());

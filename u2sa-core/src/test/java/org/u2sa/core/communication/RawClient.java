@@ -1,0 +1,124 @@
+package org.u2sa.core.communication;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.nio.charset.StandardCharsets;
+
+/** An MQTT client that says what no library would. */
+final class RawClient implements AutoCloseable {
+  private static final int USER_AND_PASSWORD = 0xc0; // flags of CONNECT
+  private static final int CLEAN_SESSION = 0x02;
+
+  private final Socket socket;
+
+  RawClient(int port) throws IOException {
+    this(new Socket(), port);
+  }
+
+  /** Over a socket that is not connected yet, such as one of TLS. */
+  RawClient(Socket socket, int port) throws IOException {
+    this.socket = socket;
+    socket.setReceiveBufferSize(8_192); // so that a client that does not read is soon full
+    socket.setSoTimeout(20_000);
+    socket.connect(new InetSocketAddress("127.0.0.1", port));
+  }
+
+  /** Connects without a user and reads the answer. */
+  RawClient introduced(String clientId) throws IOException {
+    int code = introduce(clientId);
+    if (code != 0) {
+      throw new IOException("refused: " + code);
+    }
+    return this;
+  }
+
+  /**
+   * Says who it is and reads the answer.
+   *
+   * @param userAndPassword both or none
+   * @return the return code, 0 accepted; -1: put out without a word
+   */
+  int introduce(String clientId, String... userAndPassword) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DataOutputStream out = new DataOutputStream(bytes);
+    out.writeUTF("MQTT");
+    out.write(4); // 3.1.1
+    out.write(CLEAN_SESSION | (userAndPassword.length > 0 ? USER_AND_PASSWORD : 0));
+    out.writeShort(60); // keep alive [s]
+    out.writeUTF(clientId);
+    for (String text : userAndPassword) {
+      out.writeUTF(text);
+    }
+    send(0x10, bytes.toByteArray());
+    byte[] answer = socket.getInputStream().readNBytes(4);
+    return answer.length < 4 ? -1 : answer[3];
+  }
+
+  /** Subscribes, QoS 0, and reads the answer: the code for the filter. */
+  int subscribe(String filter) throws IOException {
+    return subscribe(filter, 0);
+  }
+
+  int subscribe(String filter, int qos) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DataOutputStream out = new DataOutputStream(bytes);
+    out.writeShort(1);
+    out.writeUTF(filter);
+    out.write(qos);
+    send(0x82, bytes.toByteArray());
+    return socket.getInputStream().readNBytes(5)[4] & 0xff;
+  }
+
+  void publish(String topic, byte[] payload, int qos) throws IOException {
+    byte[] name = topic.getBytes(StandardCharsets.UTF_8);
+    byte[] all = new byte[2 + name.length + (qos > 0 ? 2 : 0) + payload.length];
+    all[0] = (byte) (name.length >> 8);
+    all[1] = (byte) name.length;
+    System.arraycopy(name, 0, all, 2, name.length);
+    if (qos > 0) {
+      all[2 + name.length + 1] = 7;
+    }
+    System.arraycopy(payload, 0, all, all.length - payload.length, payload.length);
+    send(0x30 | qos << 1, all);
+  }
+
+  private void send(int type, byte[] content) throws IOException {
+    ByteArrayOutputStream packet = new ByteArrayOutputStream();
+    packet.write(type);
+    int left = content.length;
+    do {
+      packet.write(left % 128 | (left >= 128 ? 0x80 : 0));
+      left /= 128;
+    } while (left > 0);
+    packet.write(content);
+    send(packet.toByteArray());
+  }
+
+  void send(byte[] bytes) throws IOException {
+    socket.getOutputStream().write(bytes);
+  }
+
+  /** Whether the broker ends the connection; reads what comes before. */
+  boolean isPutOut() {
+    try {
+      byte[] chunk = new byte[65_536];
+      while (socket.getInputStream().read(chunk) >= 0) {
+        continue;
+      }
+      return true;
+    } catch (SocketTimeoutException e) {
+      return false;
+    } catch (IOException e) {
+      return true; // reset
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    socket.close();
+  }
+}
