@@ -158,7 +158,9 @@ class ServiceCommandsTest {
       assertThat(run(boat, "stop", "Lidar", "--timeout", "20")).isEqualTo(ExitCode.DONE);
       assertThat(out.toString()).contains("Lidar: stopped").doesNotContain("StateEstimator");
 
-      assertThat(run(boat, "stop", "--timeout", "20")).as(out + "\n" + err).isEqualTo(ExitCode.DONE);
+      assertThat(run(boat, "stop", "--timeout", "20"))
+          .as(out + "\n" + err)
+          .isEqualTo(ExitCode.DONE);
       assertThat(out.toString()).contains("StateEstimator: stopped");
       assertThat(boat.awaitEnd()).isTrue();
     }

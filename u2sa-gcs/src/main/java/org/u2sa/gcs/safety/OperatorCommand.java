@@ -1,0 +1,103 @@
+package org.u2sa.gcs.safety;
+
+import java.io.PrintWriter;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.contract.ServiceCondition;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa operator}: is there for a vehicle, and shows how it is. */
+@Command(
+    name = "operator",
+    description = {
+      "Be there for a vehicle, and see how it is, until Ctrl-C.",
+      "",
+      "Sends an operator's heartbeat each second, and shows each change of arming, failsafe and services. A vehicle that has "
+          + "heard one takes its silence for a lost operator."
+    })
+public final class OperatorCommand implements Callable<Integer> {
+  private static final double INTERVAL_S = 1.0;
+
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Option(
+      names = "--for",
+      paramLabel = "S",
+      description = "End after so many seconds. Default: at Ctrl-C.")
+  private Double forS;
+
+  private final Map<String, String> shown = new LinkedHashMap<>(); // guarded by itself
+
+  @Override
+  public Integer call() throws InterruptedException {
+    if (forS != null && !(forS > 0.0)) {
+      throw new ParameterException(
+          command.commandLine(), "--for " + forS + ": expected more than 0 s");
+    }
+    try (RemoteLink link = remote.connect();
+        Clock.Waiter waiter = link.clock().newWaiter("operator")) {
+      link.listen(Channels.ARMING_STATE, this::show);
+      link.listen(Channels.FAILSAFE, this::show);
+      link.listen(Channels.CONDITIONS, this::show);
+      long end = forS == null ? Clock.NEVER : link.clock().micros() + Clock.micros(forS);
+      long due = link.clock().micros();
+      while (due < end) {
+        link.publish(
+            Channels.OPERATOR,
+            new OperatorHeartbeat().operator(RemoteSystem.operator()).interval(INTERVAL_S));
+        due += Clock.micros(INTERVAL_S);
+        while (link.clock().micros() < Math.min(due, end)) {
+          waiter.await(Math.min(due, end));
+        }
+      }
+    }
+    return ExitCode.DONE;
+  }
+
+  /** Called on the transport's thread. */
+  private void show(U2SAData message) {
+    if (message instanceof ArmingState state) {
+      show(
+          "arming",
+          state.armed() ? "armed" : "not armed: " + state.reasons(),
+          state.armed() + " " + state.reasons().size());
+    } else if (message instanceof FailsafeState state) {
+      String line =
+          state.action() + (state.causes().isEmpty() ? "" : " because of " + state.causes());
+      show("failsafe", line, state.action() + " " + state.causes().size());
+    } else if (message instanceof ServiceCondition condition) {
+      String line =
+          condition.condition()
+              + (condition.reason().isEmpty() ? "" : ": " + condition.reason())
+              + (condition.action().isEmpty() ? "" : ", " + condition.action());
+      show("service " + condition.serviceName(), line, condition.condition() + condition.action());
+    }
+  }
+
+  /** Shows a line unless its gist, which leaves numbers out, is the one shown last. */
+  private void show(String subject, String line, String gist) {
+    synchronized (shown) {
+      if (!gist.equals(shown.put(subject, gist))) {
+        PrintWriter out = command.commandLine().getOut();
+        out.println(subject + ": " + line);
+        out.flush();
+      }
+    }
+  }
+}
