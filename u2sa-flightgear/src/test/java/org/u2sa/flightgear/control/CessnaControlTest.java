@@ -41,6 +41,7 @@ class CessnaControlTest {
     file.getVariable(org.u2sa.interfaces.Variable.number("STALE AFTER", "s"));
     file.getVariable(org.u2sa.interfaces.Variable.number("COMMAND EXPIRY", "s"));
     file.getVariable(org.u2sa.interfaces.Variable.number("POWER EXPIRY", "s"));
+    file.getVariable(org.u2sa.interfaces.Variable.number("BLEND TIME", "s"));
     file.refuseUndeclared();
   }
 
