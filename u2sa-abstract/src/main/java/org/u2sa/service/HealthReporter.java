@@ -75,6 +75,7 @@ final class HealthReporter {
             .inboxDepth(service.inbox().depth())
             .dropped(service.inbox().dropped())
             .refused(service.wiring().refused())
+            .missed(service.wiring().missed())
             .published(service.wiring().data().published());
     service.wiring().instance().ifPresent(report::instance);
     service.wiring().data().ageS().ifPresent(report::dataAge);

@@ -29,6 +29,7 @@ final class ServiceWiring {
   private volatile boolean staged; // waits for the predecessor's connection
   private volatile boolean silent; // the connection is a successor's, or never was
   private volatile long refused; // by the connection, when it was closed
+  private volatile long missed; // likewise
   private volatile String instance; // of the connection, also after it was closed
   private final PublishedData data;
   private boolean closed;
@@ -262,11 +263,18 @@ final class ServiceWiring {
     return open == null ? refused : open.refused();
   }
 
+  /** Messages that others sent and that were lost on the way. Never waits for the connection. */
+  long missed() {
+    Connection open = connection;
+    return open == null ? missed : open.missed();
+  }
+
   synchronized void close() {
     closed = true;
     if (connection != null) {
       connection.close();
       refused = connection.refused();
+      missed = connection.missed();
       connection = null;
     }
   }

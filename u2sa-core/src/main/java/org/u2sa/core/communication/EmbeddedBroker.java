@@ -27,6 +27,7 @@ import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Gaps;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.MalformedMessageException;
@@ -48,6 +49,7 @@ final class EmbeddedBroker implements AutoCloseable {
   private final Server server = new Server();
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final Map<String, Will> wills = new ConcurrentHashMap<>();
+  private final Gaps gaps = new Gaps();
   private final AtomicLong unreadable = new AtomicLong();
   private final OutgoingCopies copies;
   private final BrokerDoor door;
@@ -166,6 +168,10 @@ final class EmbeddedBroker implements AutoCloseable {
       if (!channel.carries(message)) {
         throw new IllegalArgumentException(
             "it is not of the channel's type " + channel.type().name());
+      }
+      long missed = gaps.arrived(topicName, message.origin());
+      if (missed > 0) {
+        bus.missed(channel, missed);
       }
       bus.deliver(channel, message);
     } catch (MalformedMessageException | IllegalArgumentException e) {

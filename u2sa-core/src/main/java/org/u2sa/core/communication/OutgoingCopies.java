@@ -16,7 +16,9 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.communication.OriginNumbers;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.Origin;
 import org.u2sa.messages.U2SAData;
 
 /**
@@ -35,15 +37,17 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private static final long LOST_AFTER_MS = 1_000;
   private static final long LOOK_UP_EVERY_MS = 100; // for the end
 
-  private record Copy(Channel<?> channel, String topic, U2SAData message) {}
+  private record Copy(Channel<?> channel, String topic, U2SAData message, Origin origin) {}
 
   /** A topic and whether anybody wants it, as of a version of the subscriptions. */
-  private record Interest(String topic, boolean wanted, int version) {}
+  private record Interest(
+      String topic, boolean wanted, int version, OriginNumbers.Stream numbers) {}
 
   private final Server server;
   private final String systemId;
   private final RemoteSubscriptions subscriptions;
   private final Consumer<String> log;
+  private final OriginNumbers numbers = OriginNumbers.ofNewSender();
   private final Map<String, Map<List<String>, Interest>> interests = new ConcurrentHashMap<>();
   private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
   private Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST); // touched by the sender only
@@ -67,17 +71,27 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
     if (channel.isRetained()) { // also for those who will ask later
-      send(channel, Topic.of(systemId, channel, message).toString(), message);
-      return;
-    }
-    Interest interest = interest(channel, message.typeChain());
-    if (interest.wanted) {
-      send(channel, interest.topic, message);
+      String topic = Topic.of(systemId, channel, message).toString();
+      number(numbers.on(topic), channel, topic, message, true);
+    } else {
+      Interest interest = interest(channel, message.typeChain());
+      number(interest.numbers, channel, interest.topic, message, interest.wanted);
     }
   }
 
-  private void send(Channel<?> channel, String topic, U2SAData message) {
-    if (!waiting.offer(new Copy(channel, topic, message))) {
+  /** Numbers every message, so that who comes back later knows how many there were meanwhile. */
+  private void number(
+      OriginNumbers.Stream stream,
+      Channel<?> channel,
+      String topic,
+      U2SAData message,
+      boolean wanted) {
+    boolean taken;
+    synchronized (stream) {
+      Origin origin = stream.next();
+      taken = !wanted || waiting.offer(new Copy(channel, topic, message, origin));
+    }
+    if (!taken) {
       drop("the broker is too slow");
     }
   }
@@ -90,7 +104,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     if (known == null || known.version != version) {
       String topic =
           known != null ? known.topic : new Topic(systemId, channel.name(), typeChain).toString();
-      known = new Interest(topic, subscriptions.wants(topic), version);
+      known = new Interest(topic, subscriptions.wants(topic), version, numbers.on(topic));
       ofChannel.put(typeChain, known);
     }
     return known;
@@ -144,7 +158,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
             .topicName(copy.topic)
             .qos(eachMatters ? MqttQoS.AT_LEAST_ONCE : MqttQoS.AT_MOST_ONCE)
             .retained(copy.channel.isRetained())
-            .payload(Unpooled.wrappedBuffer(copy.message.serialize()))
+            .payload(Unpooled.wrappedBuffer(copy.message.serialize(copy.origin)))
             .build(),
         SENDER);
   }

@@ -45,6 +45,7 @@ class BrokenLinkTest {
   private CommunicationManager manager;
   private Connection local;
   private Connection remote;
+  private int numbered; // commands published, each with its number
 
   @BeforeEach
   void start() throws IOException {
@@ -123,6 +124,67 @@ class BrokenLinkTest {
     assertThat(will.instance()).contains(remote.instance());
     assertThat(will.status()).isEqualTo(ServiceStatus.FAILED);
     assertThat(will.lastError()).contains("connection lost");
+  }
+
+  @Test
+  void linkCut_whatWasSentMeanwhile_isCountedAsMissedByWhoCouldNotHearIt() {
+    remote.subscribe(Channels.ACTUATION);
+    publishUntilOneMoreIsReceived();
+    wire.cut();
+    awaitWord(remoteInbox, "lost");
+    for (int i = 0; i < 7; i++) {
+      publishNext();
+    }
+    wire.restore();
+    awaitWord(remoteInbox, "restored");
+    publishUntilOneMoreIsReceived();
+    publishNext();
+    await()
+        .atMost(SOON)
+        .until(() -> number(remoteInbox.messages.get(remoteInbox.messages.size() - 1)) == numbered);
+
+    int sinceTheFirstReceived = numbered - (int) number(remoteInbox.messages.get(0)) + 1;
+    assertThat(remote.missed())
+        .isEqualTo(sinceTheFirstReceived - remoteInbox.messages.size())
+        .isGreaterThanOrEqualTo(7);
+    assertThat(local.missed()).isZero();
+  }
+
+  private void publishNext() {
+    local.publish(Channels.ACTUATION, command(++numbered));
+  }
+
+  private static double number(U2SAData command) {
+    return ((PercentageCommand) command).percentage();
+  }
+
+  private void publishUntilOneMoreIsReceived() {
+    int before = remoteInbox.messages.size();
+    await()
+        .atMost(SOON)
+        .until(
+            () -> {
+              publishNext();
+              return remoteInbox.messages.size() > before;
+            });
+  }
+
+  @Test
+  void linkCut_whatItCouldNotSend_isCountedAsMissedByTheOtherSide() {
+    local.subscribe(Channels.STOP);
+    remote.publish(Channels.STOP, frozen(new StopCommand().serviceName("first"), 1));
+    await().atMost(SOON).until(() -> localInbox.messages.size() == 1);
+    wire.cut();
+    awaitWord(remoteInbox, "lost");
+    for (int i = 0; i < 5; i++) {
+      remote.publish(Channels.STOP, frozen(new StopCommand().serviceName("lost"), 2));
+    }
+    wire.restore();
+    awaitWord(remoteInbox, "restored");
+    remote.publish(Channels.STOP, frozen(new StopCommand().serviceName("last"), 3));
+    await().atMost(SOON).until(() -> localInbox.messages.size() == 2);
+
+    assertThat(local.missed()).isEqualTo(5);
   }
 
   @Test
@@ -234,13 +296,17 @@ class BrokenLinkTest {
     remote.publish(Channels.GOALS, old);
     remote.subscribe(Channels.GOALS);
     local.subscribe(Channels.GOALS);
-    await().until(() -> localInbox.messages.contains(old));
+    await().atMost(SOON).until(() -> localInbox.messages.contains(old));
     await()
+        .atMost(SOON)
         .until(
             () -> {
               local.publish(Channels.GOALS, newer);
               return remoteInbox.messages.contains(newer);
             });
+    GoalList newest = frozen(new GoalList(), 3); // once, when nothing is on its way any more
+    local.publish(Channels.GOALS, newest);
+    await().atMost(SOON).until(() -> remoteInbox.messages.contains(newest));
     wire.cut();
     awaitWord(remoteInbox, "lost");
     remoteInbox.messages.clear();
@@ -250,7 +316,7 @@ class BrokenLinkTest {
     publishUntilReceived(command(1.0));
 
     assertThat(remoteInbox.messages).doesNotHaveAnyElementsOfTypes(GoalList.class);
-    assertThat(localInbox.messages.get(localInbox.messages.size() - 1)).isEqualTo(newer);
+    assertThat(localInbox.messages.get(localInbox.messages.size() - 1)).isEqualTo(newest);
   }
 
   @Test
@@ -262,10 +328,11 @@ class BrokenLinkTest {
 
     await()
         .atMost(SOON)
-        .until(
+        .untilAsserted(
             () ->
-                Thread.getAllStackTraces().keySet().stream()
-                    .noneMatch(thread -> thread.getName().contains(remote.instance())));
+                assertThat(Thread.getAllStackTraces())
+                    .noneSatisfy(
+                        (thread, at) -> assertThat(thread.getName()).contains(remote.instance())));
   }
 
   @Test

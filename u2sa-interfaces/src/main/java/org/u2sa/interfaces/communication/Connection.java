@@ -36,6 +36,12 @@ public interface Connection extends AutoCloseable {
    */
   long refused();
 
+  /**
+   * Messages of the subscribed channels that others sent over MQTT and that were lost on the way,
+   * as far as their numbers tell, since the connection was made.
+   */
+  long missed();
+
   /** Ends all subscriptions and the connection. Safe to call twice. */
   @Override
   void close();

@@ -3,6 +3,7 @@ package org.u2sa.interfaces.communication;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.u2sa.messages.Origin;
 
 /**
@@ -49,6 +50,11 @@ public final class Gaps {
     long gap = before == null ? 0 : sequence - before - 1;
     missed += gap;
     return gap;
+  }
+
+  /** Forgets what came on some topics: the next message there is heard as if for the first time. */
+  public synchronized void forget(Predicate<String> topics) {
+    last.keySet().removeIf(stream -> topics.test(stream.topic()));
   }
 
   /** Messages missed since the start. */

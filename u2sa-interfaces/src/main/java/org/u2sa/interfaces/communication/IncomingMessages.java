@@ -13,6 +13,7 @@ final class IncomingMessages {
   private final MessageCodec codec;
   private final Receiver receiver;
   private final AtomicLong refused = new AtomicLong();
+  private final Gaps gaps = new Gaps();
 
   IncomingMessages(MessageCodec codec, Receiver receiver) {
     this.codec = codec;
@@ -24,6 +25,7 @@ final class IncomingMessages {
     try {
       U2SAData data = codec.decode(topic.typeChain(), payload);
       data.freeze();
+      noteGap(topic, gaps.arrived(topic.toString(), data.origin()));
       if (channel.carries(data)) {
         receiver.receive(channel, data);
       } else {
@@ -34,6 +36,24 @@ final class IncomingMessages {
     } catch (RuntimeException e) { // Paho would cut the connection
       refuse("receiving a message on " + topic + " failed: " + e);
     }
+  }
+
+  private void noteGap(Topic topic, long gap) {
+    long missed = gaps.missed();
+    if (gap > 0 && Long.highestOneBit(missed) > missed - gap) { // past 1, 2, 4, 8…: no flood
+      receiver.trouble(gap + " messages on " + topic + " were missed (" + missed + " so far)");
+    }
+  }
+
+  /**
+   * Forgets what came on a channel: what others send until it is subscribed again is not missed.
+   */
+  void forget(Channel<?> channel) {
+    gaps.forget(topic -> Topic.parse(topic).channel().equals(channel.name()));
+  }
+
+  long missed() {
+    return gaps.missed();
   }
 
   /** Counts a message that did not get through, and tells why, now and then. */

@@ -43,6 +43,13 @@ public final class LocalBus implements Transport {
     route(channel).deliver(channel, message);
   }
 
+  /** Takes note that messages of other processes were lost on their way to the bus. */
+  public void missed(Channel<?> channel, long messages) {
+    for (Subscription subscription : route(channel).subscriptions) {
+      subscription.owner.missed.addAndGet(messages);
+    }
+  }
+
   @Override
   public Connection connect(String serviceName, Receiver receiver) {
     if (!names.add(serviceName)) {
@@ -125,6 +132,7 @@ public final class LocalBus implements Transport {
     private final Receiver receiver;
     private final String instance = "local-" + connections.incrementAndGet();
     private final AtomicLong refused = new AtomicLong();
+    private final AtomicLong missed = new AtomicLong();
     private volatile boolean closed; // written under this
 
     LocalConnection(String serviceName, Receiver receiver) {
@@ -174,6 +182,11 @@ public final class LocalBus implements Transport {
     public boolean unsubscribe(Channel<?> channel) {
       route(channel).remove(this);
       return !closed;
+    }
+
+    @Override
+    public long missed() {
+      return missed.get();
     }
 
     @Override

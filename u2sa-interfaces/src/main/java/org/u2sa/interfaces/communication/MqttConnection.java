@@ -1,15 +1,14 @@
 package org.u2sa.interfaces.communication;
 
-import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.Origin;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -25,11 +24,12 @@ final class MqttConnection implements Connection, MqttLink.Owner {
   private final String systemId;
   private final String serviceName;
   private final Receiver receiver;
-  private final String instance = UUID.randomUUID().toString();
+  private final String instance = OriginNumbers.newSender();
+  private final OriginNumbers numbers = new OriginNumbers(instance);
   private final IncomingMessages incoming;
   private final RetainedTopics retained = new RetainedTopics();
   private final Map<String, Channel<?>> subscribed = new ConcurrentHashMap<>();
-  private final Map<String, Map<List<String>, String>> topics = new ConcurrentHashMap<>();
+  private final TopicNames topics;
   private final MqttLink link;
   private volatile long refusedBefore; // when the link broke
   private volatile boolean closed;
@@ -41,6 +41,7 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     this.systemId = systemId;
     this.serviceName = serviceName;
     this.receiver = receiver;
+    topics = new TopicNames(systemId);
     incoming = new IncomingMessages(codec, receiver);
     // Brokers drop the older of two clients with one ID. So a restarted service must not take its
     // predecessor's, while a connection that comes back takes its own from the broken session.
@@ -93,18 +94,24 @@ final class MqttConnection implements Connection, MqttLink.Owner {
       incoming.refuse(1);
       return false;
     }
+    String topic = topics.of(channel, message);
+    OriginNumbers.Stream stream = numbers.on(topic);
+    synchronized (stream) {
+      return publish(channel, topic, message, stream.next());
+    }
+  }
+
+  private boolean publish(Channel<?> channel, String topic, U2SAData message, Origin origin) {
     try {
       MqttSession session = link.session();
       boolean sent = false;
       if (channel.isRetained()) {
-        String topic = Topic.of(systemId, channel, message).toString();
-        byte[] payload = message.serialize();
+        byte[] payload = message.serialize(origin);
         RetainedTopics.Published last = retained.publishing(topic, payload);
         sent = session != null && session.publish(topic, payload, true, true, last);
       } else if (session != null) {
-        sent =
-            session.publish(
-                topic(channel, message), message.serialize(), channel.deliversEvery(), false, null);
+        byte[] payload = message.serialize(origin);
+        sent = session.publish(topic, payload, channel.deliversEvery(), false, null);
       }
       if (!sent && session == null) {
         incoming.refuse(1); // that the link is broken was told
@@ -118,17 +125,11 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     }
   }
 
-  private String topic(Channel<?> channel, U2SAData message) {
-    return topics
-        .computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>())
-        .computeIfAbsent(
-            message.typeChain(), chain -> Topic.of(systemId, channel, message).toString());
-  }
-
   @Override
   public boolean subscribe(Channel<?> channel) {
     subscribed.put(channel.name(), channel);
     retained.forget(channel);
+    incoming.forget(channel);
     MqttSession session = link.session();
     if (session == null) {
       return !closed; // begins when the link is back
@@ -223,6 +224,11 @@ final class MqttConnection implements Connection, MqttLink.Owner {
   @Override
   public void unconfirmed(long messages) {
     incoming.refuse(messages);
+  }
+
+  @Override
+  public long missed() {
+    return incoming.missed();
   }
 
   @Override

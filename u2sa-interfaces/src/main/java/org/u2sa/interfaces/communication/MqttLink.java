@@ -1,6 +1,7 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.Random;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
@@ -31,6 +32,7 @@ final class MqttLink {
   private volatile BackOff backOff;
   private final AtomicReference<MqttSession> current = new AtomicReference<>();
   private volatile boolean closed;
+  private volatile MqttSession opened; // the last one, perhaps not in use yet
   private String lastFailure = ""; // touched by the keeper only
   private long lostAtMicros; // touched by the keeper only
 
@@ -95,6 +97,8 @@ final class MqttLink {
         if (clock.micros() + TimeUnit.MILLISECONDS.toMicros(waitMs) > deadline) {
           throw failure;
         }
+      } catch (CancellationException | RejectedExecutionException e) {
+        throw new MqttException(MqttException.REASON_CODE_CLIENT_CLOSED, e); // closed meanwhile
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
         throw new MqttException(e);
@@ -111,6 +115,10 @@ final class MqttLink {
     boolean open = false;
     try {
       session.open(options.get());
+      opened = session;
+      if (closed) {
+        return false;
+      }
       owner.renew(session);
       current.set(session);
       owner.renew(session); // what was subscribed to before it was current
@@ -174,14 +182,22 @@ final class MqttLink {
     }
   }
 
-  /** Ends the session after what is on the way was sent, and with it all attempts. */
+  /**
+   * Ends the session after what is on the way was sent, and with it all attempts. One that is under
+   * way is not interrupted before the broker answers or its time is up: Paho, cut off while it
+   * begins its threads, leaves them behind.
+   */
   void close() {
     closed = true;
     MqttSession session = current.getAndSet(null);
     if (session != null) {
       owner.unconfirmed(session.close());
     }
-    keeper.shutdownNow();
+    keeper.shutdown();
+    MqttSession beginning = opened;
+    if (beginning != null && beginning != session) {
+      owner.unconfirmed(beginning.abandon());
+    }
     try {
       keeper.awaitTermination(END_WITHIN_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
