@@ -56,10 +56,18 @@ public final class CommunicationManager implements AutoCloseable {
           .ifAbsent(1883)
           .describedAs("TCP port of the broker, embedded or external.");
 
-  private final Transport transport;
-  private final EmbeddedBroker broker; // null unless embedded
+  /** How long to wait for a broker that is not there yet. */
+  public static final Variable<Double> WAIT =
+      Variable.number("COMMUNICATION MANAGER WAIT", "s")
+          .range(Range.of(0.0, 3600.0))
+          .ifAbsent(0.0)
+          .describedAs(
+              "How long to wait at the start for an external broker that does not answer yet, so that hosts may be started in any order.");
 
-  private CommunicationManager(Transport transport, EmbeddedBroker broker) {
+  private final Transport transport;
+  private final BrokerKeeper broker; // null unless embedded
+
+  private CommunicationManager(Transport transport, BrokerKeeper broker) {
     this.transport = transport;
     this.broker = broker;
   }
@@ -80,27 +88,27 @@ public final class CommunicationManager implements AutoCloseable {
     String bindAddress = configuration.getVariable(BIND_ADDRESS);
     String host = configuration.getVariable(HOST);
     int port = configuration.getVariable(PORT);
+    double patienceS = configuration.getVariable(WAIT);
     BrokerLimits limits = BrokerLimits.of(configuration);
     BrokerSecurity.Settings settings = BrokerSecurity.settings(configuration);
     Access access = Access.of(configuration);
     MessageCodec codec = new MessageCodec(types);
     if (kind.equals("external")) {
       MqttTransport transport =
-          new MqttTransport(host, port, systemId, codec, access.beside(settings.directory()));
+          new MqttTransport(host, port, systemId, codec, access.beside(settings.directory()))
+              .waiting(patienceS);
       transport.connect("CommunicationManager", new Probe()).close();
       return new CommunicationManager(transport, null);
     }
     LocalBus bus = new LocalBus(systemId);
-    EmbeddedBroker broker =
-        kind.equals("none")
-            ? null
-            : EmbeddedBroker.start(
-                bus,
-                codec,
-                new InetSocketAddress(bindAddress, port),
-                BrokerSecurity.of(settings, bindAddress, log),
-                limits,
-                log);
+    BrokerKeeper broker = null;
+    if (kind.equals("embedded")) {
+      BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, log);
+      InetSocketAddress address = new InetSocketAddress(bindAddress, port);
+      broker =
+          new BrokerKeeper(
+              died -> EmbeddedBroker.start(bus, codec, address, security, limits, log, died), log);
+    }
     return new CommunicationManager(bus, broker);
   }
 
@@ -131,7 +139,7 @@ public final class CommunicationManager implements AutoCloseable {
 
   /** Where the embedded broker listens. */
   public Optional<InetSocketAddress> address() {
-    return Optional.ofNullable(broker).map(EmbeddedBroker::address);
+    return Optional.ofNullable(broker).map(BrokerKeeper::address);
   }
 
   /**
@@ -140,6 +148,19 @@ public final class CommunicationManager implements AutoCloseable {
    */
   public long dropped() {
     return broker == null ? 0 : broker.dropped();
+  }
+
+  /**
+   * Ends the embedded broker and starts a new one at the same address, as happens by itself when it
+   * fails. Services of this process notice nothing; those of others reconnect. Does nothing with
+   * another broker.
+   *
+   * @throws CommunicationException if the port was taken by another program meanwhile
+   */
+  public void restartBroker() {
+    if (broker != null) {
+      broker.restart();
+    }
   }
 
   /**

@@ -53,14 +53,17 @@ final class EmbeddedBroker implements AutoCloseable {
   private final AtomicLong unreadable = new AtomicLong();
   private final OutgoingCopies copies;
   private final BrokerDoor door;
+  private final Runnable died;
 
   private EmbeddedBroker(
       LocalBus bus,
       MessageCodec codec,
       InetSocketAddress address,
       BrokerDoor door,
-      Consumer<String> log) {
+      Consumer<String> log,
+      Runnable died) {
     this.door = door;
+    this.died = died;
     this.bus = bus;
     this.codec = codec;
     this.address = address;
@@ -68,16 +71,23 @@ final class EmbeddedBroker implements AutoCloseable {
     copies = new OutgoingCopies(server, bus.systemId(), subscriptions, log);
   }
 
+  /**
+   * Starts a broker and joins it to the bus.
+   *
+   * @param died called when the broker can no longer serve; must return at once
+   * @throws CommunicationException if it cannot listen
+   */
   static EmbeddedBroker start(
       LocalBus bus,
       MessageCodec codec,
       InetSocketAddress address,
       BrokerSecurity security,
       BrokerLimits limits,
-      Consumer<String> log) {
+      Consumer<String> log,
+      Runnable died) {
     refuseTakenPort(address);
     BrokerDoor door = new BrokerDoor(limits, codec, new SystemClock(), security.users(log), log);
-    EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, door, log);
+    EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, door, log, died);
     try {
       broker.server.startServer(
           new MemoryConfig(properties(address, security)),
@@ -150,7 +160,7 @@ final class EmbeddedBroker implements AutoCloseable {
 
   @Override
   public void close() {
-    bus.attach((channel, message) -> {});
+    bus.detach();
     copies.close();
     server.stopServer();
     door.close();
@@ -202,6 +212,7 @@ final class EmbeddedBroker implements AutoCloseable {
     @Override
     public void onSessionLoopError(Throwable error) {
       log.accept("the broker failed: " + error);
+      died.run();
     }
 
     @Override

@@ -182,5 +182,10 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+    int left = waiting.size();
+    if (left > 0) {
+      dropped.addAndGet(left);
+      log.accept(left + " copies for remote subscribers could not be sent before the end");
+    }
   }
 }

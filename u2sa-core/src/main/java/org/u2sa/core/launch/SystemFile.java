@@ -3,8 +3,13 @@ package org.u2sa.core.launch;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.xml.XmlElement;
@@ -20,22 +25,32 @@ import org.u2sa.interfaces.xml.XmlReader;
  * </system>
  * }</pre>
  *
+ * <p>The communication and each service may name their {@code host} for systems on several machines
+ * ({@link #onHost}); who runs all in one place need not care.
+ *
  * @param file where it was read
  * @param systemId the vehicle's ID
  * @param communication the Communication Manager's configuration file; without one, its defaults
  *     hold
+ * @param communicationHost the host that carries the Communication Manager; empty: any
  * @param services in the order in which they are started
  */
 public record SystemFile(
-    Path file, String systemId, Optional<Path> communication, List<Entry> services) {
+    Path file,
+    String systemId,
+    Optional<Path> communication,
+    String communicationHost,
+    List<Entry> services) {
   /**
    * One service.
    *
    * @param className its class, with a public constructor that takes a ServiceContext
    * @param configuration its configuration file; without one, the defaults of its variables hold
+   * @param host the host on which it runs in a system on several; empty if the file does not say
    * @param element where the file says so, for error messages
    */
-  public record Entry(String className, Optional<Path> configuration, XmlElement element) {
+  public record Entry(
+      String className, Optional<Path> configuration, String host, XmlElement element) {
     /** The class's name without its package or enclosing class. */
     public String simpleName() {
       return className.substring(
@@ -71,8 +86,10 @@ public record SystemFile(
     }
     List<Entry> services = new ArrayList<>();
     for (XmlElement element : root.children("service")) {
-      element.refuseUnknownAttributes("class", "configuration");
-      services.add(new Entry(element.attribute("class"), configuration(file, element), element));
+      element.refuseUnknownAttributes("class", "configuration", "host");
+      services.add(
+          new Entry(
+              element.attribute("class"), configuration(file, element), host(element), element));
     }
     if (services.isEmpty()) {
       throw root.error(
@@ -80,30 +97,70 @@ public record SystemFile(
     }
     Optional<Path> manager =
         communication.isEmpty() ? Optional.empty() : configuration(file, communication.get(0));
-    return new SystemFile(file, id, manager, services);
+    String host = communication.isEmpty() ? "" : host(communication.get(0));
+    return new SystemFile(file, id, manager, host, services);
+  }
+
+  private static String host(XmlElement element) {
+    return element.optionalAttribute("host").orElse("");
   }
 
   /**
-   * The same system with one of its services only.
+   * The same system with some of its services only.
    *
-   * @param simpleName of the service's class
-   * @throws BadInputException if the file lists no such service
+   * @param simpleNames of the services' classes
+   * @throws BadInputException if the file lists no service of one of the names
    */
-  public SystemFile only(String simpleName) {
-    for (Entry entry : services) {
-      if (entry.simpleName().equals(simpleName)) {
-        return new SystemFile(file, systemId, communication, List.of(entry));
-      }
-    }
+  public SystemFile only(Collection<String> simpleNames) {
     List<String> known = new ArrayList<>();
     services.forEach(entry -> known.add(entry.simpleName()));
-    throw new BadInputException(
-        file + ": lists no service \"" + simpleName + "\"; expected one of " + known);
+    for (String name : simpleNames) {
+      if (!known.contains(name)) {
+        throw new BadInputException(
+            file + ": lists no service \"" + name + "\"; expected one of " + known);
+      }
+    }
+    return with(entry -> simpleNames.contains(entry.simpleName()));
+  }
+
+  /** {@link #only(Collection)} with one service. */
+  public SystemFile only(String simpleName) {
+    return only(List.of(simpleName));
+  }
+
+  /**
+   * The same system with the services of one host only; perhaps none, on a host that carries the
+   * Communication Manager alone.
+   *
+   * @throws BadInputException if the file names no such host, or a service has none
+   */
+  public SystemFile onHost(String host) {
+    Set<String> known = new TreeSet<>();
+    known.add(communicationHost);
+    for (Entry entry : services) {
+      if (entry.host().isEmpty()) {
+        throw entry
+            .element()
+            .error("names no host; expected host=\"…\" at every service of a system on several");
+      }
+      known.add(entry.host());
+    }
+    known.remove("");
+    if (!known.contains(host)) {
+      throw new BadInputException(
+          file + ": names no host \"" + host + "\"; expected one of " + known);
+    }
+    return with(entry -> entry.host().equals(host));
   }
 
   /** The same system with its Communication Manager only. */
   public SystemFile withoutServices() {
-    return new SystemFile(file, systemId, communication, List.of());
+    return with(entry -> false);
+  }
+
+  private SystemFile with(Predicate<Entry> wanted) {
+    List<Entry> some = services.stream().filter(wanted).collect(Collectors.toList());
+    return new SystemFile(file, systemId, communication, communicationHost, some);
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

@@ -62,9 +62,17 @@ public final class RunCommand implements Callable<Integer> {
   @Option(
       names = "--only",
       paramLabel = "SERVICE",
+      split = ",",
       description =
-          "Run one service of the file, by its class's simple name, and find the Communication Manager at its configured address.")
-  private String only;
+          "Run these services of the file only, by their classes' simple names, with commas between them, and find the Communication Manager at its configured address.")
+  private List<String> only = List.of();
+
+  @Option(
+      names = "--host",
+      paramLabel = "NAME",
+      description =
+          "Run what the file gives to this host. The Communication Manager is run on the host that <communication> names, and found at its configured address by the others.")
+  private String host;
 
   @Option(
       names = "--supervised",
@@ -86,7 +94,19 @@ public final class RunCommand implements Callable<Integer> {
                   terminal.out().flush();
                 });
     settings.forEach(setting -> set(options, setting));
-    if (only != null) {
+    if (host != null && !only.isEmpty()) {
+      throw new ParameterException(
+          command.commandLine(), "--host and --only: expected one of them at most");
+    }
+    if (host != null) {
+      boolean carriesManager = system.communicationHost().equals(host);
+      system = system.onHost(host);
+      if (!carriesManager) {
+        options.override(MANAGER, "BROKER", "external");
+      }
+      options.oneOfSeveral(false);
+    }
+    if (!only.isEmpty()) {
       options.override(MANAGER, "BROKER", "external");
       system = system.only(only);
       options.oneOfSeveral(supervised);

@@ -33,9 +33,18 @@ public final class LocalBus implements Transport {
     void forward(Channel<?> channel, U2SAData message);
   }
 
-  /** Attaches the bridge to other processes, in place of the one before. */
+  /**
+   * Attaches the bridge to other processes, in place of the one before. It is given what is
+   * retained at once, since the broker behind it may be new and know nothing.
+   */
   public void attach(Bridge newBridge) {
     bridge = newBridge;
+    routes.values().forEach(route -> route.handRetained(newBridge));
+  }
+
+  /** Takes the bridge off: nothing leaves this process until another one is attached. */
+  public void detach() {
+    bridge = (channel, message) -> {};
   }
 
   /** Delivers a frozen message that came from another process to the local subscribers. */
@@ -90,11 +99,13 @@ public final class LocalBus implements Transport {
   private static final class Route {
     private volatile Subscription[] subscriptions = {};
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
+    private Channel<?> channel; // of what is retained
 
-    void deliver(Channel<?> channel, U2SAData message) {
-      if (channel.isRetained()) {
+    void deliver(Channel<?> on, U2SAData message) {
+      if (on.isRetained()) {
         synchronized (this) { // so that a new subscriber sees a retained message once
-          retained.put(channel.sourceOf(message), message);
+          channel = on;
+          retained.put(on.sourceOf(message), message);
           hand(message);
         }
       } else {
@@ -106,6 +117,10 @@ public final class LocalBus implements Transport {
       for (Subscription subscription : subscriptions) {
         subscription.hand(message);
       }
+    }
+
+    synchronized void handRetained(Bridge newBridge) {
+      retained.values().forEach(message -> newBridge.forward(channel, message));
     }
 
     synchronized void add(Subscription added) {
