@@ -3,6 +3,7 @@ package org.u2sa.gcs.run;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
@@ -131,7 +132,14 @@ public final class RunCommand implements Callable<Integer> {
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       say(
           terminal,
-          "System " + file.systemId() + " runs: " + names(system.services()) + ". Ctrl-C ends it.");
+          "System "
+              + file.systemId()
+              + " runs: "
+              + (file.services().isEmpty() ? MANAGER : names(system.services()))
+              + ". Ctrl-C ends it.");
+      if (file.services().isEmpty()) {
+        new CountDownLatch(1).await(); // the Communication Manager alone, until interrupted
+      }
       system.awaitEnd();
       for (U2SAService failed : system.failed()) {
         say(terminal, "Service " + failed.getServiceName() + " failed; see its log file.");
