@@ -1,15 +1,19 @@
 package org.u2sa.core.communication;
 
 import java.net.InetSocketAddress;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.u2sa.interfaces.communication.CommunicationException;
 
 /** Holds the embedded broker of a running system, and puts a new one in its place when it fails. */
 final class BrokerKeeper implements AutoCloseable {
+  private static final long TRY_AGAIN_MS = 500;
+
   private final Function<Runnable, EmbeddedBroker> starter;
   private final Consumer<String> log;
-  private EmbeddedBroker broker; // this and the following under this
+  private final InetSocketAddress address;
+  private EmbeddedBroker broker; // null while none could be started; this and the following: this
   private long droppedBefore; // by predecessors
   private boolean closed;
 
@@ -17,27 +21,51 @@ final class BrokerKeeper implements AutoCloseable {
    * Starts the broker.
    *
    * @param starter starts one, given whom to tell when it fails
+   * @throws CommunicationException if it cannot listen
    */
   BrokerKeeper(Function<Runnable, EmbeddedBroker> starter, Consumer<String> log) {
     this.starter = starter;
     this.log = log;
-    broker = starter.apply(this::failed);
+    broker = started();
+    address = broker.address();
+  }
+
+  private EmbeddedBroker started() {
+    AtomicBoolean told = new AtomicBoolean();
+    return starter.apply(
+        () -> {
+          if (told.compareAndSet(false, true)) { // several of its threads may fail
+            repairSoon();
+          }
+        });
   }
 
   /** Called on a thread of the broker, which is not to end itself. */
-  private void failed() {
-    Thread repair =
-        new Thread(
-            () -> {
-              try {
-                restart();
-              } catch (CommunicationException e) {
-                log.accept(e.getMessage() + "; services of other processes are cut off");
-              }
-            },
-            "u2sa-broker-restart");
+  private void repairSoon() {
+    Thread repair = new Thread(this::repair, "u2sa-broker-restart");
     repair.setDaemon(true);
     repair.start();
+  }
+
+  private synchronized void repair() {
+    String lastFailure = "";
+    while (!closed) {
+      try {
+        restart();
+        return;
+      } catch (CommunicationException e) {
+        if (!lastFailure.equals(e.getMessage())) {
+          lastFailure = e.getMessage(); // said once, however long it lasts
+          log.accept(e.getMessage() + "; services of other processes are cut off, tries on");
+        }
+      }
+      try {
+        wait(TRY_AGAIN_MS);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return;
+      }
+    }
   }
 
   /**
@@ -49,30 +77,32 @@ final class BrokerKeeper implements AutoCloseable {
     if (closed) {
       return;
     }
-    broker.close();
-    droppedBefore += broker.dropped();
-    broker = starter.apply(this::failed);
-    log.accept("the broker was started anew at " + broker.address());
+    endPresent();
+    broker = started();
+    log.accept("the broker was started anew at " + address);
   }
 
-  synchronized InetSocketAddress address() {
-    return broker.address();
+  private void endPresent() {
+    if (broker != null) {
+      broker.close();
+      droppedBefore += broker.dropped();
+      broker = null;
+    }
   }
 
-  /** The broker that runs. */
-  synchronized EmbeddedBroker broker() {
-    return broker;
+  InetSocketAddress address() {
+    return address;
   }
 
+  /** What clients and the broker were too slow for, since the start. */
   synchronized long dropped() {
-    return droppedBefore + broker.dropped();
+    return droppedBefore + (broker == null ? 0 : broker.dropped());
   }
 
   @Override
   public synchronized void close() {
-    if (!closed) {
-      closed = true;
-      broker.close();
-    }
+    closed = true;
+    endPresent();
+    notifyAll();
   }
 }

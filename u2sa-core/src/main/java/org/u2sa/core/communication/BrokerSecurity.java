@@ -33,7 +33,7 @@ final class BrokerSecurity {
   private final SecurityDirectory directory; // null: neither users nor encryption
   private final SslContext tls; // null likewise
 
-  private BrokerSecurity(SecurityDirectory directory, SslContext tls) {
+  BrokerSecurity(SecurityDirectory directory, SslContext tls) {
     this.directory = directory;
     this.tls = tls;
   }

@@ -29,7 +29,7 @@ import org.u2sa.messages.U2SAData;
 @Timeout(90)
 class BrokerRestartTest {
   private static final MessageTypes TYPES = MessageTypes.standard();
-  private static final Duration SOON = Duration.ofSeconds(15);
+  private static final Duration SOON = Duration.ofSeconds(30);
 
   /**
    * Paho forgets up to so many that it has read when the link breaks under it; their numbers are

@@ -95,9 +95,9 @@ public final class RunCommand implements Callable<Integer> {
                   terminal.out().flush();
                 });
     settings.forEach(setting -> set(options, setting));
-    if (host != null && !only.isEmpty()) {
+    if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
       throw new ParameterException(
-          command.commandLine(), "--host and --only: expected one of them at most");
+          command.commandLine(), "--separate, --only and --host: expected one of them at most");
     }
     if (host != null) {
       boolean carriesManager = system.communicationHost().equals(host);

@@ -45,22 +45,34 @@ public final class ForeignSystem implements AutoCloseable {
       }
       Path file =
           Files.writeString(directory.resolve("system.xml"), text.append("</system>\n").toString());
-      ForeignSystem system = new ForeignSystem(launch(directory, file), port);
-      system.awaitRunning();
-      return system;
+      return start(file, port);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private static Process launch(Path directory, Path file) throws IOException {
+  /**
+   * Starts a system, or a part of it, and returns when its services run. Logs go beside its file.
+   *
+   * @param port of its broker
+   * @param arguments of {@code u2sa run}, further than the file
+   */
+  public static ForeignSystem start(Path file, int port, String... arguments) throws IOException {
+    ForeignSystem system = new ForeignSystem(launch(file, arguments), port);
+    system.awaitRunning();
+    return system;
+  }
+
+  private static Process launch(Path file, String... arguments) throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:+UseSerialGC", "-Xmx128m", "-cp"));
     command.add(
         System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")));
     command.add(Main.class.getName());
-    command.addAll(List.of("run", file.toString(), "--logs", directory.resolve("logs").toString()));
+    command.addAll(
+        List.of("run", file.toString(), "--logs", file.resolveSibling("logs").toString()));
+    command.addAll(List.of(arguments));
     return new ProcessBuilder(command).redirectErrorStream(true).start();
   }
 

@@ -1,0 +1,98 @@
+package org.u2sa.gcs.run;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.Main;
+import org.u2sa.gcs.remote.ForeignSystem;
+
+/** One system file, run in parts: as on several hosts. */
+@Timeout(180)
+class SeveralHostsTest {
+  @TempDir private Path folder;
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+  private final int port = ForeignSystem.freePort();
+  private Path file;
+
+  @BeforeEach
+  void write() throws IOException {
+    Files.writeString(
+        folder.resolve("Manager.xml"),
+        """
+        <configuration>
+          <variable name="COMMUNICATION MANAGER PORT" type="int" value="%d"/>
+          <variable name="COMMUNICATION MANAGER WAIT" type="double" value="90.0"/>
+        </configuration>
+        """
+            .formatted(port));
+    file =
+        Files.writeString(
+            folder.resolve("system.xml"),
+            """
+            <system id="boat">
+              <communication configuration="Manager.xml" host="desk"/>
+              <service class="org.u2sa.gcs.services.Lidar" host="bow"/>
+              <service class="org.u2sa.core.estimation.PassThroughStateEstimator" host="bridge"/>
+            </system>
+            """);
+  }
+
+  private ForeignSystem host(String name) {
+    try {
+      return ForeignSystem.start(file, port, "--host", name);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private int run(String... args) {
+    return Main.run(new PrintWriter(out), new PrintWriter(err), args);
+  }
+
+  @Test
+  void run_hostsStartedInAnyOrder_areOneSystem() throws Exception {
+    CompletableFuture<ForeignSystem> early = CompletableFuture.supplyAsync(() -> host("bow"));
+    try (ForeignSystem manager = host("desk");
+        ForeignSystem bridge = host("bridge");
+        ForeignSystem bow = early.get(90, TimeUnit.SECONDS)) {
+      assertThat(bow.port()).isEqualTo(bridge.port());
+      assertThat(run("services", "--broker", manager.broker())).isEqualTo(ExitCode.DONE);
+    }
+    assertThat(out.toString())
+        .contains("System boat", "Lidar", "StateEstimator")
+        .contains("Launcher-Lidar", "Launcher-StateEstimator");
+    assertThat(err.toString()).isEmpty();
+  }
+
+  @Test
+  void run_hostThatTheFileDoesNotName_listsThoseItDoes() {
+    assertThat(run("run", file.toString(), "--host", "stern")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString())
+        .contains("names no host \"stern\"; expected one of [bow, bridge, desk]");
+  }
+
+  @Test
+  void run_hostAndOnly_isBadInput() {
+    assertThat(run("run", file.toString(), "--host", "bow", "--only", "Lidar"))
+        .isEqualTo(ExitCode.BAD_INPUT);
+  }
+
+  @Test
+  void run_hostAndSeparate_isBadInput() {
+    assertThat(run("run", file.toString(), "--host", "bow", "--separate"))
+        .isEqualTo(ExitCode.BAD_INPUT);
+  }
+}
