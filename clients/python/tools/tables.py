@@ -14,14 +14,14 @@ def cells(line):
 
 
 def channels(text):
-    """(name, QoS, retained) of each channel of the first table."""
+    """(name, QoS, retained, field of the source) of each channel of the first table."""
     lines = text[text.index("| channel |"):].splitlines()[2:]
     rows = []
     for line in lines:
         if not line.startswith("|"):
             break
         name, _types, _way, qos, retained = cells(line)
-        rows.append((name, int(qos), retained == "yes"))
+        rows.append((name, int(qos), retained != "", retained[len("of each "):]))
     return rows
 
 
@@ -82,8 +82,8 @@ def parsed(text, kind):
 def written():
     text = DOC.read_text(encoding="utf-8")
     out = ['"""Channels and messages, written by tools/tables.py from docs/wire-protocol.md. Do not edit."""', ""]
-    out += ["# name: (QoS, retained)", "CHANNELS = {"]
-    out += [f"    {name!r}: ({qos}, {retained})," for name, qos, retained in channels(text)]
+    out += ["# name: (QoS, retained, field that names the source in the topic)", "CHANNELS = {"]
+    out += [f"    {name!r}: ({qos}, {retained}, {source!r})," for name, qos, retained, source in channels(text)]
     out += ["}", ""]
     out += ["# (type chain, abstract, fields); a field: (name, kind, presence, default, least, most, constants, since)"]
     out += ["MESSAGES = ["]

@@ -11,6 +11,7 @@ import paho.mqtt.client as mqtt
 
 from .codec import encode
 from .message import Message
+from .retained import Retained
 from .topics import Topic, delivery
 
 _KEEP_ALIVE_S = 5
@@ -55,6 +56,7 @@ class Link:
         self._trouble = trouble
         self._filters: Set[str] = set()
         self._numbers: Dict[str, int] = {}  # of the last message by topic
+        self._retained = Retained()
         self._lock = threading.Lock()
         self._answered = threading.Event()
         self._refusal: Optional[str] = None
@@ -103,11 +105,14 @@ class Link:
     def publish(self, channel: str, message: Message) -> bool:
         """Hands a message over; False if it was not taken, such as while the connection is lost."""
         qos, retained = delivery(channel)
-        topic = str(Topic(self._system_id, channel, message.chain))
+        topic = str(Topic.of(self._system_id, channel, message))
         with self._lock:  # numbers leave in their order
             self._numbers[topic] = self._numbers.get(topic, 0) + 1
             payload = encode(message, (self.instance, self._numbers[topic]))
-            if not self._client.is_connected():
+            connected = self._client.is_connected()
+            if retained:
+                self._retained.publishing(topic, payload, connected)
+            if not connected:
                 return False  # it would be old when the connection is back
             return bool(self._client.publish(topic, payload, qos, retained).rc == mqtt.MQTT_ERR_SUCCESS)
 
@@ -135,10 +140,12 @@ class Link:
             for topic_filter in filters:
                 client.subscribe(topic_filter, 1)
             if again:
+                self._retained.restore(client)
                 self._trouble("connection restored")
         self._answered.set()
 
     def _message(self, _client: Any, _data: Any, packet: Any) -> None:
+        self._retained.arrived(packet.topic)
         try:
             self._received(packet.topic, packet.payload)
         except Exception as e:  # it would end paho's thread, and with it the connection

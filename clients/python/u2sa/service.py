@@ -260,8 +260,8 @@ class Service:
         last = self.__newest.get((sender, topic))
         if last is not None and number > last + 1:
             self.health.count("missed", number - last - 1)
-        if last is None or number > last:
-            self.__newest[(sender, topic)] = number
+        self.__newest.pop((sender, topic), None)  # so that the one heard last stands last
+        self.__newest[(sender, topic)] = max(number, last or 0)
         while len(self.__newest) > _SENDERS:
             del self.__newest[next(iter(self.__newest))]
 

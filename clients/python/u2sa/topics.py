@@ -6,30 +6,60 @@ from dataclasses import dataclass
 from typing import Sequence, Tuple
 
 from . import tables
+from .message import Message
 from .schema import Malformed
 
 _SYSTEM_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,63}")
 _CHANNEL = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
+_ESCAPED = re.compile("[/+#%\x00-\x1f\x7f-\x9f]")
+
+
 @dataclass(frozen=True)
 class Topic:
-    """Where a message stands on the broker."""
+    """Where a message stands on the broker.
+
+    :param source: which of several sources on a retained channel the message is of; empty where they share a topic
+    """
 
     system_id: str
     channel: str
     chain: Tuple[str, ...]
+    source: str = ""
+
+    @staticmethod
+    def of(system_id: str, channel: str, message: Message) -> "Topic":
+        """The topic of a message on a channel."""
+        field = _channel(channel)[2]
+        return Topic(system_id, channel, message.chain, message[field] if field and field in message else "")
 
     @staticmethod
     def parse(topic: str) -> "Topic":
-        """:raises Malformed: if it is not of the form u2sa/<systemId>/<channel>/<TypeChain…>"""
+        """:raises Malformed: if it is not of the form u2sa/<systemId>/<channel>/<TypeChain…>, =source perhaps behind it"""
         levels = topic.split("/")
-        if len(levels) < 4 or levels[0] != "u2sa" or "" in levels:
+        source = ""
+        if len(levels) > 4 and levels[-1].startswith("="):
+            source = _decoded(levels.pop()[1:])
+        if len(levels) < 4 or levels[0] != "u2sa" or "" in levels or levels[-1].startswith("="):
             raise Malformed(f'topic "{topic}": expected u2sa/<systemId>/<channel>/<TypeChain…>')
-        return Topic(check_system_id(levels[1]), levels[2], tuple(levels[3:]))
+        return Topic(check_system_id(levels[1]), levels[2], tuple(levels[3:]), source)
 
     def __str__(self) -> str:
-        return "/".join(("u2sa", self.system_id, self.channel, *self.chain))
+        source = ("=" + _encoded(self.source),) if self.source else ()
+        return "/".join(("u2sa", self.system_id, self.channel, *self.chain, *source))
+
+
+def _encoded(source: str) -> str:
+    """A source's name as one level: what topics give a meaning or forbid as % and four hexadecimal digits."""
+    return _ESCAPED.sub(lambda found: f"%{ord(found.group()):04X}", source)
+
+
+def _decoded(level: str) -> str:
+    source = re.sub("%([0-9A-F]{4})", lambda found: chr(int(found.group(1), 16)), level)
+    if not level or _encoded(source) != level:
+        raise Malformed(f'source "{level}": expected a name, written as "{_encoded(source)}"')
+    return source
 
 
 def check_system_id(system_id: str) -> str:
@@ -53,4 +83,8 @@ def topic_filter(system_id: str, channel: str, chain: Sequence[str] = ()) -> str
 
 def delivery(channel: str) -> Tuple[int, bool]:
     """QoS and retained flag of what is published on a channel; of one that is not standard: 1 and not retained."""
-    return tables.CHANNELS.get(channel, (1, False))
+    return _channel(channel)[:2]
+
+
+def _channel(name: str) -> Tuple[int, bool, str]:
+    return tables.CHANNELS.get(name, (1, False, ""))

@@ -25,7 +25,9 @@ final class SourceLevel {
   /**
    * The name that was {@link #encode}d.
    *
-   * @throws IllegalArgumentException if four hexadecimal digits do not follow a '%'
+   * @throws IllegalArgumentException if no name is written so: it is empty, four hexadecimal digits
+   *     do not follow a '%', or they stand for a character that needs none; so that a source has
+   *     one topic
    */
   static String decode(String level) {
     StringBuilder source = new StringBuilder();
@@ -42,6 +44,13 @@ final class SourceLevel {
       }
       source.append((char) Integer.parseInt(level.substring(i + 1, end), HEX));
       i = end - 1;
+    }
+    if (level.isEmpty()) {
+      throw new IllegalArgumentException("expected the source's name behind '='");
+    }
+    String written = encode(source.toString());
+    if (!written.equals(level)) {
+      throw new IllegalArgumentException("source \"" + level + "\": expected \"" + written + "\"");
     }
     return source.toString();
   }

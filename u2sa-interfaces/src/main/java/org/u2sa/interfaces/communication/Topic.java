@@ -67,6 +67,10 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
     String last = levels[levels.length - 1];
     boolean hasSource = last.startsWith(SOURCE);
     int types = hasSource ? levels.length - 1 : levels.length;
+    if (types == FIRST_TYPE) {
+      throw new IllegalArgumentException(
+          "topic \"" + topic + "\": expected a type before the source \"" + last + "\"");
+    }
     return new Topic(
         levels[1],
         levels[2],

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 class TopicTest {
   @Test
@@ -47,6 +48,17 @@ class TopicTest {
     assertThat(Topic.parse(topic.toString())).isEqualTo(topic);
   }
 
+  @Test
+  void of_retainedMessageOfOneOfSeveral_endsWithItsSource() {
+    ActuatorAnnouncement flap = new ActuatorAnnouncement().actuatorName("FLAP/1 %\n");
+
+    Topic topic = Topic.of("cessna", Channels.ACTUATORS, flap);
+
+    assertThat(topic)
+        .hasToString("u2sa/cessna/actuators/ActuatorAnnouncement/=FLAP%002F1 %0025%000A");
+    assertThat(Topic.parse(topic.toString()).source()).isEqualTo("FLAP/1 %\n");
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -56,7 +68,12 @@ class TopicTest {
         "other/a/state/T",
         "u2sa//state/T",
         "u2sa/a/state/T/",
-        "u2sa/a b/state/T"
+        "u2sa/a b/state/T",
+        "u2sa/a/actuators/=RUDDER",
+        "u2sa/a/actuators/T/=",
+        "u2sa/a/actuators/T/=%2F",
+        "u2sa/a/actuators/T/=%0041",
+        "u2sa/a/actuators/T/=%002f"
       })
   void parse_otherForm_isRefused(String topic) {
     assertThatThrownBy(() -> Topic.parse(topic)).isInstanceOf(IllegalArgumentException.class);
