@@ -106,6 +106,7 @@ final class BrokerDoor implements AutoCloseable {
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-gate", gate);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);
+      ctx.pipeline().addBefore("handler", "u2sa-retain-flag", new RetainFlag(retainedTopics));
       ctx.fireChannelActive();
       ctx.pipeline().remove(this);
     }

@@ -68,7 +68,7 @@ final class EmbeddedBroker implements AutoCloseable {
     this.codec = codec;
     this.address = address;
     this.log = log;
-    copies = new OutgoingCopies(server, bus.systemId(), subscriptions, log);
+    copies = new OutgoingCopies(server, bus.systemId(), subscriptions, door::mayRetain, log);
   }
 
   /**

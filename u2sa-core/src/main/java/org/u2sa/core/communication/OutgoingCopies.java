@@ -46,6 +46,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final Server server;
   private final String systemId;
   private final RemoteSubscriptions subscriptions;
+  private final Consumer<String> retained;
   private final Consumer<String> log;
   private final OriginNumbers numbers = OriginNumbers.ofNewSender();
   private final Map<String, Map<List<String>, Interest>> interests = new ConcurrentHashMap<>();
@@ -55,11 +56,19 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final Thread sender = new Thread(this::send, "u2sa-outgoing-copies");
   private volatile boolean closing;
 
+  /**
+   * @param retained told each topic of which the broker will hold a message, before it does
+   */
   OutgoingCopies(
-      Server server, String systemId, RemoteSubscriptions subscriptions, Consumer<String> log) {
+      Server server,
+      String systemId,
+      RemoteSubscriptions subscriptions,
+      Consumer<String> retained,
+      Consumer<String> log) {
     this.server = server;
     this.systemId = systemId;
     this.subscriptions = subscriptions;
+    this.retained = retained;
     this.log = log;
     sender.setDaemon(true);
   }
@@ -153,6 +162,9 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private RoutingResults publish(Copy copy) {
     boolean eachMatters = copy.channel.deliversEvery() || copy.channel.isRetained();
+    if (copy.channel.isRetained()) {
+      retained.accept(copy.topic);
+    }
     return server.internalPublish(
         MqttMessageBuilders.publish()
             .topicName(copy.topic)

@@ -3,6 +3,7 @@ package org.u2sa.core.communication;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
@@ -73,7 +74,16 @@ final class RawClient implements AutoCloseable {
     return socket.getInputStream().readNBytes(5)[4] & 0xff;
   }
 
+  /** QoS 1. */
+  void publishRetained(String topic, byte[] payload) throws IOException {
+    publish(topic, payload, 1, 1);
+  }
+
   void publish(String topic, byte[] payload, int qos) throws IOException {
+    publish(topic, payload, qos, 0);
+  }
+
+  private void publish(String topic, byte[] payload, int qos, int retain) throws IOException {
     byte[] name = topic.getBytes(StandardCharsets.UTF_8);
     byte[] all = new byte[2 + name.length + (qos > 0 ? 2 : 0) + payload.length];
     all[0] = (byte) (name.length >> 8);
@@ -83,7 +93,23 @@ final class RawClient implements AutoCloseable {
       all[2 + name.length + 1] = 7;
     }
     System.arraycopy(payload, 0, all, all.length - payload.length, payload.length);
-    send(0x30 | qos << 1, all);
+    send(0x30 | qos << 1 | retain, all);
+  }
+
+  /** Reads one packet to its end. Returns its first byte: type and flags. */
+  int next() throws IOException {
+    InputStream in = socket.getInputStream();
+    int first = in.read();
+    int length = 0;
+    int shift = 0;
+    int digit;
+    do {
+      digit = in.read();
+      length |= (digit & 0x7f) << shift;
+      shift += 7;
+    } while (digit > 0x7f);
+    in.readNBytes(length);
+    return first;
   }
 
   private void send(int type, byte[] content) throws IOException {
