@@ -1,0 +1,179 @@
+"""What docs/wire-protocol.md says of one message on a broker, read from the page itself. Knows nothing else of U2SA."""
+import io
+import math
+import pathlib
+import re
+import sys
+
+import cbor2
+
+REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(REPOSITORY / "clients" / "python" / "tools"))
+import tables  # noqa: E402  (reads the page's tables)
+
+PAGE = tables.DOC.read_text(encoding="utf-8")
+CHANNELS = {name: (qos, retained, source) for name, qos, retained, source in tables.channels(PAGE)}
+MESSAGES = {chain[-1]: (chain, abstract, fields) for chain, abstract, fields in tables.messages(PAGE)}
+STANDARD = (tuple(CHANNELS), tuple(MESSAGES))
+CHECKED = set()  # classes of which a message was held to its table
+WILL = "ConnectionLost"
+_SYSTEM_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,63}")
+_FRAME = re.compile(r"GLOBAL|LOCAL_ENU|LOCAL_NED|BODY|BODY_FRD|BODY_FLU|UTM ([1-9]|[1-5][0-9]|60)[NS]")
+
+
+def _rows(head, start=0):
+    """Cells of the rows of the table with that head."""
+    lines = PAGE[PAGE.index(head, start):].splitlines()[2:]
+    return [tables.cells(line) for line in lines[:next(i for i, line in enumerate(lines) if not line.startswith("|"))]]
+
+
+def _names(types):
+    """The classes that a channel carries; of "and subclasses" nothing needs to be said."""
+    return re.findall(r"[A-Z…]\w*", types.replace("GoalInformation's", "GoalInformation"))
+
+
+CARRIED = {cells[0]: _names(cells[1]) for cells in _rows("| channel |") + _rows("| own channel |")}
+
+
+def _add_own():
+    """The Cessna's channels and classes; a class's table has its own fields only."""
+    for name, _types, _way, qos, _retained in _rows("| own channel |"):
+        CHANNELS[name] = (int(qos), False, "")
+    for found in re.finditer(r"^`(\w+)`, chain `([\w/]+)`", PAGE, re.M):
+        chain = tuple(found.group(2).split("/"))
+        parent = MESSAGES[chain[-2]][2] if len(chain) > 1 else MESSAGES["DiscoveryRequest"][2]  # systemId and timestamp
+        own = [tables.field(*row) for row in _rows("| field |", found.end())]
+        MESSAGES[chain[-1]] = (chain, False, [*parent, *own])
+
+
+_add_own()
+
+
+class Difference(Exception):
+    """Something that the page does not say."""
+
+
+def require(holds, what):
+    if not holds:
+        raise Difference(what)
+
+
+def split(topic):
+    """System ID, channel, type chain and source. :raises Difference: if it is no topic of the page"""
+    levels = topic.split("/")
+    source = levels.pop()[1:] if len(levels) > 4 and levels[-1].startswith("=") else None
+    require(len(levels) >= 4 and levels[0] == "u2sa" and "" not in levels, "topic is not u2sa/<systemId>/<channel>/<TypeChain>")
+    require(_SYSTEM_ID.fullmatch(levels[1]), f"{levels[1]} is no system ID")
+    require(levels[2] in CHANNELS, f"channel {levels[2]} is not in the table")
+    return levels[1], levels[2], levels[3:], source
+
+
+def check(topic, qos, payload, now_s):
+    """Raises Difference if the message is not what the page says; returns its pairs and its origin (None without one).
+
+    :param now_s: when it came in [s since 1970]
+    """
+    system, channel, chain, source = split(topic)
+    carried = CARRIED[channel]
+    require(any(name in carried or any(kind[0] == "…" and name.endswith(kind[1:]) for kind in carried) for name in chain),
+            f"{'/'.join(chain)} is none of {carried}")
+    expected = 1 if WILL in chain else CHANNELS[channel][0]
+    require(qos == expected, f"QoS {qos}, the page says {expected}")
+    message, origin = parts(payload)
+    require(message.get("systemId") == system, "systemId is not the topic's")
+    if WILL in chain:
+        require("timestamp" not in message, "a will has no timestamp")
+        require((message.get("status"), message.get("lastError")) == ("FAILED", "connection lost"), "not as wills are")
+        require("instance" in message, "a will without instance")
+    else:
+        require(0 < message.get("timestamp", 0) <= (now_s + 2.0) * 1e6, "no timestamp, or one in the future")
+    fields_of(chain, message, "")
+    field = CHANNELS[channel][2]
+    written = re.sub("[/+#%\x00-\x1f\x7f-\x9f]", lambda found: f"%{ord(found[0]):04X}", message.get(field) or "")
+    require(source == (written or None), f"source {source}, expected {written or None}")
+    return message, origin
+
+
+def parts(payload):
+    """The message's pairs and its origin."""
+    stream = io.BytesIO(payload)
+    message = cbor2.CBORDecoder(stream).decode()
+    require(stream.read() == b"", "bytes after the message")
+    require(isinstance(message, dict), "payload is no map")
+    require(cbor2.dumps(message) == payload, "not as writers write: definite lengths, shortest integers, float64")
+    if "origin" not in message:
+        return message, None
+    require(list(message)[-1] == "origin", "origin is not behind all other pairs")
+    sender, number = message.pop("origin")
+    require(isinstance(sender, str) and 1 <= len(sender) <= 64 and type(number) is int and number >= 1,
+            "origin is no sender and number")
+    return message, (sender, number)
+
+
+def fields_of(chain, message, where):
+    known = [name for name in chain if name in MESSAGES]
+    require(known, f"{where}no class of {chain} is in the tables")
+    own, abstract, fields = MESSAGES[known[-1]]
+    require(list(own) == chain[:len(own)], f"{where}chain {chain} is not {own}")
+    newer = len(chain) > len(own)
+    require(newer or not abstract, f"{where}{own[-1]} is abstract")
+    keys = list(message)
+    names = [field[0] for field in fields]
+    present = [key for key in keys if key in names]
+    require(newer or len(present) == len(keys), f"{where}keys that no table has: {set(keys) - set(names)}")
+    require(present == [name for name in names if name in message], f"{where}keys are not in the table's order: {keys}")
+    for name, kind, presence, _default, least, most, choices, _since in fields:
+        require(name in message or presence == "optional", f"{where}{name} is {presence} and missing")
+        if name in message:
+            value_of(kind, message[name], least, most, choices, f"{where}{name}: ")
+    quantities(message, where)
+    CHECKED.update(chain)
+
+
+def quantities(message, where):
+    """What units and frames say beyond the tables' ranges."""
+    frame = message.get("referenceFrame", "")
+    for name, most in (("x", 180.0), ("y", 90.0)) if frame == "GLOBAL" else ():
+        require(abs(message.get(name, 0.0)) <= most, f"{where}{name} is {message.get(name)} deg in GLOBAL")
+    if frame and not frame.startswith("BODY") and "psi" in message:
+        require(0.0 <= message["psi"] <= 2 * math.pi, f"{where}psi is {message['psi']} rad in {frame}")
+    for name, value in message.items():
+        require(not name.endswith("Sigma") or value >= 0.0, f"{where}{name} is {value}")
+
+
+def value_of(kind, value, least, most, choices, where):
+    def is_number(item):
+        return type(item) is float and math.isfinite(item)
+
+    if kind == "float64":
+        require(is_number(value), f"{where}{value!r} is no finite float64")
+        require(least is None or value >= least, f"{where}{value} is less than {least}")
+        require(most is None or value <= most, f"{where}{value} is more than {most}")
+    elif kind == "int":
+        require(type(value) is int and -(1 << 63) <= value < 1 << 63, f"{where}{value!r} is no int")
+    elif kind == "bool":
+        require(type(value) is bool, f"{where}{value!r} is no bool")
+    elif kind == "enum":
+        require(value in choices, f"{where}{value!r} is none of {choices}")
+    elif kind == "frame":
+        require(type(value) is str and _FRAME.fullmatch(value), f"{where}{value!r} is no frame")
+    elif kind == "text":
+        require(type(value) is str and len(value.encode()) <= 65536, f"{where}{value!r} is no text")
+    elif kind == "point":
+        require(type(value) is list and len(value) == 3 and all(map(is_number, value)), f"{where}{value!r} is no point")
+    else:
+        require(type(value) is list and len(value) <= 100_000, f"{where}{value!r} is no array")
+        for index, item in enumerate(value):
+            element(kind, item, f"{where[:-2]}[{index}]: ")
+
+
+def element(kind, item, where):
+    if kind == "texts":
+        value_of("text", item, None, None, (), where)
+    elif kind == "points":
+        value_of("point", item, None, None, (), where)
+    else:
+        require(type(item) is dict and next(iter(item), None) == "type", f"{where}does not open with its type chain")
+        chain = item.pop("type")
+        require(kind.partition(":")[2] in chain, f"{where}{chain} is no {kind.partition(':')[2]}")
+        fields_of(chain, item, where)
