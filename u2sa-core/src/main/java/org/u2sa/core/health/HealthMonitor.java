@@ -8,6 +8,7 @@ import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceCondition;
@@ -26,7 +27,7 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. What is done is
  * each service's policy. It does not watch itself: its process's {@code HealthWatch} does, or its
- * supervisor.
+ * supervisor. While it is cut off from all others it judges nobody.
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;
@@ -36,6 +37,7 @@ public final class HealthMonitor extends PeriodicService {
 
   private final Map<String, WatchedService> services = new TreeMap<>();
   private MonitorSettings settings;
+  private final Hearing hearing;
   private double lookedS = Double.NaN;
   private long orders;
 
@@ -43,6 +45,7 @@ public final class HealthMonitor extends PeriodicService {
   public HealthMonitor(ServiceContext context) {
     super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
     settings = new MonitorSettings(context.configuration());
+    hearing = new Hearing(nowS());
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
     registerSubscriber(Channels.CONDITIONS);
@@ -91,6 +94,10 @@ public final class HealthMonitor extends PeriodicService {
   }
 
   private void hear(HealthReport report) {
+    boolean forItself = report.threadAlive().isEmpty() && !(report instanceof ConnectionLost);
+    if (report.serviceName().equals(getServiceName()) && forItself) {
+      hearing.hear(report, nowS());
+    }
     if (!watches(report.serviceName())) {
       return;
     }
@@ -134,7 +141,25 @@ public final class HealthMonitor extends PeriodicService {
       services.values().forEach(service -> service.excuse(nowS));
     }
     lookedS = nowS;
-    services.values().forEach(this::look);
+    if (hears(nowS)) {
+      services.values().forEach(this::look);
+    }
+  }
+
+  private boolean hears(double nowS) {
+    switch (hearing.look(nowS)) {
+      case DEAF:
+        log(LogLevelEnum.WARN, "does not hear even itself: judges nobody until it does");
+        return false;
+      case STILL_DEAF:
+        return false;
+      case HEARS_AGAIN:
+        log(LogLevelEnum.WARN, "hears again");
+        services.values().forEach(service -> service.excuse(Hearing.excusedUntilS(nowS)));
+        return true;
+      default:
+        return true;
+    }
   }
 
   private void look(WatchedService service) {

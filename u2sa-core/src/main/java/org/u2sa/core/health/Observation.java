@@ -90,10 +90,15 @@ final class Observation {
     }
   }
 
-  /** Excuses a silence in which the monitor itself could not hear. */
-  void excuse(double nowS) {
-    heardS = nowS;
-    spokeS = nowS;
+  /**
+   * Excuses a silence in which the monitor itself could not hear; it begins then at the soonest.
+   */
+  void excuse(double untilS) {
+    heardS = untilS;
+    spokeS = untilS;
+    if (last == null) {
+      sinceS = untilS;
+    }
   }
 
   /** The instance that was heard last; empty if none. */

@@ -91,8 +91,8 @@ final class WatchedService {
     }
   }
 
-  void excuse(double nowS) {
-    observation.excuse(nowS);
+  void excuse(double untilS) {
+    observation.excuse(untilS);
   }
 
   /**

@@ -100,6 +100,52 @@ class HealthMonitorTest {
     assertThat(orders().get(0).serviceName()).isEqualTo("Worker");
   }
 
+  private HealthReport ownReport() {
+    return new HealthReport()
+        .serviceName("HealthMonitor")
+        .status(ServiceStatus.RUNNING)
+        .instance("own")
+        .interval(INTERVAL_S);
+  }
+
+  @Test
+  void silence_whenItDoesNotHearEvenItself_judgesNobody() {
+    kit.with("HEALTH INTERVAL", 3600.0); // so that it is heard only where this test has it so
+    monitor();
+    say(ownReport());
+    live("a", 0.5);
+
+    kit.advance(20.0);
+    assertThat(orders()).isEmpty();
+    assertThat(condition().condition()).isIn(Condition.ALIVE, Condition.SILENT);
+
+    hearItselfFor(5.0); // the worker takes longer to come back
+    live("a", 0.5);
+    assertThat(orders()).isEmpty();
+    assertThat(condition().condition()).isEqualTo(Condition.ALIVE);
+  }
+
+  @Test
+  void silence_longAfterItHearsItselfAgain_isLost() {
+    kit.with("HEALTH INTERVAL", 3600.0);
+    monitor();
+    say(ownReport());
+    live("a", 0.5);
+    kit.advance(20.0);
+
+    hearItselfFor(12.0);
+
+    assertThat(condition().condition()).isEqualTo(Condition.LOST);
+    assertThat(orders()).hasSize(1);
+  }
+
+  private void hearItselfFor(double forS) {
+    for (double s = 0.0; s < forS; s += INTERVAL_S) {
+      say(ownReport());
+      kit.advance(INTERVAL_S);
+    }
+  }
+
   @Test
   void neverHeard_isLostOnceItsTimeToStartIsOver() {
     kit.with("START WITHIN", 5.0);
