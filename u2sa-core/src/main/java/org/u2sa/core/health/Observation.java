@@ -138,6 +138,9 @@ final class Observation {
     if (runningS > settings.hungAfterS()) {
       return finding(Condition.HUNG, "its callback has been running for " + seconds(runningS));
     }
+    if (nowS - spokeS > settings.lostAfterS()) { // spoken for, and in no callback that would end
+      return finding(Condition.HUNG, "its thread has not come back for " + seconds(nowS - spokeS));
+    }
     if (nowS - spokeS > SILENT_AFTER * last.interval().orElse(USUAL_INTERVAL_S)) {
       return finding(Condition.SILENT, "no report of its own for " + seconds(nowS - spokeS));
     }

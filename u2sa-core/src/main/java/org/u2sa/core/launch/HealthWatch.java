@@ -22,6 +22,7 @@ import org.u2sa.service.U2SAService;
 final class HealthWatch implements AutoCloseable {
   private static final long EVERY_MICROS = 250_000;
   private static final double HUNG_AFTER_S = 2.0;
+  private static final long AWAY_AFTER_MICROS = 4_000_000;
   private static final long RESTART_AT_MOST_EVERY_MICROS = 5_000_000;
 
   private final Clock clock;
@@ -29,6 +30,7 @@ final class HealthWatch implements AutoCloseable {
   private final Supplier<List<U2SAService>> services;
   private final Launcher launcher;
   private final Thread thread = new Thread(this::run, "u2sa-health-watch");
+  private long spokeMicros; // the monitor, for itself
   private long restartedMicros = Long.MIN_VALUE;
   private volatile boolean closed;
 
@@ -51,6 +53,7 @@ final class HealthWatch implements AutoCloseable {
   private void run() {
     try {
       long dueMicros = clock.micros();
+      spokeMicros = dueMicros;
       while (!closed) {
         waiter.await(dueMicros);
         for (U2SAService service : closed ? List.<U2SAService>of() : services.get()) {
@@ -69,12 +72,20 @@ final class HealthWatch implements AutoCloseable {
     Optional<HealthReport> overdue = service.overdueHealth();
     overdue.ifPresent(report -> launcher.publish(Channels.HEALTH, report));
     if (service.role() == ServiceRole.HEALTH_MONITOR) {
-      boolean hung =
-          overdue.isPresent() && overdue.get().callbackRunning().orElse(0) > HUNG_AFTER_S;
-      if (hung || service.status() == ServiceStatus.FAILED) {
+      if (isHung(overdue) || service.status() == ServiceStatus.FAILED) {
         restart(service);
       }
     }
+  }
+
+  /** Whether the monitor is in a callback for too long, or elsewhere and does not come back. */
+  private boolean isHung(Optional<HealthReport> monitorsOverdue) {
+    if (monitorsOverdue.isEmpty()) {
+      spokeMicros = clock.micros();
+      return false;
+    }
+    return monitorsOverdue.get().callbackRunning().orElse(0) > HUNG_AFTER_S
+        || clock.micros() - spokeMicros > AWAY_AFTER_MICROS;
   }
 
   private void restart(U2SAService monitor) {

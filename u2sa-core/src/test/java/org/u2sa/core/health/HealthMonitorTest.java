@@ -207,6 +207,20 @@ class HealthMonitorTest {
   }
 
   @Test
+  void launcherSpeaks_threadStandsOutsideOfCallbacks_isHungInTheEnd() {
+    monitor();
+    live("a", 1.0);
+
+    for (int i = 0; i < 20; i++) { // 5 s
+      say(report("a").threadAlive(true));
+      kit.advance(INTERVAL_S);
+    }
+
+    assertThat(condition().condition()).isEqualTo(Condition.HUNG);
+    assertThat(condition().reason()).contains("not come back");
+  }
+
+  @Test
   void launcherSpeaks_threadEnded_isDead() {
     monitor();
     live("a", 1.0);
