@@ -103,11 +103,18 @@ public class PathPlanner extends EventDrivenService {
     }
     end.takeOver(state);
     failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
+    settings = currentSettings();
+  }
+
+  /** As configured; but a glide path to land on is a line, whatever the mission's altitudes are. */
+  private PlanningSettings currentSettings() {
+    PlanningSettings configured = PlanningSettings.of(this);
+    return failsafe == FailsafeAction.LAND ? configured.alongLines() : configured;
   }
 
   @Override
   protected final void configurationChanged(Set<String> variableNames) {
-    settings = PlanningSettings.of(this);
+    settings = currentSettings();
     registerSubscriber(Channels.STATE, settings.staleAfterS());
     end.leave(); // a circle of the new radius
   }
@@ -148,6 +155,7 @@ public class PathPlanner extends EventDrivenService {
       end.leave(); // holds where the vehicle is now
     }
     failsafe = action;
+    settings = currentSettings();
   }
 
   private boolean isUsable(StateInformation state) {

@@ -21,6 +21,15 @@ record PlanningSettings(
     double staleAfterS,
     long reportIntervalMicros) {
 
+  /** The same, with altitudes in proportion to the way. */
+  PlanningSettings alongLines() {
+    LineSettings linear =
+        new LineSettings(
+            lines.leastLookAheadM(), lines.lookAheadS(), lines.turns(), AltitudeProfile.LINEAR);
+    return new PlanningSettings(
+        linear, attempts, holdsAtEnd, loiterRadiusM, staleAfterS, reportIntervalMicros);
+  }
+
   /** Declares and reads the variables. */
   static PlanningSettings of(Configurator configuration) {
     TurnAnticipation turns =

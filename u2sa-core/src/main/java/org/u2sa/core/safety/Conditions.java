@@ -15,6 +15,9 @@ final class Conditions {
   /** A service that is silent may yet turn out to be alive. */
   private static final Set<Condition> WORKING = EnumSet.of(Condition.ALIVE, Condition.SILENT);
 
+  /** How the health monitor's actions begin for services that it gives up. */
+  private static final String GIVEN_UP = "failsafe";
+
   private final Map<String, ServiceCondition> newest = new TreeMap<>();
 
   void see(ServiceCondition condition) {
@@ -25,6 +28,15 @@ final class Conditions {
   Optional<String> failure(String service) {
     return Optional.ofNullable(newest.get(service))
         .filter(condition -> !WORKING.contains(condition.condition()))
+        .map(Conditions::words);
+  }
+
+  /** A service of which the health monitor says that it is a case for a failsafe; empty if none. */
+  Optional<String> givenUp() {
+    return newest.values().stream()
+        .filter(condition -> condition.action().startsWith(GIVEN_UP))
+        .filter(condition -> !WORKING.contains(condition.condition()))
+        .findFirst()
         .map(Conditions::words);
   }
 

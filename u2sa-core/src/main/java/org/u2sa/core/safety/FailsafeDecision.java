@@ -11,7 +11,8 @@ import org.u2sa.messages.contract.FailsafeAction;
 /**
  * What is to be done because of the hazards at hand: the most severe of what the matrix says of
  * each. A cause counts until it has been gone for CLEAR AFTER. RETURN and what is more severe stays
- * until {@link #acknowledge}, unless RESUME.
+ * until {@link #acknowledge}, unless RESUME. What is done about the fence stays in any case: the
+ * mission that led to it once would do so again.
  */
 final class FailsafeDecision {
   /** A hazard that counts. */
@@ -39,12 +40,17 @@ final class FailsafeDecision {
   void present(Hazard hazard, String words, long nowMicros) {
     Cause cause = new Cause(hazard, matrix(hazard), words, nowMicros);
     causes.put(hazard, cause);
-    boolean stays =
-        cause.action().compareTo(FailsafeAction.RETURN) >= 0
-            && !configuration.getVariable(SafetyVariables.RESUME);
-    if (stays && (kept == null || cause.action().compareTo(kept.action()) > 0)) {
+    if (stays(cause) && (kept == null || cause.action().compareTo(kept.action()) > 0)) {
       kept = cause;
     }
+  }
+
+  private boolean stays(Cause cause) {
+    if (cause.hazard() == Hazard.FENCE) {
+      return cause.action() != FailsafeAction.CONTINUE;
+    }
+    return cause.action().compareTo(FailsafeAction.RETURN) >= 0
+        && !configuration.getVariable(SafetyVariables.RESUME);
   }
 
   /** Forgets causes that have been gone for long enough. */

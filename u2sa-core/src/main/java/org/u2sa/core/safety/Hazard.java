@@ -10,6 +10,7 @@ enum Hazard {
   ESTIMATOR("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD),
   ACTUATOR_LINK("actuator link", "ON ACTUATOR LINK LOSS", FailsafeAction.HOLD),
   HEALTH_MONITOR("health monitor", "ON HEALTH MONITOR LOSS", FailsafeAction.CONTINUE),
+  SERVICE("service given up", "ON SERVICE LOSS", FailsafeAction.HOLD),
   LOW_BATTERY("low battery", "ON LOW BATTERY", FailsafeAction.RETURN),
   CRITICAL_BATTERY("critical battery", "ON CRITICAL BATTERY", FailsafeAction.RETURN),
   FENCE("geofence", "ON FENCE", FailsafeAction.RETURN);

@@ -7,6 +7,7 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.u2sa.interfaces.Configurator;
+import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -17,6 +18,7 @@ import org.u2sa.messages.frame.Point;
  * @param reactionS from the failsafe until it brakes or turns [s]; till then it goes straight on
  * @param brakingMps2 its deceleration [m/s²]
  * @param bankRad of its turns [rad]
+ * @param leastRadiusM of its turns [m], where it holds on a wide circle
  * @param windMps that may blow it on while it turns [m/s]
  * @param verticalMps2 with which a climb or descent ends [m/s²]
  */
@@ -25,6 +27,7 @@ record Manoeuvre(
     double reactionS,
     double brakingMps2,
     double bankRad,
+    double leastRadiusM,
     double windMps,
     double verticalMps2) {
   private static final double GRAVITY_MPS2 = 9.80665;
@@ -34,11 +37,15 @@ record Manoeuvre(
 
   /** Declares and reads the variables. */
   static Manoeuvre of(Configurator configuration) {
+    double holdRadiusM = configuration.getVariable(SafetyVariables.HOLD_RADIUS);
+    boolean holds =
+        configuration.getVariable(Hazard.FENCE.action()).equals(FailsafeAction.HOLD.name());
     return new Manoeuvre(
         configuration.getVariable(SafetyVariables.FENCE_MANOEUVRE).equals(SafetyVariables.TURN),
         configuration.getVariable(SafetyVariables.REACTION_TIME),
         configuration.getVariable(SafetyVariables.BRAKING),
         configuration.getVariable(SafetyVariables.TURN_BANK),
+        holds ? holdRadiusM : 0.0,
         configuration.getVariable(SafetyVariables.WIND_ALLOWANCE),
         configuration.getVariable(SafetyVariables.VERTICAL_ACCELERATION));
   }
@@ -51,12 +58,13 @@ record Manoeuvre(
   /** Radius of its turn in the air [m]: v²/(g tan φ), at the airspeed that it has at most. */
   double turnRadiusM(double speedMps) {
     double fastest = speedMps + windMps;
-    return fastest * fastest / lateralMps2();
+    return Math.max(leastRadiusM, fastest * fastest / lateralMps2());
   }
 
   /** How far wind may blow it on while it turns round [m], to any side. */
   double driftM(double speedMps) {
-    return windMps * Math.PI * (speedMps + windMps) / lateralMps2();
+    double halfTurnS = Math.PI * turnRadiusM(speedMps) / Math.max(SLOWEST_MPS, speedMps + windMps);
+    return windMps * halfTurnS;
   }
 
   private double lateralMps2() {

@@ -83,7 +83,7 @@ final class SafetyVariables {
       Variable.flag("RESUME")
           .ifAbsent(false)
           .describedAs(
-              "Whether RETURN and LAND end with their causes; otherwise they go on until an operator arms anew.");
+              "Whether RETURN and LAND end with their causes, the fence aside; otherwise they go on until an operator arms anew.");
 
   static final Variable<Double> REPEAT_INTERVAL =
       Variable.number("REPEAT INTERVAL", "s")
@@ -136,6 +136,13 @@ final class SafetyVariables {
           .range(Range.of(0.01, 1.4))
           .ifAbsent(0.4)
           .describedAs("Bank with which the aircraft turns away from the fence.");
+
+  static final Variable<Double> HOLD_RADIUS =
+      Variable.number("HOLD RADIUS", "m")
+          .range(Range.nonNegative())
+          .ifAbsent(0.0)
+          .describedAs(
+              "The planner's LOITER RADIUS: the circle for which there must be room before the fence if ON FENCE is HOLD.");
 
   static final Variable<Double> WIND_ALLOWANCE =
       Variable.number("WIND ALLOWANCE", "m/s")

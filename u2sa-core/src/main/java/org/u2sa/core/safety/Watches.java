@@ -28,6 +28,7 @@ final class Watches {
             conditions,
             () -> variables.getVariable(SafetyVariables.ACTUATOR_SERVICES)));
     watches.add(new MonitorWatch(variables));
+    watches.add(new GivenUpWatch(conditions));
     watches.add(
         new BatteryWatch(
             Hazard.LOW_BATTERY,

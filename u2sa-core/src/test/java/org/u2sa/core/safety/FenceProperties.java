@@ -53,7 +53,7 @@ class FenceProperties {
       @ForAll @DoubleRange(min = 0.0, max = 8.0) double wind) {
     SplittableRandom random = new SplittableRandom(seed);
     double reaction = 3.0;
-    Manoeuvre promised = new Manoeuvre(true, reaction + 2.0 * STEP_S, 1.0, bank, wind, 1.0);
+    Manoeuvre promised = new Manoeuvre(true, reaction + 2.0 * STEP_S, 1.0, bank, 0.0, wind, 1.0);
     Fence fence =
         fence(
             random,
@@ -92,7 +92,7 @@ class FenceProperties {
       @ForAll @DoubleRange(min = 0.2, max = 5.0) double braking) {
     SplittableRandom random = new SplittableRandom(seed);
     double reaction = 1.0;
-    Manoeuvre promised = new Manoeuvre(false, reaction + 2.0 * STEP_S, braking, 0.4, 0.0, 1.0);
+    Manoeuvre promised = new Manoeuvre(false, reaction + 2.0 * STEP_S, braking, 0.4, 0.0, 0.0, 1.0);
     Fence fence = fence(random, 6.0 * (promised.stoppingM(speed) + 2.0 * speed));
     Point velocity = velocity(speed, 2.0 * Math.PI * random.nextDouble());
     double way = 0.0;

@@ -93,9 +93,11 @@ class SafetyManagerTest {
   }
 
   private void condition(String service, Condition condition) {
-    kit.publish(
-        Channels.CONDITIONS,
-        new ServiceCondition().serviceName(service).condition(condition).reason("seen so"));
+    kit.publish(Channels.CONDITIONS, given(service, condition));
+  }
+
+  private static ServiceCondition given(String service, Condition condition) {
+    return new ServiceCondition().serviceName(service).condition(condition).reason("seen so");
   }
 
   @Test
@@ -229,6 +231,26 @@ class SafetyManagerTest {
 
     condition("StateEstimator", Condition.ALIVE);
     condition("Rudder", Condition.SILENT);
+    live(3.2);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void service_givenUpByTheMonitor_holdsAndOneThatIsRestartedDoesNot() {
+    startArmed();
+    kit.publish(Channels.CONDITIONS, given("PathPlanner", Condition.DEAD).action("restart 1 of 3"));
+    live(0.2);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+
+    kit.publish(
+        Channels.CONDITIONS,
+        given("PathPlanner", Condition.DEAD).action("failsafe, given up after 3 restarts"));
+    live(0.2);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.HOLD);
+    assertThat(failsafe().causes())
+        .containsExactly("service given up: service PathPlanner is DEAD: seen so");
+
+    condition("PathPlanner", Condition.ALIVE);
     live(3.2);
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
   }

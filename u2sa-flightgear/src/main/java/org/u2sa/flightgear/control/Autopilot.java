@@ -13,6 +13,9 @@ final class Autopilot {
   private static final double LEAST_SCALE = 0.6;
   private static final double MOST_SCALE = 1.6;
   private static final double NEAR_GROUND_M = 10.0;
+  private static final double AT_GROUND_M = 3.0; // who is led below this above ground is to land
+  private static final double FLARE_BANK_RAD = Math.toRadians(8.0); // more would touch a wing
+  private static final double ROLLING_MPS = 2.0;
   private static final double RUDDER_RATE =
       2.0; // full travel a second is half a second stop to stop
 
@@ -25,10 +28,12 @@ final class Autopilot {
   private final PitchLaw pitch;
   private final YawLaw yaw;
   private final EnergyLaw energy;
+  private final FlareLaw flare;
 
   private FlightPhase phase = FlightPhase.RUN_UP;
   private boolean takenOver; // the throttle is another law's, and not to jump
   private double lastTimeS = Double.NaN;
+  private double navigatedS; // when there was navigation last
   private double throttle;
   private double rudder;
   private double bankDemand;
@@ -47,6 +52,7 @@ final class Autopilot {
     this.pitch = new PitchLaw(tuning.pitch());
     this.yaw = new YawLaw(tuning.yaw());
     this.energy = new EnergyLaw(tuning.energy());
+    this.flare = new FlareLaw(tuning.flare());
     this.speedDemandMps = tuning.cruiseMps();
   }
 
@@ -63,7 +69,10 @@ final class Autopilot {
     boolean first = Double.isNaN(lastTimeS);
     lastTimeS = state.timeS();
     FlightPhase before = phase;
-    phase = sequence.step(state, target.isPresent(), throttle);
+    if (first || target.isPresent()) {
+      navigatedS = state.timeS();
+    }
+    phase = sequence.step(state, target.isPresent(), isLanding(state, target), throttle);
     if (first || phase != before) {
       enter(state, before, first);
     }
@@ -72,14 +81,22 @@ final class Autopilot {
       case ROLL, ROTATE -> run(state, dtS);
       case CLIMB_OUT -> climbOut(state, dtS);
       case CRUISE, HOLD -> fly(state, target, dtS);
-      case STOPPED -> stop();
+      case FLARE -> touchDown(state, target, dtS);
+      case STOPPED -> stop(state, dtS);
     };
+  }
+
+  private boolean isLanding(FlightState state, Optional<GuidanceTarget> target) {
+    double groundM = state.altitudeM() - state.heightM();
+    return state.heightM() < flare.heightM()
+        && target.filter(point -> point.altitudeM() - groundM < AT_GROUND_M).isPresent();
   }
 
   /** Writes down all that it remembers, for one that takes over. */
   void handOver(HandOver state) {
     state
         .number("LAST TIME", lastTimeS)
+        .number("NAVIGATED", navigatedS)
         .number("THROTTLE", throttle)
         .number("RUDDER", rudder)
         .number("BANK DEMAND", bankDemand)
@@ -93,6 +110,7 @@ final class Autopilot {
     pitch.handOver(state);
     yaw.handOver(state);
     energy.handOver(state);
+    flare.handOver(state);
   }
 
   /** Goes on exactly where another one was. */
@@ -100,6 +118,7 @@ final class Autopilot {
     sequence.takeOver(state);
     phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(phase);
     lastTimeS = state.number("LAST TIME").orElse(Double.NaN);
+    navigatedS = state.number("NAVIGATED").orElse(lastTimeS);
     throttle = state.number("THROTTLE").orElse(0.0);
     rudder = state.number("RUDDER").orElse(0.0);
     bankDemand = state.number("BANK DEMAND").orElse(0.0);
@@ -112,6 +131,7 @@ final class Autopilot {
     pitch.takeOver(state);
     yaw.takeOver(state);
     energy.takeOver(state);
+    flare.takeOver(state);
   }
 
   /** Begins in the air from what another control law commanded, shares of full as in Surfaces. */
@@ -144,6 +164,8 @@ final class Autopilot {
       bankDemand = 0.0;
       yaw.restart(rudder);
       energy.restart(state, pitchDemand, throttle);
+    } else if (phase == FlightPhase.FLARE) {
+      flare.restart(pitchDemand);
     } else if (phase == FlightPhase.ROLL) {
       pitch.restart();
       roll.restart();
@@ -193,7 +215,8 @@ final class Autopilot {
   }
 
   private Surfaces fly(FlightState state, Optional<GuidanceTarget> target, double dtS) {
-    double bank = 0.0;
+    boolean circles = state.timeS() - navigatedS > tuning.hold().levelS();
+    double bank = circles ? tuning.hold().bankRad() : 0.0;
     altitudeDemandM = holdAltitudeM;
     speedDemandMps = tuning.cruiseMps();
     if (target.isPresent()) {
@@ -241,9 +264,32 @@ final class Autopilot {
     return new Surfaces(aileron, elevator, rudder, throttle, 1.0, 0.0, 0.0);
   }
 
-  private Surfaces stop() {
+  /** Follows navigation sideways only, and lets the aircraft down on its wheels. */
+  private Surfaces touchDown(FlightState state, Optional<GuidanceTarget> target, double dtS) {
+    double scale = scale(state);
+    double bank =
+        target.map(ahead -> lateral.bankRad(state, ahead.northM(), ahead.eastM())).orElse(0.0);
+    double wanted = state.onGround() ? 0.0 : Limit.symmetric(bank, FLARE_BANK_RAD);
+    bankDemand = Limit.approach(bankDemand, wanted, tuning.bankRate() * dtS);
+    throttle = Limit.approach(throttle, 0.0, tuning.climbOut().throttleRate() * dtS);
+    pitchDemand = flare.pitchRad(state, dtS);
+    double aileron = roll.aileron(state, bankDemand, scale, dtS);
+    double elevator = pitch.elevator(state, pitchDemand, scale, dtS);
+    if (state.onGround()) {
+      rudder = ground.rudder(state, true, dtS);
+    } else {
+      ground.lineUpAlongTrack(state);
+      rudder = Limit.approach(rudder, yaw.rudder(state, aileron, scale, dtS), RUDDER_RATE * dtS);
+    }
+    return new Surfaces(aileron, elevator, rudder, throttle, 1.0, 0.0, 0.0);
+  }
+
+  private Surfaces stop(FlightState state, double dtS) {
     throttle = 0.0;
-    return Surfaces.parked();
+    Surfaces parked = Surfaces.parked();
+    boolean rolls = ground.lined() && state.groundSpeedMps() > ROLLING_MPS;
+    rudder = rolls ? ground.rudder(state, true, dtS) : 0.0;
+    return new Surfaces(0.0, 0.0, rudder, 0.0, parked.mixture(), 0.0, parked.brakes());
   }
 
   private double scale(FlightState state) {

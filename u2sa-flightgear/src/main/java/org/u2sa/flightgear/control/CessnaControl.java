@@ -18,8 +18,8 @@ import org.u2sa.service.ServiceContext;
 /**
  * Flies a Cessna 172 by itself from the runway along its mission. In: state, navigation. Out:
  * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once for each state),
- * control-status. Without fresh navigation it keeps the wings level and the altitude, or stands on
- * the brakes.
+ * control-status. Without fresh navigation it keeps the wings level and the altitude, then circles,
+ * or stands on the brakes. Where navigation leads to the ground, it lands.
  */
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
@@ -64,7 +64,7 @@ public final class CessnaControl extends ControlSystem {
   protected void control(StateInformation state, Optional<NavigationPoint> point) {
     Optional<FlightState> seen = reader.read(state);
     if (seen.isEmpty()) {
-      lacking(FlightStateReader.missing(state));
+      lacking(reader.missing(state));
       return;
     }
     loggedMissing = List.of();
@@ -120,7 +120,8 @@ public final class CessnaControl extends ControlSystem {
     return switch (phase) {
       case RUN_UP -> "waits on the brakes";
       case STOPPED -> "stands on the brakes";
-      case HOLD -> "wings level, altitude held";
+      case HOLD -> "wings level, later a circle, altitude held";
+      case FLARE -> "touches down";
       case ROLL, ROTATE, CLIMB_OUT, CRUISE -> "goes on to the safe height";
     };
   }
@@ -130,7 +131,7 @@ public final class CessnaControl extends ControlSystem {
     boolean flying =
         switch (autopilot.phase()) {
           case CLIMB_OUT, CRUISE, HOLD -> true;
-          case RUN_UP, ROLL, ROTATE, STOPPED -> false;
+          case RUN_UP, ROLL, ROTATE, STOPPED, FLARE -> false;
         };
     return flying
         ? status

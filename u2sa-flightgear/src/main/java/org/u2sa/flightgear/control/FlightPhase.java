@@ -12,8 +12,10 @@ public enum FlightPhase {
   CLIMB_OUT,
   /** Following navigation. */
   CRUISE,
-  /** In the air without navigation: wings level, altitude held. */
+  /** In the air without navigation: wings level, after a while a wide circle; altitude held. */
   HOLD,
   /** On the ground for good: brakes on, engine idling. */
-  STOPPED
+  STOPPED,
+  /** Where navigation leads to the ground, the last metres: sink and power are taken away. */
+  FLARE
 }

@@ -1,9 +1,13 @@
 package org.u2sa.flightgear.control;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.u2sa.flightgear.AircraftState;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.messages.StateField;
@@ -14,7 +18,8 @@ import org.u2sa.service.HandOver;
 
 /**
  * Turns state messages in GLOBAL into {@link FlightState}s: Euler rates become body rates, geodetic
- * positions metres from the first one.
+ * positions metres from the first one. Horizontal position and velocity that were there once and
+ * are lost stay as they were: wings can be held level without them.
  */
 final class FlightStateReader {
   private static final List<StateField> NEEDED =
@@ -32,10 +37,13 @@ final class FlightStateReader {
           StateField.THETA_DOT,
           StateField.PSI_DOT,
           StateField.FLUID_X_DOT);
+  private static final Set<StateField> LOSABLE =
+      EnumSet.of(StateField.X, StateField.Y, StateField.X_DOT, StateField.Y_DOT);
   private static final double HIGH_M = 1_000.0; // height of an aircraft that does not know its own
   private static final double SLOWEST_MPS = 1.0; // slower air has no direction
 
   private Geodetic origin; // of north and east
+  private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // the losable
 
   /** Writes down where north and east are counted from. */
   void handOver(HandOver state) {
@@ -45,6 +53,7 @@ final class FlightStateReader {
           .number("ORIGIN LATITUDE", origin.latitudeDeg())
           .number("ORIGIN ALTITUDE", origin.altitudeM());
     }
+    last.forEach((field, value) -> state.number("LAST " + field.fieldName(), value));
   }
 
   /** Counts from where the reader before did. */
@@ -56,13 +65,16 @@ final class FlightStateReader {
               state.number("ORIGIN LATITUDE").orElseThrow(),
               state.number("ORIGIN ALTITUDE").orElseThrow());
     }
+    for (StateField field : LOSABLE) {
+      state.number("LAST " + field.fieldName()).ifPresent(value -> last.put(field, value));
+    }
   }
 
   /** What a state lacks for control; empty if nothing. */
-  static List<String> missing(StateInformation state) {
+  List<String> missing(StateInformation state) {
     List<String> missing = new ArrayList<>();
     for (StateField field : NEEDED) {
-      if (state.number(field).isEmpty()) {
+      if (state.number(field).isEmpty() && !last.containsKey(field)) {
         missing.add(field.fieldName());
       }
     }
@@ -77,7 +89,11 @@ final class FlightStateReader {
     if (!missing(state).isEmpty()) {
       return Optional.empty();
     }
-    Geodetic place = place(state);
+    for (StateField field : LOSABLE) {
+      state.number(field).ifPresent(value -> last.put(field, value));
+    }
+    Geodetic place =
+        new Geodetic(last.get(StateField.X), last.get(StateField.Y), value(state, StateField.Z));
     if (origin == null) {
       origin = place;
     }
@@ -113,8 +129,8 @@ final class FlightStateReader {
             rollDot - headingDot * StrictMath.sin(pitch),
             pitchDot * cosRoll + headingDot * sinRoll * cosPitch,
             headingDot * cosRoll * cosPitch - pitchDot * sinRoll,
-            value(state, StateField.Y_DOT),
-            value(state, StateField.X_DOT),
+            last.get(StateField.Y_DOT),
+            last.get(StateField.X_DOT),
             climb,
             speed,
             calibrated.orElse(speed * rootDensityRatio(place.altitudeM())),
@@ -123,11 +139,6 @@ final class FlightStateReader {
             aircraft != null && aircraft.weightOnWheels(),
             aircraft == null ? 0.0 : aircraft.engineRpm().orElse(0.0),
             aircraft != null && aircraft.engineStarting()));
-  }
-
-  private static Geodetic place(StateInformation state) {
-    return new Geodetic(
-        value(state, StateField.X), value(state, StateField.Y), value(state, StateField.Z));
   }
 
   private static double value(StateInformation state, StateField field) {

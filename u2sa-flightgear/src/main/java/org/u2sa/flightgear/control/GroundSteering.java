@@ -58,6 +58,12 @@ final class GroundSteering {
     lined = true;
   }
 
+  /** Lays the centreline through the aircraft, along its way over ground. */
+  void lineUpAlongTrack(FlightState state) {
+    lineUp(state);
+    headingRad = StrictMath.atan2(state.eastMps(), state.northMps());
+  }
+
   void handOver(HandOver state) {
     if (lined) {
       state

@@ -127,6 +127,8 @@ final class GuidanceVariables {
         EnergyVariables.energy(c),
         TakeOffVariables.takeOff(c),
         TakeOffVariables.ground(c),
-        TakeOffVariables.climbOut(c));
+        TakeOffVariables.climbOut(c),
+        LandingVariables.hold(c),
+        LandingVariables.flare(c));
   }
 }

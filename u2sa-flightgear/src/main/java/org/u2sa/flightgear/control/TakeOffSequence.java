@@ -51,17 +51,19 @@ final class TakeOffSequence {
 
   /**
    * @param navigating whether navigation is there and fresh
+   * @param landing whether it leads to the ground, which is near
    * @param throttle that was commanded last, 0…1
    */
-  FlightPhase step(FlightState state, boolean navigating, double throttle) {
+  FlightPhase step(FlightState state, boolean navigating, boolean landing, double throttle) {
     liftedSinceS = since(liftedSinceS, !state.onGround(), state.timeS());
     landedSinceS = since(landedSinceS, state.onGround(), state.timeS());
     readySinceS = since(readySinceS, engineReady(state) && navigating, state.timeS());
-    phase = next(state, navigating, throttle);
+    phase = next(state, navigating, landing, throttle);
     return phase;
   }
 
-  private FlightPhase next(FlightState state, boolean navigating, double throttle) {
+  private FlightPhase next(
+      FlightState state, boolean navigating, boolean landing, double throttle) {
     FlightPhase flying = navigating ? FlightPhase.CRUISE : FlightPhase.HOLD;
     boolean high = !state.onGround() && state.heightM() > FLYING_HEIGHT_M;
     if (phase == null) {
@@ -89,7 +91,11 @@ final class TakeOffSequence {
         boolean landed =
             lasting(landedSinceS, state, LANDED_FOR_S)
                 && state.calibratedAirspeedMps() < parameters.rotateMps();
-        yield landed ? FlightPhase.STOPPED : flying;
+        yield landed ? FlightPhase.STOPPED : landing ? FlightPhase.FLARE : flying;
+      }
+      case FLARE -> {
+        boolean landed = lasting(landedSinceS, state, LANDED_FOR_S);
+        yield landed ? FlightPhase.STOPPED : high ? flying : FlightPhase.FLARE;
       }
       case STOPPED -> high ? flying : FlightPhase.STOPPED;
     };

@@ -29,7 +29,17 @@ record Tuning(
     EnergyParameters energy,
     TakeOffSequence.Parameters takeOff,
     GroundSteering.Parameters ground,
-    ClimbOut climbOut) {
+    ClimbOut climbOut,
+    Hold hold,
+    FlareLaw.Parameters flare) {
+
+  /**
+   * What the aircraft does without navigation.
+   *
+   * @param levelS how long the wings stay level [s]
+   * @param bankRad then, right wing down positive [rad]
+   */
+  record Hold(double levelS, double bankRad) {}
 
   /**
    * How the aircraft leaves the ground.

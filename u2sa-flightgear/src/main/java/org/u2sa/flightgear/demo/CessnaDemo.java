@@ -84,14 +84,8 @@ final class CessnaDemo implements Callable<Integer> {
             seed,
             demoWind.speedMps(),
             Math.toDegrees(demoWind.fromRad()));
-    LaunchOptions launch =
-        new LaunchOptions()
-            .console(line -> terminal.out().println(line))
-            .override("MissionManager", "MISSION", CessnaFiles.absolute(mission.origin()))
-            .override("Simulator", "MISSION", CessnaFiles.absolute(mission.origin()));
-    if (options.mission().isPresent()) {
-      launch.override("SafetyManager", "FENCE", ""); // the fence is of the configured mission
-    }
+    LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));
+    CessnaFiles.fly(launch, mission, options.mission().isEmpty());
     demoWind.applyTo(launch);
     broker.configure(system, launch, terminal);
     if (options.realtime()) {

@@ -2,6 +2,8 @@ package org.u2sa.flightgear.demo;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
 
 /** Where the Cessna's files lie. */
@@ -26,8 +28,23 @@ final class CessnaFiles {
     return root;
   }
 
+  /**
+   * Has the services fly a mission.
+   *
+   * @param asConfigured whether it is the one for which fence and landing are configured: another
+   *     one is flown without them, as it may be elsewhere on the earth
+   */
+  static void fly(LaunchOptions options, Mission mission, boolean asConfigured) {
+    options
+        .override("MissionManager", "MISSION", absolute(mission.origin()))
+        .override("Simulator", "MISSION", absolute(mission.origin()));
+    if (!asConfigured) {
+      options.override("MissionManager", "LAND MISSION", "").override("SafetyManager", "FENCE", "");
+    }
+  }
+
   /** A file as the user named it, so that it is found from any directory. */
-  static String absolute(String file) {
+  private static String absolute(String file) {
     return Path.of(file).toAbsolutePath().toString();
   }
 }

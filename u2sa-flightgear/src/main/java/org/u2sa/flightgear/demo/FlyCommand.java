@@ -95,10 +95,8 @@ final class FlyCommand implements Callable<Integer> {
       FlightRun run, Path root, SystemFile system, Mission mission, Path directory, long seed)
       throws InterruptedException {
     Terminal terminal = options.terminal();
-    LaunchOptions launch =
-        new LaunchOptions()
-            .console(line -> terminal.out().println(line))
-            .override("MissionManager", "MISSION", CessnaFiles.absolute(mission.origin()));
+    LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));
+    CessnaFiles.fly(launch, mission, options.mission().isEmpty());
     boolean elsewhere = !host.isEmpty();
     broker.configure(system, launch, terminal);
     ports.configure(launch, elsewhere ? host : HERE);

@@ -64,7 +64,23 @@ class FlightStateReaderTest {
   void read_attitudeMissing_isEmptyAndNamesIt() {
     StateInformation poor = new StateInformation().x(0.0).y(0.0).z(0.0);
     assertThat(reader.read(poor)).isEmpty();
-    assertThat(FlightStateReader.missing(poor)).contains("phi", "theta", "psi", "fluidxDot");
+    assertThat(reader.missing(poor)).contains("phi", "theta", "psi", "fluidxDot");
+  }
+
+  @Test
+  void read_positionLost_isTheLastOneUnlessThereWasNone() {
+    StateInformation without = new StateInformation().z(290.0).zDot(0.0);
+    without.phi(0.0).theta(0.05).psi(1.57).phiDot(0.0).thetaDot(0.0).psiDot(0.0).fluidxDot(43.0);
+    assertThat(reader.read(without)).isEmpty();
+    assertThat(reader.missing(without)).containsExactly("x", "y", "xDot", "yDot");
+
+    reader.read(state());
+    FlightState before = reader.read(state().y(21.301)).orElseThrow();
+    FlightState after = reader.read(without).orElseThrow();
+
+    assertThat(after.northM()).isCloseTo(before.northM(), within(0.01));
+    assertThat(after.eastMps()).isEqualTo(43.0);
+    assertThat(after.altitudeM()).isEqualTo(290.0);
   }
 
   private static StateInformation state() {

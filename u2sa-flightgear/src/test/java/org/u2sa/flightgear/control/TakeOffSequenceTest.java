@@ -91,6 +91,6 @@ class TakeOffSequenceTest {
 
   private FlightPhase step(States states, boolean navigating, double throttle) {
     timeS += 0.05;
-    return sequence.step(states.time(timeS).now(), navigating, throttle);
+    return sequence.step(states.time(timeS).now(), navigating, false, throttle);
   }
 }

@@ -1,0 +1,33 @@
+package org.u2sa.core.safety;
+
+import java.util.Optional;
+import org.u2sa.messages.U2SAData;
+
+/** Whether the health monitor has given a service up, by its policy or after its restarts. */
+final class GivenUpWatch implements Watch {
+  private final Conditions conditions;
+
+  GivenUpWatch(Conditions conditions) {
+    this.conditions = conditions;
+  }
+
+  @Override
+  public Hazard hazard() {
+    return Hazard.SERVICE;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    // conditions are kept for all watches together
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    return conditions.givenUp();
+  }
+
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    return Optional.empty(); // all that are not alive are listed
+  }
+}

@@ -1,0 +1,63 @@
+package org.u2sa.flightgear.control;
+
+import org.u2sa.service.HandOver;
+
+/**
+ * Ends a descent at the ground: the sink demanded falls with the height, ḣ = −h/τ, which is an
+ * exponential flare (Stevens & Lewis, 2nd ed., section 4.7). The nose is raised until the sink is
+ * that; once the wheels carry, it is let down.
+ */
+final class FlareLaw {
+  /**
+   * @param heightM above ground, at which the flare begins [m]
+   * @param timeConstantS τ [s]
+   * @param leastSinkMps at which the wheels are to touch [m/s]
+   * @param gain pitch rate per difference of sink [rad/m]
+   * @param mostPitchRad so that the tail stays off the ground [rad]
+   */
+  record Parameters(
+      double heightM,
+      double timeConstantS,
+      double leastSinkMps,
+      double gain,
+      double mostPitchRad) {}
+
+  private static final double LET_DOWN_RAD_PER_S = Math.toRadians(3.0);
+
+  private final Parameters parameters;
+  private double pitchRad;
+
+  FlareLaw(Parameters parameters) {
+    this.parameters = parameters;
+  }
+
+  /** Begins from a pitch. */
+  void restart(double newPitchRad) {
+    pitchRad = newPitchRad;
+  }
+
+  void handOver(HandOver state) {
+    state.number("FLARE PITCH", pitchRad);
+  }
+
+  void takeOver(HandOver state) {
+    pitchRad = state.number("FLARE PITCH").orElse(0.0);
+  }
+
+  /** Height at which it begins [m]. */
+  double heightM() {
+    return parameters.heightM();
+  }
+
+  /** Pitch to hold [rad]. */
+  double pitchRad(FlightState state, double dtS) {
+    if (state.onGround()) {
+      pitchRad = Limit.approach(pitchRad, 0.0, LET_DOWN_RAD_PER_S * dtS);
+      return pitchRad;
+    }
+    double sink = Math.max(parameters.leastSinkMps(), state.heightM() / parameters.timeConstantS());
+    double rate = parameters.gain() * (-sink - state.climbMps());
+    pitchRad = Limit.within(0.0, pitchRad + rate * dtS, parameters.mostPitchRad());
+    return pitchRad;
+  }
+}

@@ -1,0 +1,71 @@
+package org.u2sa.flightgear.demo;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import org.u2sa.flightgear.demo.FlightWitness.Moment;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * A geofence that cuts off a leg of the mission, somewhere and at some angle: a long straight side,
+ * and far away from it three more. East and north of home [m].
+ */
+record FencedOff(double atEastM, double atNorthM, double outEast, double outNorth) {
+  private static final double FAR_M = 30_000.0;
+
+  /** Waypoints 1 to 4 of missions/cessna/mission.xml, in which each leg leads on from home. */
+  private static final List<Geodetic> ROUTE =
+      List.of(
+          new Geodetic(-157.890168, 21.325239, 0.0),
+          new Geodetic(-157.897698, 21.285214, 0.0),
+          new Geodetic(-157.887724, 21.250318, 0.0),
+          new Geodetic(-157.839553, 21.250311, 0.0));
+
+  /** The side goes through a point of a leg, up to 60° from across it. */
+  static FencedOff ofSeed(long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    int leg = random.nextInt(ROUTE.size() - 1);
+    Point from = TroubledFlight.HOME.enuOf(ROUTE.get(leg));
+    Point to = TroubledFlight.HOME.enuOf(ROUTE.get(leg + 1));
+    double share = 0.6 + 0.35 * random.nextDouble();
+    double slant = Math.toRadians(60.0) * (2.0 * random.nextDouble() - 1.0);
+    double out = Math.atan2(to.x() - from.x(), to.y() - from.y()) + slant;
+    return new FencedOff(
+        from.x() + share * (to.x() - from.x()),
+        from.y() + share * (to.y() - from.y()),
+        Math.sin(out),
+        Math.cos(out));
+  }
+
+  /** Distance from the side, positive inside [m]. */
+  double marginM(Moment moment) {
+    return (atEastM - moment.eastM()) * outEast + (atNorthM - moment.northM()) * outNorth;
+  }
+
+  /** Writes it down as a fence file. */
+  Path in(Path directory) {
+    StringBuilder text = new StringBuilder("<fence><keepIn>");
+    for (double[] corner : new double[][] {{0, 1}, {-2, 1}, {-2, -1}, {0, -1}}) {
+      double east = atEastM + FAR_M * (corner[0] * outEast + corner[1] * outNorth);
+      double north = atNorthM + FAR_M * (corner[0] * outNorth - corner[1] * outEast);
+      Geodetic place = TroubledFlight.HOME.fromEnu(Point.of(east, north, 0.0));
+      text.append(
+          String.format(
+              Locale.ROOT,
+              "<corner><x>%.7f</x><y>%.7f</y></corner>",
+              place.longitudeDeg(),
+              place.latitudeDeg()));
+    }
+    try {
+      return Files.writeString(
+          directory.resolve("fence.xml"), text.append("</keepIn></fence>").toString());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
