@@ -77,8 +77,11 @@ final class Outflow extends ChannelDuplexHandler {
   }
 
   private static long unread(ChannelHandlerContext ctx) {
-    return ctx.channel().config().getWriteBufferHighWaterMark()
-        - ctx.channel().bytesBeforeUnwritable();
+    // Netty counts one byte more as free than there is.
+    return Math.max(
+        0,
+        ctx.channel().config().getWriteBufferHighWaterMark()
+            - ctx.channel().bytesBeforeUnwritable());
   }
 
   @Override
