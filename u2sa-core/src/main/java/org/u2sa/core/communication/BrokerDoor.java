@@ -43,6 +43,7 @@ final class BrokerDoor implements AutoCloseable {
   private final AtomicLong unsent = new AtomicLong();
   private final Map<String, ClientGate> clients = new ConcurrentHashMap<>();
   private final Set<String> retainedTopics = ConcurrentHashMap.newKeySet();
+  private volatile boolean ending;
 
   /**
    * @param users who may come; null: everybody, without a password
@@ -78,9 +79,11 @@ final class BrokerDoor implements AutoCloseable {
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
-      if (open.incrementAndGet() > limits.clients()) {
+      if (open.incrementAndGet() > limits.clients() || ending) {
         open.decrementAndGet();
-        refusals.add("connection refused, too many", String.valueOf(child.remoteAddress()));
+        refusals.add(
+            "connection refused, " + (ending ? "the broker ends" : "too many"),
+            String.valueOf(child.remoteAddress()));
         child.unsafe().closeForcibly();
         return;
       }
@@ -181,6 +184,20 @@ final class BrokerDoor implements AutoCloseable {
   void unsent(String client) {
     unsent.incrementAndGet();
     refusals.add("message to a slow client dropped", client);
+  }
+
+  /** Whether nothing new is taken any more. */
+  boolean isEnding() {
+    return ending;
+  }
+
+  /**
+   * Takes nothing new any more, and waits until the clients have taken what was sent to them.
+   * Returns how many messages at least they have not taken.
+   */
+  int awaitLastWords() {
+    ending = true;
+    return new LastWords(clients.values(), clock).await();
   }
 
   /** Messages dropped because a client was too slow, or that Moquette lost, so far. */

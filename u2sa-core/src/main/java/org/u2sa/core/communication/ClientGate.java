@@ -15,6 +15,7 @@ import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Optional;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.core.security.User;
@@ -61,6 +62,11 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   /** Whether the next packet may come. */
   boolean isReady() {
     return stage != Stage.CHECKED;
+  }
+
+  /** What the client has not taken yet; may be asked on any thread. */
+  Future<LastWords.Owed> owed() {
+    return context.executor().submit(outflow::owed);
   }
 
   @Override
@@ -237,6 +243,10 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     MqttQoS qos = publish.fixedHeader().qosLevel();
     if (qos == MqttQoS.EXACTLY_ONCE) {
       putOut(ctx, "unexpected packet", "QoS 2, which no channel of U2SA uses");
+      return false;
+    }
+    if (door.isEnding()) { // not acknowledged: who wants to know learns that it is lost
+      door.refusals().add("message not taken, the broker ends", who());
       return false;
     }
     Optional<String> refused = rules.refusalOf(publish);

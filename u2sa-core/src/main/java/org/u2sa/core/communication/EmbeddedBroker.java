@@ -51,6 +51,7 @@ final class EmbeddedBroker implements AutoCloseable {
   private final Map<String, Will> wills = new ConcurrentHashMap<>();
   private final Gaps gaps = new Gaps();
   private final AtomicLong unreadable = new AtomicLong();
+  private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
   private final OutgoingCopies copies;
   private final BrokerDoor door;
   private final Runnable died;
@@ -155,13 +156,18 @@ final class EmbeddedBroker implements AutoCloseable {
   }
 
   long dropped() {
-    return copies.dropped() + door.dropped();
+    return copies.dropped() + door.dropped() + notTaken.get();
   }
 
   @Override
   public void close() {
     bus.detach();
     copies.close();
+    int owed = door.awaitLastWords();
+    if (owed > 0) {
+      notTaken.addAndGet(owed);
+      log.accept(owed + " messages or more were not taken by remote subscribers before the end");
+    }
     server.stopServer();
     door.close();
   }

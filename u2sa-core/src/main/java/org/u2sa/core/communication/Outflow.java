@@ -27,6 +27,8 @@ final class Outflow extends ChannelDuplexHandler {
   private String client = "";
   private long unreadSince = Long.MAX_VALUE; // [µs]
   private long leastUnread;
+  private int onTheWay; // of those that are not acknowledged: handed over and not sent yet
+  private long sentMicros = Long.MIN_VALUE / 2; // the last message
 
   Outflow(BrokerDoor door) {
     this.door = door;
@@ -59,11 +61,20 @@ final class Outflow extends ChannelDuplexHandler {
       promise.trySuccess();
       door.unsent(Refusals.shown(client));
     } else {
+      sentMicros = door.nowMicros();
       if (acknowledged) {
-        unacknowledged.putIfAbsent(packet, door.nowMicros());
+        unacknowledged.putIfAbsent(packet, sentMicros);
+        ctx.write(message, promise);
+      } else {
+        onTheWay++;
+        ctx.write(message, promise.unvoid().addListener(sent -> onTheWay--));
       }
-      ctx.write(message, promise);
     }
+  }
+
+  /** What the client has not taken yet. */
+  LastWords.Owed owed() {
+    return new LastWords.Owed(unacknowledged.size() + onTheWay, sentMicros);
   }
 
   private boolean mayHear(String topic) {

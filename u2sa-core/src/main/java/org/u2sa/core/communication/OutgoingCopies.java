@@ -161,7 +161,10 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   }
 
   private RoutingResults publish(Copy copy) {
-    boolean eachMatters = copy.channel.deliversEvery() || copy.channel.isRetained();
+    boolean eachMatters =
+        copy.channel.deliversEvery()
+            || copy.channel.isRetained()
+            || closing; // the last words are to be confirmed, whatever they are
     if (copy.channel.isRetained()) {
       retained.accept(copy.topic);
     }
