@@ -13,9 +13,10 @@ import org.u2sa.messages.contract.ConfigurationVariable;
  * @param value as typed, perhaps a number with a unit
  */
 record VariableText(String variable, String value) {
+  /** Possessive, or the end of a number without a unit would be taken for one. */
   private static final Pattern QUANTITY =
       Pattern.compile(
-          "\\s*([+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?)\\s*([^\\s\\d].*?)\\s*");
+          "\\s*([+-]?+(?:\\d++\\.?+\\d*+|\\.\\d++)(?:[eE][+-]?+\\d++)?+)\\s*+([^\\s\\d].*?)\\s*");
 
   /**
    * @throws IllegalArgumentException if there is no {@code =} behind a name
