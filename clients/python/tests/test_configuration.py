@@ -1,4 +1,5 @@
 """Variables: validation, all or none, files, undo."""
+import json
 import os
 import pathlib
 import tempfile
@@ -20,6 +21,9 @@ class ConfigurationTest(unittest.TestCase):
         self.file = pathlib.Path(folder.name) / "Service.xml"
         self.file.write_text(TEXT, encoding="utf-8")
         self.configuration = Configuration(VARIABLES, self.file)
+
+    def audit(self):
+        return pathlib.Path(f"{self.file}.audit.jsonl").read_text(encoding="utf-8")
 
     def test_the_file_says_what_differs_from_the_defaults(self):
         self.assertEqual([self.configuration[name] for name in ("GAIN", "COUNT", "ON")], [0.25, 3, False])
@@ -64,7 +68,41 @@ class ConfigurationTest(unittest.TestCase):
         self.assertIn("No space left", str(caught.exception))
         self.assertEqual((self.configuration["COUNT"], self.configuration.revision), (3, 0))
         self.assertEqual(self.file.read_text(encoding="utf-8"), TEXT)
-        self.assertEqual([path.name for path in self.file.parent.iterdir()], ["Service.xml"])
+        self.assertEqual(sorted(path.name for path in self.file.parent.iterdir()),
+                         ["Service.xml", "Service.xml.audit.jsonl"])
+        again = Configuration(VARIABLES, self.file)
+        self.assertEqual(again.revision, 0)
+        with self.assertRaises(BadConfiguration):
+            again.undo("anna")
+
+    def test_the_audit_log_has_the_form_of_java(self):
+        self.configuration.change({"GAIN": "0.75"}, "anna")
+        with self.assertRaises(BadConfiguration):
+            self.configuration.change({"GAIN": "7"}, "ben")
+        self.configuration.undo("ben")
+        lines = [json.loads(line) for line in self.audit().splitlines()]
+        self.assertEqual([(line["revision"], line["author"], line["outcome"], line.get("undoes")) for line in lines],
+                         [(1, "anna", "ACCEPTED", None), (1, "ben", "REFUSED", None), (2, "ben", "ACCEPTED", 1)])
+        self.assertEqual(lines[0]["changes"][0], {
+            "variable": "GAIN", "old": "0.25", "new": "0.75", "oldText": "0.25", "newText": "0.75"})
+        self.assertIn("7 is outside 0.0…1.0", lines[1]["reason"])
+        self.assertRegex(lines[2]["time"], r"^\d{4}-\d\d-\d\dT[\d:.]+Z$")
+
+    def test_a_torn_last_line_is_passed_over(self):
+        self.configuration.change({"COUNT": "4"}, "anna")
+        with open(f"{self.file}.audit.jsonl", "a", encoding="utf-8") as log:
+            log.write('{"revision":2,"time":"2026')
+        again = Configuration(VARIABLES, self.file)
+        again.change({"COUNT": "5"}, "anna")
+        self.assertEqual(Configuration(VARIABLES, self.file).revision, 2)
+        self.assertEqual(again.undo("anna"), [("COUNT", "5", "4")])
+
+    def test_what_cannot_be_accounted_for_is_not_done(self):
+        pathlib.Path(f"{self.file}.audit.jsonl").mkdir()
+        with self.assertRaises(BadConfiguration) as caught:
+            self.configuration.change({"COUNT": "4"}, "anna")
+        self.assertIn("audit log cannot be written", str(caught.exception))
+        self.assertEqual(self.file.read_text(encoding="utf-8"), TEXT)
 
     def test_files_that_are_none_are_refused(self):
         for text in ("<a/>", "<configuration>", '<!DOCTYPE x [<!ENTITY a "b">]><configuration/>',

@@ -59,6 +59,15 @@ class ContractTest(unittest.TestCase):
             self.probe._arrived(topic, encode(Message("GoalList"), (sender, number)))
         self.assertEqual(self.probe.health.report("Probe", "RUNNING", 0)["missed"], 2)
 
+    def test_health_tells_how_old_the_data_are_and_counts_no_answers(self):
+        report = self.probe._described(self.probe.health.report("Probe", "RUNNING", 0))
+        self.assertNotIn("dataAge", report)
+        self.answer("discovery", Message("DiscoveryRequest"))
+        self.probe.publish("sensed-state", Message("StateInformation"))
+        report = self.probe._described(self.probe.health.report("Probe", "RUNNING", 0))
+        self.assertEqual(report["published"], 1)
+        self.assertTrue(0.0 <= report["dataAge"] < 60.0)
+
     def test_a_change_is_made_or_refused_with_the_reason(self):
         answer = self.answer("configuration", Message(
             "ConfigurationChange", serviceName="Probe", variableName="GAIN", value="0.75"))
@@ -117,6 +126,22 @@ class EmergencyLatchTest(unittest.TestCase):
         self.assertTrue(latch.take(Message("EmergencyStop", active=False, clears=10, timestamp=30)))
         self.assertTrue(latch.take(Message("EmergencyStop", active=False, timestamp=30)))
         self.assertFalse(latch.take(Message("EmergencyStop", active=False, clears=20, timestamp=30)))
+
+    def test_a_repetition_of_the_lifted_stop_does_not_latch_again_and_a_new_one_does(self):
+        latch = EmergencyLatch()
+        stop = Message("EmergencyStop", active=True, timestamp=10)
+        latch.take(stop)
+        latch.take(Message("EmergencyStop", active=False, clears=10, timestamp=30))
+        self.assertFalse(latch.take(stop))
+        self.assertTrue(latch.take(Message("EmergencyStop", active=True, timestamp=40)))
+
+    def test_who_could_be_wrong_is_wrong_on_the_safe_side(self):
+        latch = EmergencyLatch("boat")
+        self.assertTrue(latch.take(Message("EmergencyStop", active=True)))  # when is not said
+        foreign = Message("EmergencyStop", systemId="other", active=False, clears=1 << 60)
+        self.assertTrue(latch.take(foreign))
+        foreign["systemId"] = "boat"
+        self.assertFalse(latch.take(foreign))
 
 
 if __name__ == "__main__":

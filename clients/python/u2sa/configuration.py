@@ -2,7 +2,6 @@
 or none, written whole or not at all, and undone."""
 from __future__ import annotations
 
-import json
 import math
 import os
 import pathlib
@@ -10,9 +9,9 @@ import re
 import tempfile
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
-from datetime import datetime, timezone
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
+from .audit import Assignment, AuditLog
 from .message import Message
 
 Value = Union[str, float, int, bool]
@@ -86,27 +85,27 @@ def as_text(value: Value) -> str:
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
-#: What a change did to one variable: name, value before, value now, as texts.
-Assignment = Tuple[str, str, str]
-
-
 class Configuration:
     """The variables of one service. Belongs to the service's thread.
 
     :param file: the XML file; without one, changes last as long as the object. What it does not state has its default.
+    :param service: for the audit log
     :raises BadConfiguration: if the file is not such a file, or states what no variable may have
     """
 
-    def __init__(self, variables: Sequence[Variable], file: Optional[pathlib.Path] = None) -> None:
+    def __init__(self, variables: Sequence[Variable], file: Optional[pathlib.Path] = None,
+                 service: str = "") -> None:
         self._variables: Dict[str, Variable] = {variable.name: variable for variable in variables}
         self._values: Dict[str, Value] = {variable.name: variable.default for variable in variables}
         self._file = file
-        self._undo: List[List[Assignment]] = []
-        self.revision = 0
-        if file is not None:
-            for name, text in _stated(file).items():
-                self._values[name] = self._parsed(name, text)
-            self._remember()
+        self._log = AuditLog(file, service)
+        for name, text in _stated(file).items() if file is not None else ():
+            self._values[name] = self._parsed(name, text)
+
+    @property
+    def revision(self) -> int:
+        """Counts the changes, from 0."""
+        return self._log.revision
 
     def __getitem__(self, name: str) -> Value:
         return self._values[name]
@@ -133,21 +132,22 @@ class Configuration:
         :param veto: why the service will not have these values; None if it will
         :raises BadConfiguration: saying why nothing was changed
         """
-        done = self._change(wanted, author, seen, veto)
-        self._undo.append(done)
-        return done
+        try:
+            return self._change(wanted, author, seen, veto)
+        except BadConfiguration as e:
+            self._log.refused(author, str(e), dict(wanted))
+            raise
 
     def undo(self, author: str) -> List[Assignment]:
         """Takes the last change that stands back. :raises BadConfiguration: if there is none, or it cannot be written"""
-        if not self._undo:
+        last = self._log.undoable
+        if last is None:
             raise BadConfiguration("there is no change to take back")
-        done = self._change({name: before for name, before, _now in self._undo[-1]}, author, None, lambda values: None,
-                            undone=True)
-        self._undo.pop()
-        return done
+        return self._change({name: before for name, before, _now in last.values}, author, None, lambda values: None,
+                            last.revision)
 
     def _change(self, wanted: Mapping[str, str], author: str, seen: Optional[int],
-                veto: Callable[[Mapping[str, Value]], Optional[str]], undone: bool = False) -> List[Assignment]:
+                veto: Callable[[Mapping[str, Value]], Optional[str]], undoes: Optional[int] = None) -> List[Assignment]:
         if seen is not None and seen != self.revision:
             raise BadConfiguration(f"revision {seen} was expected, but it is {self.revision}: somebody else changed "
                                    "the configuration meanwhile")
@@ -158,19 +158,17 @@ class Configuration:
         if refusal is not None:
             raise BadConfiguration(refusal)
         done = [(name, as_text(self._values[name]), as_text(value)) for name, value in parsed.items()]
-        if self._file is not None:
-            try:
-                before = self._file.read_bytes()
+        try:
+            self._log.accepted(author, done, undoes)  # what cannot be accounted for is not done
+        except OSError as e:
+            raise BadConfiguration(f"{self._file}: the audit log cannot be written, the old values stay: {e}") from e
+        try:
+            if self._file is not None:
                 _replace(self._file, _rewritten(self._file, {name: now for name, _before, now in done}, self._variables))
-                try:
-                    self._log(author, done, undone)
-                except OSError:
-                    _replace(self._file, before)  # what cannot be accounted for is not done
-                    raise
-            except OSError as e:
-                raise BadConfiguration(f"{self._file}: cannot be written, the old values stay: {e}") from e
+        except (OSError, BadConfiguration) as e:
+            self._log.failed(author, str(e))
+            raise BadConfiguration(f"{self._file}: cannot be written, the old values stay: {e}") from e
         self._values.update(parsed)
-        self.revision += 1
         return done
 
     def _parsed(self, name: str, text: str) -> Value:
@@ -182,34 +180,6 @@ class Configuration:
         except BadConfiguration as e:
             where = f"{self._file}, " if self._file else ""
             raise BadConfiguration(f'{where}variable "{name}": {e}') from e
-
-    @property
-    def _audit(self) -> pathlib.Path:
-        return pathlib.Path(f"{self._file}.audit")
-
-    def _log(self, author: str, done: List[Assignment], undone: bool) -> None:
-        line = json.dumps({"revision": self.revision + 1, "at": datetime.now(timezone.utc).isoformat(), "author": author, "undone": undone,
-                           "changes": done}, ensure_ascii=False)
-        with open(self._audit, "a", encoding="utf-8") as log:
-            log.write(line + "\n")
-            log.flush()
-            os.fsync(log.fileno())
-
-    def _remember(self) -> None:
-        """Goes on with the revision and the changes of the last run; a line that a power cut left half is passed over."""
-        if not self._audit.exists():
-            return
-        for line in self._audit.read_text(encoding="utf-8", errors="replace").splitlines():
-            try:
-                entry = json.loads(line)
-                done = [(str(name), str(before), str(now)) for name, before, now in entry["changes"]]
-                self.revision = max(self.revision, int(entry["revision"]))
-            except (ValueError, KeyError, TypeError):
-                continue
-            if entry.get("undone"):
-                del self._undo[-1:]
-            else:
-                self._undo.append(done)
 
 
 def _stated(file: pathlib.Path) -> Dict[str, str]:

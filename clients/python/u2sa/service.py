@@ -66,7 +66,7 @@ class Service:
                  schema: Schema = STANDARD) -> None:
         self.name = name
         self.system_id = check_system_id(system_id)
-        self.configuration = Configuration((*variables, *COMMON_VARIABLES), file)
+        self.configuration = Configuration((*variables, *COMMON_VARIABLES), file, name)
         self.health = Health()
         self.log = logging.getLogger(f"u2sa.{name}")
         self.status = "CREATED"
@@ -78,6 +78,7 @@ class Service:
             int(self.configuration.number("INBOX CAPACITY")))
         self.__stopping = threading.Event()
         self.__reported = time.monotonic()
+        self.__told: Optional[float] = None  # when data were published last
         self.__thread = threading.current_thread()
         self.link = Link(broker, system_id, name, self._arrived, self._trouble)
         self.__contract = Contract(self)
@@ -134,7 +135,11 @@ class Service:
         if "timestamp" not in message:
             message["timestamp"] = time.time_ns() // 1000
         taken = self.link.publish(channel, message)
-        self.health.count("published" if taken else "refused")
+        if not taken:
+            self.health.count("refused")
+        elif channel != "health" and channel not in Contract.CHANNELS:  # what the contract makes it say are no data
+            self.health.count("published")
+            self.__told = time.monotonic()
         return taken
 
     def stop(self) -> None:
@@ -278,6 +283,8 @@ class Service:
     def _described(self, report: Message) -> Message:
         report["instance"] = self.link.instance
         report["interval"] = self.configuration.number("HEALTH INTERVAL")
+        if self.__told is not None:
+            report["dataAge"] = time.monotonic() - self.__told
         return report
 
     def _watch(self) -> None:

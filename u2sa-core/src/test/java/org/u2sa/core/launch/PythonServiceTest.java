@@ -59,11 +59,23 @@ class PythonServiceTest {
   @Test
   void compassInPython_inAJavaSystem_isAServiceLikeAnyOther()
       throws IOException, InterruptedException {
+    isAServiceLikeAnyOther(freePort(), "embedded");
+  }
+
+  @Test
+  void compassInPython_inAJavaSystemWithMosquitto_isAServiceLikeAnyOther()
+      throws IOException, InterruptedException {
+    try (Mosquitto mosquitto = Mosquitto.start(freePort())) {
+      isAServiceLikeAnyOther(mosquitto.port(), "external");
+    }
+  }
+
+  private void isAServiceLikeAnyOther(int port, String broker)
+      throws IOException, InterruptedException {
     Python python = Python.required();
-    int port = freePort();
     Path file = file("Compass.xml", "<configuration>\n  <!-- of the boat -->\n</configuration>\n");
     LaunchOptions options = new LaunchOptions().logDirectory(directory.resolve("logs"));
-    try (RunningSystem system = RunningSystem.start(estimator(port), options);
+    try (RunningSystem system = RunningSystem.start(estimator(port, broker), options);
         Connection operator = operator(port)) {
       Process compass = compass(python, port, file);
       try {
@@ -102,7 +114,7 @@ class PythonServiceTest {
     Python python = Python.required();
     int port = freePort();
     LaunchOptions options = new LaunchOptions().logDirectory(directory.resolve("logs"));
-    try (RunningSystem system = RunningSystem.start(estimator(port), options);
+    try (RunningSystem system = RunningSystem.start(estimator(port, "embedded"), options);
         Connection operator = operator(port)) {
       assertThat(system.isRunning()).isTrue();
       assertThat(operator.refused()).isZero();
@@ -236,10 +248,12 @@ class PythonServiceTest {
     return directory.resolve("compass.txt");
   }
 
-  private SystemFile estimator(int port) throws IOException {
+  private SystemFile estimator(int port, String broker) throws IOException {
     file(
         "Manager.xml",
-        "<configuration><variable name=\"COMMUNICATION MANAGER PORT\" type=\"int\" value=\""
+        "<configuration><variable name=\"BROKER\" type=\"string\" value=\""
+            + broker
+            + "\"/><variable name=\"COMMUNICATION MANAGER PORT\" type=\"int\" value=\""
             + port
             + "\"/></configuration>");
     file("Estimator.xml", "<configuration/>");
