@@ -151,7 +151,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=20.0, help="how long to watch (default: %(default)s)")
     parser.add_argument("--expect", default="health", metavar="CHANNEL,…",
                         help="watch for longer, if need be, until these were seen (default: %(default)s)")
-    parser.add_argument("--service", default="PathPlanner", help="asked for what it must refuse (default: %(default)s)")
+    parser.add_argument("--service", default="PathPlanner", help="a service in a launcher's process, asked for what it must refuse (default: %(default)s)")
     parser.add_argument("--wills", type=int, default=0, help="wait for so many wills at the end")
     arguments = parser.parse_args()
     host, _, port = arguments.broker.partition(":")

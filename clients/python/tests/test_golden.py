@@ -1,10 +1,12 @@
 """The golden vectors of every format, read and written byte for byte."""
+import dataclasses
 import json
 import pathlib
 import unittest
 
-from u2sa import Malformed, Message, decode, encode
+from u2sa import Malformed, Message, Schema, decode, encode
 from u2sa.message import UnknownConstant
+from u2sa.schema import STANDARD
 
 GOLDEN = pathlib.Path(__file__).resolve().parents[3] / "docs" / "wire" / "golden"
 
@@ -91,6 +93,38 @@ class OtherVersionsTest(unittest.TestCase):
         order = b"\xa3\x69requestId\x61r\x6bserviceName\x61s\x66action\x65PAUSE"
         with self.assertRaises(UnknownConstant):
             decode(["ServiceOrder"], order)
+
+
+class OldReaderTest(unittest.TestCase):
+    """A client of format 1: it has that format's classes and fields only."""
+
+    def setUp(self):
+        released = {line.split()[1] for line in (GOLDEN / "format-1.sha256").read_text(encoding="utf-8").splitlines()}
+        names = {json.loads((GOLDEN / file).read_text(encoding="utf-8"))["typeChain"][-1]
+                 for file in released if file.endswith(".json")} | {"GoalInformation", "ShapeDescription"}
+        self.old = Schema({name: dataclasses.replace(STANDARD.type(name), fields=tuple(
+            field for field in STANDARD.type(name).fields if field.since == 1)) for name in names})
+
+    def test_every_message_is_read_as_its_class_or_nearest_ancestor(self):
+        newer = 0
+        for file in sorted(GOLDEN.glob("*.cbor")):
+            said = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))
+            chain = said["typeChain"]
+            with self.subTest(file.name):
+                read = decode(chain, file.read_bytes(), self.old)
+                nearest = [name for name in chain if name in self.old.names()]
+                self.assertEqual(read.type.name if read.type else None, nearest[-1] if nearest else None)
+                self.assertEqual(list(read.chain), chain)
+                if not nearest or nearest[-1] != chain[-1]:
+                    newer += 1
+                    self.assertEqual(encode(read), file.read_bytes())  # relayed whole
+        self.assertGreater(newer, 15)
+
+    def test_added_fields_are_skipped_and_a_newer_subclass_is_its_parent(self):
+        report = decode(["HealthReport"], (GOLDEN / "HealthReport-2.cbor").read_bytes(), self.old)
+        self.assertNotIn("interval", report)
+        lost = decode(["HealthReport", "ConnectionLost"], (GOLDEN / "ConnectionLost-will.cbor").read_bytes(), self.old)
+        self.assertEqual((lost.type.name, lost["status"], lost.get("instance")), ("HealthReport", "FAILED", lost.unknown["instance"]))
 
 
 class MessageTest(unittest.TestCase):

@@ -13,15 +13,25 @@ import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
  * The golden vectors of every released format stand as they were released; scripts/wire/freeze adds
- * a format.
+ * a format, and says what to write here.
  */
 class GoldenManifestTest {
   private static final Path FOLDER = Repository.file("docs/wire/golden");
+
+  /**
+   * Each released format's list of vectors and its sources. A line here is written once, at the
+   * release, and never changed: whoever does breaks those who have that release.
+   */
+  private static final Map<String, String> RELEASED =
+      Map.of(
+          "format-1.sha256", "ca28bbd458bf45b247ac4707c4678623b36fc986f5faf5fdfa78f4423fe0d54f",
+          "format-1.zip", "8b0096c3cfbd40dedc53a779b73f3c8845db59e60ecfdb03d6274bc487fd0d84");
 
   /** File names of all frozen formats with their SHA-256. */
   private static Map<String, String> frozen() throws IOException {
@@ -36,6 +46,21 @@ class GoldenManifestTest {
       }
     }
     return frozen;
+  }
+
+  @Test
+  void formats_released_areThoseOfThisTest() throws IOException, NoSuchAlgorithmException {
+    Map<String, String> found = new TreeMap<>();
+    for (Path folder : List.of(FOLDER, OldDataModel.sources(1).getParent())) {
+      try (Stream<Path> files = Files.list(folder)) {
+        for (Path file :
+            files.filter(each -> each.getFileName().toString().startsWith("format-")).toList()) {
+          found.put(file.getFileName().toString(), sha256(file));
+        }
+      }
+    }
+
+    assertThat(found).containsExactlyInAnyOrderEntriesOf(RELEASED);
   }
 
   @Test

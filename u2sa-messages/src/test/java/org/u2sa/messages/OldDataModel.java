@@ -1,7 +1,6 @@
 package org.u2sa.messages;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
@@ -20,12 +19,10 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /**
- * The data model as an earlier commit has it: its own sources out of Git's history, compiled, in a
+ * The data model of a released format: its own sources, kept by scripts/wire/freeze, compiled, in a
  * class loader that does not see the present ones. Reached by reflection only.
  */
 final class OldDataModel implements AutoCloseable {
-  private static final String SOURCES = "u2sa-messages/src/main/java";
-
   private final URLClassLoader loader;
   private final Object codec;
 
@@ -34,11 +31,14 @@ final class OldDataModel implements AutoCloseable {
     this.codec = codec;
   }
 
-  /** Skips the test where Git or the commit is not there, as in a shallow clone. */
-  static OldDataModel of(String commit, Path folder)
-      throws IOException, InterruptedException, ReflectiveOperationException {
+  /** The zip of a format's sources. */
+  static Path sources(int format) {
+    return Repository.file("u2sa-messages/src/test/formats/format-" + format + ".zip");
+  }
+
+  static OldDataModel of(int format, Path folder) throws IOException, ReflectiveOperationException {
     Path sources = Files.createDirectories(folder.resolve("src"));
-    assumeTrue(unpacked(commit, sources), "Git's history with commit " + commit + " is not here");
+    unpack(sources(format), sources);
     Path classes = Files.createDirectories(folder.resolve("classes"));
     compile(sources, classes);
     List<URL> urls = new ArrayList<>(List.of(classes.toUri().toURL()));
@@ -56,19 +56,8 @@ final class OldDataModel implements AutoCloseable {
     return new OldDataModel(loader, codec);
   }
 
-  private static boolean unpacked(String commit, Path folder)
-      throws IOException, InterruptedException {
-    Process git;
-    try {
-      git =
-          new ProcessBuilder("git", "archive", "--format=zip", commit, SOURCES)
-              .directory(Repository.file(".").toFile())
-              .redirectError(ProcessBuilder.Redirect.DISCARD)
-              .start();
-    } catch (IOException e) {
-      return false; // no Git
-    }
-    try (ZipInputStream zip = new ZipInputStream(git.getInputStream())) {
+  private static void unpack(Path archive, Path folder) throws IOException {
+    try (ZipInputStream zip = new ZipInputStream(Files.newInputStream(archive))) {
       for (ZipEntry entry = zip.getNextEntry(); entry != null; entry = zip.getNextEntry()) {
         Path file = folder.resolve(entry.getName()).normalize();
         if (entry.getName().endsWith(".java") && file.startsWith(folder)) {
@@ -77,7 +66,6 @@ final class OldDataModel implements AutoCloseable {
         }
       }
     }
-    return git.waitFor() == 0;
   }
 
   private static void compile(Path sources, Path classes) throws IOException {

@@ -21,18 +21,14 @@ import org.u2sa.messages.contract.ServiceStatus;
  * 8.2.5, 3.5.1.2).
  */
 class OldReaderTest {
-  /** The last commit whose messages are all of format 1. */
-  private static final String FORMAT_1 = "f74e536";
-
   @TempDir private static Path folder;
   private static OldDataModel old;
 
   private final MessageCodec present = new MessageCodec(MessageTypes.standard());
 
   @BeforeAll
-  static void buildOldModel()
-      throws IOException, InterruptedException, ReflectiveOperationException {
-    old = OldDataModel.of(FORMAT_1, folder);
+  static void buildOldModel() throws IOException, ReflectiveOperationException {
+    old = OldDataModel.of(1, folder);
   }
 
   @AfterAll
