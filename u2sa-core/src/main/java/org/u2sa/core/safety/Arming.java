@@ -44,6 +44,13 @@ final class Arming {
     }
   }
 
+  /** Stays armed, as it was by a Safety Manager before this one. */
+  void stayArmed() {
+    armed = true;
+    waits = false;
+    manager.log("stays armed");
+  }
+
   /** Arms as soon as the checks pass, once, if ARM AT START. */
   void armAtStart(long nowMicros) {
     if (waits && checks.reasons(nowMicros).isEmpty()) {

@@ -18,6 +18,8 @@ final class FailsafeDecision {
   /** A hazard that counts. */
   private record Cause(Hazard hazard, FailsafeAction action, String words, long seenMicros) {}
 
+  private static final String OVER = " (over; goes on until armed anew)";
+
   private final Configurator configuration;
   private final Map<Hazard, Cause> causes = new EnumMap<>(Hazard.class);
   private Cause kept; // the most severe of those that stay though they are gone; null if none does
@@ -63,6 +65,18 @@ final class FailsafeDecision {
                 cause.seenMicros() < nowMicros && nowMicros - cause.seenMicros() >= clearMicros);
   }
 
+  /** Goes on with what a Safety Manager before this one demanded, if that is to stay. */
+  void adopt(FailsafeAction action, List<String> words) {
+    for (Hazard hazard : Hazard.values()) {
+      String prefix = hazard.words() + ": ";
+      if (!words.isEmpty() && words.get(0).startsWith(prefix)) {
+        String cause = words.get(0).substring(prefix.length()).replace(OVER, "");
+        Cause adopted = new Cause(hazard, action, cause, 0);
+        kept = stays(adopted) ? adopted : kept;
+      }
+    }
+  }
+
   /** Begins anew: nothing counts but what is present from now on. */
   void acknowledge() {
     causes.clear();
@@ -84,7 +98,7 @@ final class FailsafeDecision {
     all.sort((one, other) -> other.action().compareTo(one.action()));
     List<String> words = new ArrayList<>();
     if (kept != null && !causes.containsKey(kept.hazard())) {
-      words.add(words(kept) + " (over; goes on until armed anew)");
+      words.add(words(kept) + OVER);
     }
     all.forEach(cause -> words.add(words(cause)));
     return words;

@@ -38,6 +38,8 @@ public final class SafetyManager extends PeriodicService {
           Channels.GOALS,
           Channels.CONFIGURATION,
           Channels.ARMING,
+          Channels.ARMING_STATE, // of a Safety Manager before this one
+          Channels.FAILSAFE, // likewise
           Channels.EMERGENCY_STOP);
 
   private final EmergencyLatch emergency;
@@ -46,6 +48,8 @@ public final class SafetyManager extends PeriodicService {
   private final FailsafeDecision decision;
   private final LandMission landMission;
   private final Arming arming;
+  private final Predecessor predecessor;
+  private boolean begun;
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
@@ -63,6 +67,7 @@ public final class SafetyManager extends PeriodicService {
     watches = Watches.of(this, conditions, context.configuration());
     getVariable(SafetyVariables.REPEAT_INTERVAL);
     arming = new Arming(this, new ArmingChecks(this, watches, conditions, emergency, landMission));
+    predecessor = new Predecessor(clock().micros());
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);
     registerPublisher(Channels.EMERGENCY_STOP);
@@ -70,10 +75,16 @@ public final class SafetyManager extends PeriodicService {
     HEARD.forEach(this::registerSubscriber);
   }
 
-  @Override
-  protected void begin() {
-    publishFailsafe(FailsafeAction.CONTINUE);
-    publish(arming.state(clock().micros()));
+  private void beginAfterPredecessor(long now) {
+    begun = true;
+    if (predecessor.wasArmed() && !emergency.isStopped()) {
+      arming.stayArmed();
+    }
+    if (predecessor.action() != FailsafeAction.STOP) { // that is the emergency stop's matter
+      decision.adopt(predecessor.action(), predecessor.causes());
+    }
+    publishFailsafe(action());
+    publish(arming.state(now));
   }
 
   @Override
@@ -87,6 +98,7 @@ public final class SafetyManager extends PeriodicService {
       if (data instanceof ServiceCondition condition) {
         conditions.see(condition);
       }
+      predecessor.see(data, now);
       landMission.see(data);
       arming.see(data);
       watches.forEach(watch -> watch.see(data, now));
@@ -94,6 +106,7 @@ public final class SafetyManager extends PeriodicService {
   }
 
   private void obey(ArmCommand command, long now) {
+    predecessor.end();
     log("\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm"));
     if (command.arm()) {
       decision.acknowledge();
@@ -121,6 +134,12 @@ public final class SafetyManager extends PeriodicService {
   @Override
   protected void step(double nowS) {
     long now = clock().micros();
+    if (!begun) {
+      if (predecessor.isAwaited(now)) {
+        return;
+      }
+      beginAfterPredecessor(now);
+    }
     boolean repeat = nowS >= repeatDueS;
     if (repeat) {
       repeatDueS = nowS + getVariable(SafetyVariables.REPEAT_INTERVAL);

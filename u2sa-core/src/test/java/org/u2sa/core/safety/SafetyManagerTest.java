@@ -55,13 +55,21 @@ class SafetyManagerTest {
     }
   }
 
-  private void start() {
-    kit.start(SafetyManager::new);
+  private SafetyManager start() {
+    SafetyManager manager = startManager();
     kit.publish(Channels.GOALS, new GoalList().goals(List.of(waypoint())));
     kit.publish(
         Channels.ACTUATORS,
         new ActuatorAnnouncement().actuatorName("MOTOR").minimum(0.0).maximum(100.0));
     battery(12.5, 80.0);
+    return manager;
+  }
+
+  /** And waits until no predecessor can be there. */
+  private SafetyManager startManager() {
+    SafetyManager manager = kit.start(SafetyManager::new);
+    kit.advance(0.6);
+    return manager;
   }
 
   private static Waypoint waypoint() {
@@ -83,9 +91,14 @@ class SafetyManagerTest {
   }
 
   private void startArmed() {
-    start();
+    startArmedManager();
+  }
+
+  private SafetyManager startArmedManager() {
+    SafetyManager manager = start();
     live(0.3);
     assertThat(arm(true).armed()).isTrue();
+    return manager;
   }
 
   private FailsafeState failsafe() {
@@ -112,7 +125,7 @@ class SafetyManagerTest {
   void arm_nothingThere_saysAllReasons() {
     kit.with("OPERATOR REQUIRED", true).with("HEALTH MONITOR REQUIRED", true);
     kit.with("ON FENCE", "LAND");
-    kit.start(SafetyManager::new);
+    startManager();
     condition("PathPlanner", Condition.HUNG);
 
     ArmingState state = arm(true);
@@ -148,7 +161,7 @@ class SafetyManagerTest {
 
   @Test
   void failsafe_notArmed_isContinueWhateverIsWrong() {
-    kit.start(SafetyManager::new);
+    startManager();
     kit.advance(2.0);
 
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
@@ -310,6 +323,53 @@ class SafetyManagerTest {
     assertThat(kit.published(Channels.EMERGENCY_STOP)).hasSize(1).allMatch(clear::equals);
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
     assertThat(arm(true).armed()).isTrue();
+  }
+
+  @Test
+  void start_anewInAFailsafe_staysArmedAndGoesOnWithIt() {
+    SafetyManager before = startArmedManager();
+    kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
+    live(5.3);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+    before.kill();
+    kit.forget();
+    live(5.0);
+
+    startManager();
+    live(3.0);
+
+    assertThat(kit.published(Channels.FAILSAFE))
+        .isNotEmpty()
+        .allMatch(state -> state.action() == FailsafeAction.RETURN);
+    assertThat(failsafe().causes().get(0))
+        .startsWith("operator link: \"Ann\" silent for ")
+        .endsWith("s (over; goes on until armed anew)");
+    assertThat(kit.published(Channels.ARMING_STATE)).isNotEmpty().allMatch(ArmingState::armed);
+    arm(true);
+    live(0.2);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void start_longAfterAnother_isAnotherRun() {
+    startArmedManager().kill();
+    kit.advance(25.0);
+
+    startManager();
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+  }
+
+  @Test
+  void start_anewAfterADisarm_staysDisarmed() {
+    SafetyManager before = startArmedManager();
+    arm(false);
+    before.kill();
+
+    startManager();
+    live(3.0);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
   }
 
   @Test

@@ -1,0 +1,68 @@
+package org.u2sa.core.safety;
+
+import java.util.List;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+
+/**
+ * What a Safety Manager before this one said last, which is retained: one that is started anew in
+ * flight must neither disarm the vehicle nor forget a failsafe. Words that are older than it takes
+ * to start anew are of another run.
+ */
+final class Predecessor {
+  private static final double LISTEN_S = 0.5; // until a broker has sent what it retained
+  private static final double SPOKE_WITHIN_S = 20.0;
+
+  private final long listensUntilMicros;
+  private boolean awaited = true;
+  private boolean armed;
+  private FailsafeAction action = FailsafeAction.CONTINUE;
+  private List<String> causes = List.of();
+
+  Predecessor(long nowMicros) {
+    listensUntilMicros = nowMicros + Clock.micros(LISTEN_S);
+  }
+
+  void see(U2SAData message, long nowMicros) {
+    long ageMicros = nowMicros - message.timestamp().orElse(Long.MIN_VALUE / 2);
+    if (!awaited || ageMicros > Clock.micros(SPOKE_WITHIN_S)) {
+      return;
+    }
+    if (message instanceof ArmingState state) {
+      armed = state.armed();
+    } else if (message instanceof FailsafeState state) {
+      action = state.action();
+      causes = state.causes();
+    }
+  }
+
+  /** Whether it may yet be heard. */
+  boolean isAwaited(long nowMicros) {
+    awaited &= nowMicros < listensUntilMicros;
+    return awaited;
+  }
+
+  /** Whatever is heard of it from now on does not count. */
+  void end() {
+    awaited = false;
+    armed = false;
+    action = FailsafeAction.CONTINUE;
+  }
+
+  boolean wasArmed() {
+    return armed;
+  }
+
+  /** What it demanded last. */
+  FailsafeAction action() {
+    return action;
+  }
+
+  /** Why, the most severe cause first. */
+  List<String> causes() {
+    return causes;
+  }
+}
