@@ -70,9 +70,9 @@ public final class CommandedActuators {
     emergency = new EmergencyLatch(service.clock(), systemId);
     service.getVariable(REQUIRES_ARMING); // declared before the first command comes
     service.registerPublisher(Channels.ACTUATORS);
-    service.registerSubscriber(Channels.ACTUATION);
-    service.registerSubscriber(Channels.EMERGENCY_STOP);
+    service.registerSubscriber(Channels.EMERGENCY_STOP); // first: a stop that holds comes before
     service.registerSubscriber(Channels.ARMING_STATE);
+    service.registerSubscriber(Channels.ACTUATION); // … the first command
   }
 
   /** Tells control systems of an actuator, and from now on refuses what is outside its extents. */
