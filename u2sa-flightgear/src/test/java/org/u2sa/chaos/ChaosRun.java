@@ -224,7 +224,7 @@ final class ChaosRun {
                         + ", refused "
                         + report.refused()
                         + ", missed "
-                        + report.missed()
+                        + report.missed().orElse(0)
                         + ", exceptions "
                         + report.exceptions())
             .orElse("no report");
