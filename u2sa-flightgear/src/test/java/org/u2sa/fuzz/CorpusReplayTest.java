@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.u2sa.core.safety.FenceTarget;
 
 /**
  * What fuzzing found worth keeping is tried again by every build: seeds, the inputs that reached
@@ -30,7 +31,9 @@ class CorpusReplayTest {
         target("mission", MissionTarget::fuzzerTestOneInput),
         target("configuration", ConfigurationTarget::fuzzerTestOneInput),
         target("system", SystemFileTarget::fuzzerTestOneInput),
-        target("flightgear", FlightGearLineTarget::fuzzerTestOneInput));
+        target("flightgear", FlightGearLineTarget::fuzzerTestOneInput),
+        target("fence", FenceTarget::fuzzerTestOneInput),
+        target("users", UsersTarget::fuzzerTestOneInput));
   }
 
   private static Arguments target(String name, Consumer<byte[]> target) {

@@ -6,14 +6,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** A file with the fuzzer's bytes, for readers that take files; gone when closed. */
-final class InputFile implements AutoCloseable {
+public final class InputFile implements AutoCloseable {
   private final Path path;
 
   private InputFile(Path path) {
     this.path = path;
   }
 
-  static InputFile of(byte[] content) {
+  /** A new file of that content. */
+  public static InputFile of(byte[] content) {
     try {
       Path path = Files.createTempFile("u2sa-fuzz", ".xml");
       Files.write(path, content);
@@ -23,7 +24,8 @@ final class InputFile implements AutoCloseable {
     }
   }
 
-  Path path() {
+  /** Where it is. */
+  public Path path() {
     return path;
   }
 
