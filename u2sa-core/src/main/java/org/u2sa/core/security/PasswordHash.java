@@ -3,6 +3,7 @@ package org.u2sa.core.security;
 import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
+import java.util.Arrays;
 import java.util.Base64;
 import javax.crypto.SecretKeyFactory;
 import javax.crypto.spec.PBEKeySpec;
@@ -98,6 +99,20 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
         + base64.encodeToString(salt)
         + "$"
         + base64.encodeToString(hash);
+  }
+
+  /** By content: two readings of one line are the same user. */
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof PasswordHash hashed
+        && iterations == hashed.iterations
+        && Arrays.equals(salt, hashed.salt)
+        && Arrays.equals(hash, hashed.hash);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(hash);
   }
 
   /** As it stands in the users' file. */

@@ -44,6 +44,17 @@ class UserFileTest {
   }
 
   @Test
+  void read_twice_givesEqualUsers() {
+    Path file = folder.resolve("users.txt");
+    UserFile.write(file, List.of(user("pilot", AccessRole.OPERATOR, "cessna")));
+
+    assertThat(UserFile.read(file)).isEqualTo(UserFile.read(file)).hasSize(1);
+    assertThat(UserFile.read(file).get("pilot").password())
+        .isNotEqualTo(PasswordHash.of("secret".toCharArray(), new SecureRandom(), FEW))
+        .hasSameHashCodeAs(HASH);
+  }
+
+  @Test
   void write_anyUmask_onlyTheOwnerMayRead() throws IOException {
     Path file = folder.resolve("users.txt");
     UserFile.write(file, List.of());
