@@ -15,6 +15,7 @@ dependencies {
         exclude(group = "org.slf4j", module = "slf4j-reload4j")
         exclude(group = "io.netty", module = "netty-transport-native-epoll")
     }
+    api(libs.jmdns)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
 }

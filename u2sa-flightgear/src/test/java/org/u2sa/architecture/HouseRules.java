@@ -70,6 +70,7 @@ final class HouseRules {
     rules.put("known packages", knownPackages());
     rules.put("named by subject", namedBySubject());
     rules.put("Moquette", confined("core.communication", "io.moquette..", "io.netty.."));
+    rules.put("JmDNS", confined("core.communication", "javax.jmdns.."));
     rules.put("Paho", confined("interfaces.communication", "org.eclipse.paho.."));
     rules.put("one clock", oneClock());
     rules.put("no static mutable state", noStaticMutableState());

@@ -5,8 +5,10 @@ import java.nio.file.Paths;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
@@ -47,7 +49,8 @@ public final class CommunicationManager implements AutoCloseable {
   static final Variable<String> HOST =
       Variable.text("COMMUNICATION MANAGER IP")
           .ifAbsent("localhost")
-          .describedAs("Host of the external broker.");
+          .describedAs(
+              "Host of the external broker; auto: the one that announces itself by mDNS for this system.");
 
   /** TCP port of the broker. */
   public static final Variable<Integer> PORT =
@@ -64,12 +67,25 @@ public final class CommunicationManager implements AutoCloseable {
           .describedAs(
               "How long to wait at the start for an external broker that does not answer yet, so that hosts may be started in any order.");
 
+  /** Whether the embedded broker announces itself by mDNS. */
+  public static final Variable<String> ANNOUNCE =
+      Variable.text("ANNOUNCE")
+          .oneOf("auto", "yes", "no")
+          .ifAbsent("auto")
+          .describedAs(
+              "Whether the embedded broker announces itself by mDNS; auto: if it listens to a network.");
+
+  private static final double SEARCH_AT_LEAST_S = 5.0;
+
   private final Transport transport;
   private final BrokerKeeper broker; // null unless embedded
+  private final BrokerAnnouncement announcement; // null if there is none
 
-  private CommunicationManager(Transport transport, BrokerKeeper broker) {
+  private CommunicationManager(
+      Transport transport, BrokerKeeper broker, BrokerAnnouncement announcement) {
     this.transport = transport;
     this.broker = broker;
+    this.announcement = announcement;
   }
 
   /**
@@ -89,27 +105,52 @@ public final class CommunicationManager implements AutoCloseable {
     String host = configuration.getVariable(HOST);
     int port = configuration.getVariable(PORT);
     double patienceS = configuration.getVariable(WAIT);
+    String announce = configuration.getVariable(ANNOUNCE);
     BrokerLimits limits = BrokerLimits.of(configuration);
     BrokerSecurity.Settings settings = BrokerSecurity.settings(configuration);
     Access access = Access.of(configuration);
     MessageCodec codec = new MessageCodec(types);
     if (kind.equals("external")) {
+      BrokerAccess as = access.beside(settings.directory());
+      if (host.equals(BrokerSearch.AUTO)) {
+        FoundBroker found = search(systemId, as, Math.max(patienceS, SEARCH_AT_LEAST_S));
+        log.accept("broker found by mDNS: " + found);
+        host = found.host();
+        port = found.port();
+      }
       MqttTransport transport =
-          new MqttTransport(host, port, systemId, codec, access.beside(settings.directory()))
-              .waiting(patienceS);
+          new MqttTransport(host, port, systemId, codec, as).waiting(patienceS);
       transport.connect("CommunicationManager", new Probe()).close();
-      return new CommunicationManager(transport, null);
+      return new CommunicationManager(transport, null, null);
     }
     LocalBus bus = new LocalBus(systemId);
     BrokerKeeper broker = null;
+    BrokerAnnouncement announcement = null;
     if (kind.equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, log);
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =
           new BrokerKeeper(
               died -> EmbeddedBroker.start(bus, codec, address, security, limits, log, died), log);
+      if (announce.equals("yes")
+          || announce.equals("auto") && !BrokerSecurity.isLoopback(bindAddress)) {
+        announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
+      }
     }
-    return new CommunicationManager(bus, broker);
+    return new CommunicationManager(bus, broker, announcement);
+  }
+
+  private static FoundBroker search(String systemId, BrokerAccess access, double timeoutS) {
+    try {
+      FoundBroker found = BrokerSearch.theOnly(Optional.of(systemId), new SystemClock(), timeoutS);
+      if (found.encrypted() && !access.isEncrypted()) {
+        throw new BadInputException("the broker " + found + " wants TLS: set CA FILE");
+      }
+      return found;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new CommunicationException("interrupted while looking for the broker", e);
+    }
   }
 
   /** As whom and how the services of this process come to an external broker. */
@@ -169,6 +210,9 @@ public final class CommunicationManager implements AutoCloseable {
    */
   @Override
   public void close() {
+    if (announcement != null) {
+      announcement.close();
+    }
     if (broker != null) {
       broker.close();
     }

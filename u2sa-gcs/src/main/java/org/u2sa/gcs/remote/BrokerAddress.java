@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
  * @param host name or address, an IPv6 address without brackets
  * @param port TCP port, 1…65535
  */
-record BrokerAddress(String host, int port) {
+public record BrokerAddress(String host, int port) {
   private static final int DEFAULT_PORT = 1883;
   private static final int HIGHEST_PORT = 65_535;
   private static final Pattern FORM =
@@ -20,7 +20,7 @@ record BrokerAddress(String host, int port) {
    *
    * @throws IllegalArgumentException if it is none of them
    */
-  static BrokerAddress parse(String text) {
+  public static BrokerAddress parse(String text) {
     Matcher matcher = FORM.matcher(text);
     if (!matcher.matches()) {
       throw new IllegalArgumentException(
@@ -35,7 +35,7 @@ record BrokerAddress(String host, int port) {
   }
 
   /** The host as it stands in an address: IPv6 in brackets. */
-  String hostInAddress() {
+  public String hostInAddress() {
     return host.indexOf(':') < 0 ? host : "[" + host + "]";
   }
 

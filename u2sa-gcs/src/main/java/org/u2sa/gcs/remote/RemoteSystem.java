@@ -2,7 +2,10 @@ package org.u2sa.gcs.remote;
 
 import java.io.PrintWriter;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.SortedSet;
+import org.u2sa.core.communication.BrokerSearch;
+import org.u2sa.core.communication.FoundBroker;
 import org.u2sa.gcs.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Clock;
@@ -39,17 +42,18 @@ public final class RemoteSystem {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
-  private BrokerAddress broker = BrokerAddress.parse("localhost");
+  private BrokerAddress broker = BrokerAddress.parse("localhost"); // null: to be looked for
   private String systemId;
   private double timeoutS = 3.0;
 
   @Option(
       names = "--broker",
       paramLabel = "HOST[:PORT]",
-      description = "Where the system's broker listens. Default: localhost:1883.")
+      description =
+          "Where the system's broker listens; auto: where it announces itself by mDNS. Default: localhost:1883.")
   private void broker(String value) {
     try {
-      broker = BrokerAddress.parse(value);
+      broker = value.equals(BrokerSearch.AUTO) ? null : BrokerAddress.parse(value);
     } catch (IllegalArgumentException e) {
       throw new ParameterException(command.commandLine(), "--broker " + e.getMessage());
     }
@@ -110,8 +114,19 @@ public final class RemoteSystem {
    */
   public RemoteLink connect() throws InterruptedException {
     Clock clock = new SystemClock();
+    if (broker == null) {
+      broker = search(clock);
+    }
     String id = systemId == null ? theOnlyOne(clock) : systemId;
     return new RemoteLink(transport(id), name(), clock, timeoutS, this::tell);
+  }
+
+  private BrokerAddress search(Clock clock) throws InterruptedException {
+    FoundBroker found = BrokerSearch.theOnly(Optional.ofNullable(systemId), clock, timeoutS);
+    if (found.encrypted() && caFile.isEmpty()) {
+      throw new BadInputException("the broker " + found + " wants TLS: --ca names its authority");
+    }
+    return new BrokerAddress(found.host(), found.port());
   }
 
   private String theOnlyOne(Clock clock) throws InterruptedException {
@@ -157,7 +172,7 @@ public final class RemoteSystem {
 
   /** Where the broker is, for messages: {@code host:port}. */
   public String brokerAddress() {
-    return broker.toString();
+    return broker == null ? BrokerSearch.AUTO : broker.toString();
   }
 
   /** Who gives orders, for logs: {@code user@host}. */

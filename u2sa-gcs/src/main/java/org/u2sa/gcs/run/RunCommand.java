@@ -1,13 +1,16 @@
 package org.u2sa.gcs.run;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import org.u2sa.core.communication.BrokerSearch;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.remote.BrokerAddress;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.service.U2SAService;
 import picocli.CommandLine.Command;
@@ -76,6 +79,13 @@ public final class RunCommand implements Callable<Integer> {
   private String host;
 
   @Option(
+      names = "--broker",
+      paramLabel = "HOST[:PORT]",
+      description =
+          "Use this broker, whatever the file says, not one of this process; auto: the one that announces itself by mDNS for this system.")
+  private String broker;
+
+  @Option(
       names = "--supervised",
       hidden = true,
       description = "With --only: the process that started this one starts it again if need be.")
@@ -94,6 +104,10 @@ public final class RunCommand implements Callable<Integer> {
                   terminal.out().println(line);
                   terminal.out().flush();
                 });
+    if (broker != null) {
+      settings = new ArrayList<>(settings);
+      settings.addAll(settingsOfBroker());
+    }
     settings.forEach(setting -> set(options, setting));
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
       throw new ParameterException(
@@ -113,6 +127,23 @@ public final class RunCommand implements Callable<Integer> {
       options.oneOfSeveral(supervised);
     }
     return separate ? runSeparately(system, options, terminal) : run(system, options, terminal);
+  }
+
+  /** Said as settings, so that processes that this one starts use the same broker. */
+  private List<String> settingsOfBroker() {
+    String manager = MANAGER + ":";
+    if (broker.equals(BrokerSearch.AUTO)) {
+      return List.of(manager + "BROKER=external", manager + "COMMUNICATION MANAGER IP=" + broker);
+    }
+    try {
+      BrokerAddress address = BrokerAddress.parse(broker);
+      return List.of(
+          manager + "BROKER=external",
+          manager + "COMMUNICATION MANAGER IP=" + address.hostInAddress(),
+          manager + "COMMUNICATION MANAGER PORT=" + address.port());
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--broker " + e.getMessage());
+    }
   }
 
   private void set(LaunchOptions options, String setting) {

@@ -8,6 +8,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,6 +26,7 @@ class SeveralHostsTest {
   private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();
   private final int port = ForeignSystem.freePort();
+  private final String system = "boat-" + UUID.randomUUID(); // mDNS is everybody's
   private Path file;
 
   @BeforeEach
@@ -35,6 +37,7 @@ class SeveralHostsTest {
         <configuration>
           <variable name="COMMUNICATION MANAGER PORT" type="int" value="%d"/>
           <variable name="COMMUNICATION MANAGER WAIT" type="double" value="90.0"/>
+          <variable name="ANNOUNCE" type="string" value="yes"/>
         </configuration>
         """
             .formatted(port));
@@ -42,17 +45,18 @@ class SeveralHostsTest {
         Files.writeString(
             folder.resolve("system.xml"),
             """
-            <system id="boat">
+            <system id="%s">
               <communication configuration="Manager.xml" host="desk"/>
               <service class="org.u2sa.gcs.services.Lidar" host="bow"/>
               <service class="org.u2sa.core.estimation.PassThroughStateEstimator" host="bridge"/>
             </system>
-            """);
+            """
+                .formatted(system));
   }
 
-  private ForeignSystem host(String name) {
+  private ForeignSystem host(String... arguments) {
     try {
-      return ForeignSystem.start(file, port, "--host", name);
+      return ForeignSystem.start(file, port, arguments);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -64,15 +68,18 @@ class SeveralHostsTest {
 
   @Test
   void run_hostsStartedInAnyOrder_areOneSystem() throws Exception {
-    CompletableFuture<ForeignSystem> early = CompletableFuture.supplyAsync(() -> host("bow"));
-    try (ForeignSystem manager = host("desk");
-        ForeignSystem bridge = host("bridge");
+    CompletableFuture<ForeignSystem> early =
+        CompletableFuture.supplyAsync(() -> host("--host", "bow"));
+    try (ForeignSystem manager = host("--host", "desk");
+        ForeignSystem bridge = host("--host", "bridge", "--broker", "auto");
         ForeignSystem bow = early.get(90, TimeUnit.SECONDS)) {
       assertThat(bow.port()).isEqualTo(bridge.port());
-      assertThat(run("services", "--broker", manager.broker())).isEqualTo(ExitCode.DONE);
+      assertThat(manager.port()).isEqualTo(port);
+      assertThat(run("services", "--broker", "auto", "--system", system, "--timeout", "60"))
+          .isEqualTo(ExitCode.DONE);
     }
     assertThat(out.toString())
-        .contains("System boat", "Lidar", "StateEstimator")
+        .contains("System " + system, "Lidar", "StateEstimator")
         .contains("Launcher-Lidar", "Launcher-StateEstimator");
     assertThat(err.toString()).isEmpty();
   }

@@ -1,0 +1,49 @@
+package org.u2sa.core.communication;
+
+import java.io.IOException;
+import java.net.Inet4Address;
+import java.net.InetAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/** Addresses of this host through which multicast DNS may speak: one each network, IPv4. */
+final class MulticastAddresses {
+  private MulticastAddresses() {}
+
+  /**
+   * Those of all networks that are up, loopback last.
+   *
+   * @throws IOException if the host cannot say
+   */
+  static List<InetAddress> all() throws IOException {
+    List<InetAddress> networks = new ArrayList<>();
+    List<InetAddress> loopback = new ArrayList<>();
+    try {
+      for (NetworkInterface each : Collections.list(NetworkInterface.getNetworkInterfaces())) {
+        if (each.isUp() && (each.supportsMulticast() || each.isLoopback())) {
+          each.inetAddresses()
+              .filter(Inet4Address.class::isInstance)
+              .findFirst()
+              .ifPresent((each.isLoopback() ? loopback : networks)::add);
+        }
+      }
+    } catch (SocketException e) {
+      throw new IOException("the host's networks cannot be listed: " + e.getMessage(), e);
+    }
+    networks.addAll(loopback);
+    return networks;
+  }
+
+  /**
+   * Those through which a server is reached that listens there.
+   *
+   * @param bindAddress an address of this host, or the one that stands for all
+   */
+  static List<InetAddress> of(String bindAddress) throws IOException {
+    InetAddress address = InetAddress.getByName(bindAddress);
+    return address.isAnyLocalAddress() ? all() : List.of(address);
+  }
+}
