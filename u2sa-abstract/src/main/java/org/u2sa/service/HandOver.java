@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,9 +11,9 @@ import java.util.Set;
 import org.u2sa.messages.U2SAData;
 
 /**
- * What a service knows at the moment at which another class takes its place: a few named values. A
- * map rather than an object, so that two algorithms that know nothing of each other may share as
- * much as both understand.
+ * What a service knows at the moment at which another class takes its place, or at which it is
+ * started anew: a few named values. A map rather than an object, so that two algorithms that know
+ * nothing of each other may share as much as both understand.
  *
  * <p>The old service writes it in {@link U2SAService#handOver}, the new one reads it in {@link
  * U2SAService#takeOver}. A value that is not there is empty. Belongs to one thread.
@@ -41,6 +42,11 @@ public final class HandOver {
   /** The names of all values, in the order in which they were set. */
   public Set<String> names() {
     return Set.copyOf(values.keySet());
+  }
+
+  /** All values by name: Strings, Doubles, Booleans, messages, and Lists of texts or messages. */
+  Map<String, Object> values() {
+    return Collections.unmodifiableMap(values);
   }
 
   /** Sets a text. */
@@ -163,5 +169,10 @@ public final class HandOver {
   private IllegalArgumentException wrongKind(String name, Object value, String expected) {
     return new IllegalArgumentException(
         "value \"" + name + "\" of " + className + " is " + value + ", expected " + expected);
+  }
+
+  @Override
+  public String toString() {
+    return className + values;
   }
 }

@@ -53,10 +53,10 @@ final class HealthReporter {
    * speaks for itself, has not been started, or has said its last.
    */
   Optional<HealthReport> onBehalf(long nowMicros) {
+    boolean alive = service.isAlive(); // asked first: who is no longer alive has said its last
     if (service.status() == ServiceStatus.CREATED || lastSaid) {
       return Optional.empty();
     }
-    boolean alive = service.isAlive();
     long heardMicros = Math.max(service.startedMicros(), reportedMicros);
     if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
       return Optional.empty();

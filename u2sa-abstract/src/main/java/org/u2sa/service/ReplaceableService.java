@@ -1,13 +1,22 @@
 package org.u2sa.service;
 
+import java.io.IOException;
+import java.util.Optional;
+import org.u2sa.interfaces.LogLevelEnum;
+
 /**
- * The part of a service that hands its place over to another class while it runs (user story 8).
+ * The part of a service that goes on where another one was: a service of another class while it
+ * runs (user story 8), or itself before it was started anew.
  */
 abstract class ReplaceableService extends LivingService {
   private final Succession succession = new Succession();
+  private final ProgressFile progress;
+  private boolean succeeded; // has its place from another service in this process
+  private long notRemembered;
 
   ReplaceableService(ServiceContext context, ServiceRole role, String serviceName) {
     super(context, role, serviceName);
+    progress = new ProgressFile(context, getServiceName());
   }
 
   /**
@@ -19,12 +28,64 @@ abstract class ReplaceableService extends LivingService {
 
   /**
    * Takes over what the service before it wrote down, which may be of any class of the same role.
-   * Called once, before {@link #start} and only in a {@link ServiceSwap}. Nothing can be published
-   * yet.
+   * Or what this service {@linkplain #remember remembered} before it was started anew. Called once,
+   * before its thread runs, and not at a first start. Nothing can be published yet.
    *
-   * @throws RuntimeException if the service cannot go on from there: the one before stays
+   * @throws RuntimeException if the service cannot go on from there: in a {@link ServiceSwap} the
+   *     one before stays; a restart fails, and the next one begins from nothing
    */
   protected void takeOver(HandOver state) {}
+
+  /**
+   * Keeps what {@link #handOver} writes at this moment, in a file beside the log. Should the
+   * service be started anew in this run, in the same process or after its process was killed,
+   * {@link #takeOver} gets it. Called on the service's thread at each change of what must not be
+   * lost.
+   */
+  protected final void remember() {
+    if (!isRunning() || wiring().isSilent()) {
+      return; // given up or replaced: another one remembers now
+    }
+    try {
+      HandOver state = new HandOver(getClass().getName());
+      handOver(state);
+      progress.write(state);
+    } catch (IOException | RuntimeException e) { // such as a full disk: no reason not to go on
+      notRemembered++;
+      if (Long.bitCount(notRemembered) == 1) { // 1, 2, 4, 8…: it may last
+        log(LogLevelEnum.ERROR, "a restart would not go on from here: " + e);
+      }
+    }
+  }
+
+  /** {@inheritDoc} One that was started anew goes on where it was. */
+  @Override
+  public void start() {
+    if (!succeeded) {
+      try {
+        goOnOrBegin();
+      } catch (IOException e) {
+        log(LogLevelEnum.ERROR, "begins from nothing: " + e.getMessage());
+      }
+    }
+    super.start();
+  }
+
+  private void goOnOrBegin() throws IOException {
+    Optional<HandOver> before = context().isRestart() ? progress.read() : Optional.empty();
+    if (before.isPresent()) {
+      try {
+        takeOver(before.get());
+        log("goes on where it was before the restart");
+        return;
+      } catch (RuntimeException e) {
+        logFile().log(LogLevelEnum.ERROR, "cannot go on from " + progress.path(), e);
+        progress.delete();
+        throw e;
+      }
+    }
+    progress.delete(); // of another run
+  }
 
   final Succession succession() {
     return succession;
@@ -59,6 +120,7 @@ abstract class ReplaceableService extends LivingService {
 
   /** Takes note of whose place it takes. */
   void succeeds(U2SAService predecessor) {
+    succeeded = true;
     context().forgetPredecessor();
   }
 

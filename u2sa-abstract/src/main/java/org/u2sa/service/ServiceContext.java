@@ -25,6 +25,7 @@ public final class ServiceContext {
   private final Path logDirectory;
   private final MessageTypes messageTypes;
   private final long seed;
+  private final boolean restart;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
   private volatile U2SAService predecessor; // null if there is none, or none any more
 
@@ -36,6 +37,7 @@ public final class ServiceContext {
     logDirectory = builder.logDirectory;
     messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
     seed = builder.seed;
+    restart = builder.restart;
     predecessor = builder.predecessor;
   }
 
@@ -89,6 +91,14 @@ public final class ServiceContext {
     predecessor = null;
   }
 
+  /**
+   * Whether the service ran before in this run and is started anew, in the same process or another:
+   * then it takes its work up where it was left.
+   */
+  public boolean isRestart() {
+    return restart;
+  }
+
   /** Takes note of how to close what the service opened while it was being constructed. */
   void onAbandon(Runnable closing) {
     closings.push(closing);
@@ -117,6 +127,7 @@ public final class ServiceContext {
     private Path logDirectory = Paths.get("out", "logs");
     private MessageTypes messageTypes;
     private long seed = 1;
+    private boolean restart;
     private U2SAService predecessor;
 
     private Builder(String systemId, XmlConfiguration configuration) {
@@ -160,6 +171,12 @@ public final class ServiceContext {
      */
     public Builder inPlaceOf(U2SAService running) {
       predecessor = Objects.requireNonNull(running, "running");
+      return this;
+    }
+
+    /** Says whether the service ran before in this run. */
+    public Builder restart(boolean value) {
+      restart = value;
       return this;
     }
 

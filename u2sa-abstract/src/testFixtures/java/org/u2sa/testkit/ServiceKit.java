@@ -126,7 +126,20 @@ public final class ServiceKit implements AutoCloseable {
    * step.
    */
   public <S extends U2SAService> S start(Function<ServiceContext, S> constructor) {
-    S service = constructor.apply(context());
+    return start(constructor.apply(context()));
+  }
+
+  /**
+   * Ends a service and starts another one in its place as a launcher does on order: what the first
+   * one {@code remember}ed, the other one takes over.
+   */
+  public <S extends U2SAService> S restart(
+      U2SAService running, Function<ServiceContext, S> constructor) {
+    running.kill();
+    return start(constructor.apply(contextBuilder().restart(true).build()));
+  }
+
+  private <S extends U2SAService> S start(S service) {
     services.push(service);
     service.start();
     settle();

@@ -154,7 +154,7 @@ final class HostedServices implements ServiceHost {
               old.entry(),
               old.className(),
               configuration,
-              maker.make(old.className(), configuration));
+              maker.makeAnew(old.className(), configuration));
       if (!replace(old, successor)) {
         successor.service().kill();
         return Optional.of("the system is ending");

@@ -17,6 +17,7 @@ public final class LaunchOptions {
   private Consumer<String> console = line -> {};
   private boolean oneOfSeveral;
   private boolean supervised;
+  private boolean restart;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
 
   /** Sets the time of the run; without it, real time. */
@@ -79,6 +80,16 @@ public final class LaunchOptions {
 
   Consumer<String> console() {
     return console;
+  }
+
+  /** Says whether the services of this process ran before in this run, in another process. */
+  public LaunchOptions restart(boolean value) {
+    restart = value;
+    return this;
+  }
+
+  boolean restart() {
+    return restart;
   }
 
   boolean oneOfSeveral() {

@@ -48,7 +48,8 @@ final class ServiceMaker {
         .transport(transport)
         .logDirectory(options.logDirectory())
         .messageTypes(types)
-        .seed(options.seed());
+        .seed(options.seed())
+        .restart(options.restart());
   }
 
   /**
@@ -62,12 +63,14 @@ final class ServiceMaker {
   }
 
   /**
-   * Makes a service of a class that stands in no system file.
+   * Makes a service anew that ran before in this run, of a class that may stand in no system file.
    *
    * @throws RuntimeException if the class is no service or its constructor refuses
    */
-  U2SAService make(String className, XmlConfiguration configuration) {
-    return make(context(configuration), context -> ServiceFactory.create(className, context));
+  U2SAService makeAnew(String className, XmlConfiguration configuration) {
+    return make(
+        builder(configuration).restart(true).build(),
+        context -> ServiceFactory.create(className, context));
   }
 
   /**

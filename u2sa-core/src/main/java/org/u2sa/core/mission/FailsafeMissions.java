@@ -70,7 +70,7 @@ final class FailsafeMissions {
         Mission.load(
             context.configuration().resolve(path),
             context.messageTypes(),
-            manager.getVariable(MissionManager.DEFAULT_THRESHOLD));
+            manager.getVariable(MissionVariables.DEFAULT_THRESHOLD));
     return mission.goals().stream()
         .map(goal -> renamed(goal, action + " "))
         .collect(Collectors.toList());

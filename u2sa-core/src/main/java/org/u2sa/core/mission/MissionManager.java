@@ -1,6 +1,5 @@
 package org.u2sa.core.mission;
 
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -8,7 +7,6 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
@@ -19,6 +17,7 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
@@ -29,46 +28,19 @@ import org.u2sa.service.ServiceRole;
  * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A goal
  * that comes in completed or abandoned is a report, any other an update. A list without goals says
  * that the mission is over. A failsafe to return or to land has goals of its own; when it is over,
- * the mission is resumed where it was left.
+ * the mission is resumed where it was left. Started anew in the same run, it goes on where the one
+ * before was, unless the mission is another file now.
  */
 public final class MissionManager extends EventDrivenService {
-  static final Variable<String> MISSION =
-      Variable.text("MISSION")
-          .describedAs(
-              "The mission's XML file, relative to the configuration file. Changed while running: the new mission begins.");
-
-  static final Variable<Boolean> LOOP =
-      Variable.flag("LOOP")
-          .ifAbsent(false)
-          .describedAs(
-              "Whether the mission begins anew after its last goal (thesis 4.5.2.3 did for ever).");
-
-  static final Variable<String> OPTIONS =
-      Variable.text("OPTIONS")
-          .oneOf(GoalSequence.Options.ALL.name(), GoalSequence.Options.ANY.name())
-          .ifAbsent(GoalSequence.Options.ALL.name())
-          .describedAs(
-              "Of several next goals, whether ALL are to be finished before what follows, or ANY one.");
-
   /** The mission by which it lands; the Safety Manager asks whether there is one. */
   public static final Variable<String> LAND_MISSION = FailsafeMissions.LAND_MISSION;
-
-  static final Variable<Double> DEFAULT_THRESHOLD =
-      Variable.number("DEFAULT THRESHOLD", "m")
-          .range(Range.positive())
-          .ifAbsent(Mission.DEFAULT_THRESHOLD_M)
-          .describedAs("Horizontal threshold of waypoints that give none.");
 
   /** The goal to which a vehicle returns on command. */
   static final String HOME = "home";
 
   private final FailsafeMissions failsafes;
-  private GoalSequence sequence; // the one that is pursued: the mission, or a failsafe's
+  private MissionProgress progress;
   private Optional<Waypoint> home = Optional.empty();
-  private GoalSequence mission; // where it was left for a failsafe; null while it is pursued
-  private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
-  private final Set<String> completed = new LinkedHashSet<>();
-  private final Set<String> abandoned = new LinkedHashSet<>();
 
   /**
    * Called by the launcher.
@@ -77,7 +49,7 @@ public final class MissionManager extends EventDrivenService {
    */
   public MissionManager(ServiceContext context) {
     super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
-    sequence = load();
+    progress = new MissionProgress(load());
     failsafes = new FailsafeMissions(this, context());
     registerPublisher(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
@@ -94,9 +66,9 @@ public final class MissionManager extends EventDrivenService {
   /** Refuses a mission that cannot be read, before it takes the place of one that can. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    String file = (String) values.get(MISSION.name());
-    double thresholdM = (Double) values.get(DEFAULT_THRESHOLD.name());
-    if (file.equals(getVariable(MISSION)) && thresholdM == getVariable(DEFAULT_THRESHOLD)) {
+    String file = (String) values.get(MissionVariables.MISSION.name());
+    double thresholdM = (Double) values.get(MissionVariables.DEFAULT_THRESHOLD.name());
+    if (file.equals(mission()) && thresholdM == thresholdM()) {
       return Optional.empty();
     }
     try {
@@ -108,32 +80,45 @@ public final class MissionManager extends EventDrivenService {
   }
 
   private GoalSequence load() {
-    Mission loadedMission = read(getVariable(MISSION), getVariable(DEFAULT_THRESHOLD));
+    Mission loadedMission = read(mission(), thresholdM());
     log("mission " + loadedMission.origin() + " with goals " + names(loadedMission.goals()));
     loadedMission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
-    GoalSequence loaded = new GoalSequence(loadedMission.goals(), getVariable(LOOP), options());
-    home = loadedMission.home().map(place -> place.waypoint(HOME, getVariable(DEFAULT_THRESHOLD)));
+    GoalSequence loaded = new GoalSequence(loadedMission.goals(), loop(), options());
+    home = loadedMission.home().map(place -> place.waypoint(HOME, thresholdM()));
     if (home.isPresent() && !loaded.knows(HOME)) {
       loaded.update(home.get());
     }
     return loaded;
   }
 
+  private String mission() {
+    return getVariable(MissionVariables.MISSION);
+  }
+
+  private double thresholdM() {
+    return getVariable(MissionVariables.DEFAULT_THRESHOLD);
+  }
+
+  private boolean loop() {
+    return getVariable(MissionVariables.LOOP);
+  }
+
   private GoalSequence.Options options() {
-    return GoalSequence.Options.valueOf(getVariable(OPTIONS));
+    return GoalSequence.Options.valueOf(getVariable(MissionVariables.OPTIONS));
   }
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(MISSION.name())
-        || variableNames.contains(DEFAULT_THRESHOLD.name())) {
+    if (variableNames.contains(MissionVariables.MISSION.name())
+        || variableNames.contains(MissionVariables.DEFAULT_THRESHOLD.name())) {
       beginAnew();
     }
     if (FailsafeMissions.areConfiguredBy(variableNames)) {
       loadFailsafes();
     }
-    if (variableNames.contains(LOOP.name()) || variableNames.contains(OPTIONS.name())) {
-      (mission == null ? sequence : mission).rules(getVariable(LOOP), options());
+    if (variableNames.contains(MissionVariables.LOOP.name())
+        || variableNames.contains(MissionVariables.OPTIONS.name())) {
+      progress.rules(loop(), options());
       publishGoals();
     }
   }
@@ -148,19 +133,31 @@ public final class MissionManager extends EventDrivenService {
 
   private void beginAnew() {
     try {
-      GoalSequence loaded = load();
-      if (mission == null) {
-        sequence = loaded;
-      } else {
-        mission = loaded; // begins when the failsafe is over
-      }
+      progress.begin(load());
     } catch (BadInputException e) {
       log(LogLevelEnum.ERROR, e.getMessage() + ": goes on with the mission before");
       return;
     }
-    completed.clear();
-    abandoned.clear();
     publishGoals();
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    state.text(MissionVariables.MISSION.name(), mission());
+    state.number(MissionVariables.DEFAULT_THRESHOLD.name(), thresholdM());
+    progress.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    boolean same =
+        state.text(MissionVariables.MISSION.name()).filter(mission()::equals).isPresent()
+            && state.number(MissionVariables.DEFAULT_THRESHOLD.name()).orElse(0.0) == thresholdM();
+    if (!same) {
+      log(LogLevelEnum.WARN, "the mission is another one now: it begins");
+      return;
+    }
+    progress = MissionProgress.takenOver(state, loop(), options()).orElse(progress);
   }
 
   @Override
@@ -185,44 +182,35 @@ public final class MissionManager extends EventDrivenService {
 
   /** Turns to a failsafe's own mission, or back to where the mission was left. */
   private void react(FailsafeAction action) {
-    if (action == pursuedFor) {
+    if (action == progress.pursuedFor()) {
       return;
     }
-    pursuedFor = action;
-    Optional<GoalSequence> other = failsafes.sequence(action, home);
-    if (other.isPresent()) {
-      mission = mission == null ? sequence : mission;
-      sequence = other.get();
-      log(LogLevelEnum.WARN, "leaves the mission: " + action);
-      publishGoals();
-    } else if (mission != null && action == FailsafeAction.CONTINUE) {
-      sequence = mission;
-      mission = null;
-      log("resumes the mission");
+    if (progress.turnTo(action, failsafes.sequence(action, home))) {
+      boolean resumes = action == FailsafeAction.CONTINUE;
+      log(
+          resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,
+          resumes ? "resumes the mission" : "leaves the mission: " + action);
       publishGoals();
     }
   }
 
   private void finish(GoalInformation goal) {
     String uid = goal.uid();
-    if (!sequence.finish(uid)) {
-      String what = sequence.knows(uid) ? "is not current" : "is not known";
+    if (!progress.finish(goal)) {
+      String what = progress.pursued().knows(uid) ? "is not current" : "is not known";
       log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" left out: it " + what);
       return;
     }
     if (goal.completed()) {
-      completed.add(uid);
-      abandoned.remove(uid);
       log("goal \"" + uid + "\" completed");
     } else {
-      abandoned.add(uid);
       log(LogLevelEnum.WARN, "goal \"" + uid + "\" given up by the planner");
     }
     publishGoals();
   }
 
   private void update(GoalInformation goal) {
-    if (sequence.update(goal)) {
+    if (progress.pursued().update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {
       log(
@@ -235,22 +223,24 @@ public final class MissionManager extends EventDrivenService {
   }
 
   private void changeTo(String uid) {
-    if (!sequence.knows(uid)) {
+    if (!progress.pursued().knows(uid)) {
       log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" refused: it is not known");
       return;
     }
-    sequence.changeTo(uid);
+    progress.pursued().changeTo(uid);
     log("changes to goal \"" + uid + "\" on command");
     publishGoals();
   }
 
   private void publishGoals() {
+    GoalSequence sequence = progress.pursued();
     List<GoalInformation> current = sequence.current();
     if (sequence.isOver()) {
-      log("mission is over: completed " + completed + ", given up " + abandoned);
+      log("mission is over: " + progress.words());
     } else {
       log("current goals " + names(current));
     }
+    remember();
     publish(Channels.GOALS, new GoalList().goals(current).upcoming(sequence.upcoming()));
   }
 

@@ -128,4 +128,21 @@ class FailsafeMissionTest {
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("r.xml, line 1, <mission>: holds no goals");
   }
+
+  @Test
+  void restart_whileItReturns_stillReturnsAndResumesTheMissionAfterwards() {
+    MissionManager before = kit.start(MissionManager::new);
+    complete("1");
+    failsafe(FailsafeAction.RETURN);
+    kit.forget();
+
+    kit.restart(before, MissionManager::new);
+
+    assertThat(goals()).containsExactly("RETURN home");
+    failsafe(FailsafeAction.RETURN);
+    complete("RETURN home");
+    assertThat(goals()).isEmpty();
+    failsafe(FailsafeAction.CONTINUE);
+    assertThat(goals()).containsExactly("2");
+  }
 }

@@ -14,7 +14,12 @@ import org.u2sa.gcs.Main;
  * @param settings the {@code --set} options
  */
 record ProcessCommand(Path file, Path logs, long seed, List<String> settings) {
-  ProcessBuilder of(String service) {
+  /**
+   * The process of one service.
+   *
+   * @param restart whether it ran before in this run
+   */
+  ProcessBuilder of(String service, boolean restart) {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.add("-XX:+UseSerialGC");
@@ -33,6 +38,9 @@ record ProcessCommand(Path file, Path logs, long seed, List<String> settings) {
             logs.toString(),
             "--seed",
             String.valueOf(seed)));
+    if (restart) {
+      command.add("--restart");
+    }
     for (String setting : settings) {
       command.add("--set");
       command.add(setting);

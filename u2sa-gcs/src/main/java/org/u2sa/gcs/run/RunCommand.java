@@ -91,6 +91,12 @@ public final class RunCommand implements Callable<Integer> {
       description = "With --only: the process that started this one starts it again if need be.")
   private boolean supervised;
 
+  @Option(
+      names = "--restart",
+      hidden = true,
+      description = "With --only: the service ran before and is to go on where it was.")
+  private boolean restart;
+
   @Override
   public Integer call() throws InterruptedException {
     SystemFile system = SystemFile.read(file);
@@ -124,7 +130,7 @@ public final class RunCommand implements Callable<Integer> {
     if (!only.isEmpty()) {
       options.override(MANAGER, "BROKER", "external");
       system = system.only(only);
-      options.oneOfSeveral(supervised);
+      options.oneOfSeveral(supervised).restart(restart);
     }
     return separate ? runSeparately(system, options, terminal) : run(system, options, terminal);
   }

@@ -44,7 +44,7 @@ final class ServiceProcesses implements AutoCloseable {
   synchronized void start() {
     for (String entry : entries) {
       try {
-        start(entry);
+        start(entry, false);
       } catch (IOException e) {
         close();
         throw new UncheckedIOException(e);
@@ -52,11 +52,11 @@ final class ServiceProcesses implements AutoCloseable {
     }
   }
 
-  private synchronized boolean start(String entry) throws IOException {
+  private synchronized boolean start(String entry, boolean again) throws IOException {
     if (closing) {
       return false;
     }
-    Process process = command.of(entry).inheritIO().start();
+    Process process = command.of(entry, again).inheritIO().start();
     processes.put(entry, process);
     failed.remove(entry);
     process.onExit().thenAccept(ended -> ended(entry, ended));
@@ -99,7 +99,7 @@ final class ServiceProcesses implements AutoCloseable {
     if (old != null && old.isAlive()) {
       old.destroyForcibly().waitFor(END_WITHIN_S, TimeUnit.SECONDS);
     }
-    boolean started = start(entry);
+    boolean started = start(entry, true);
     if (started) {
       console.accept("Service " + entry + " was started anew.");
     }

@@ -1,0 +1,33 @@
+package org.u2sa.core.mission;
+
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+
+/** The variables of the {@link MissionManager}. */
+final class MissionVariables {
+  static final Variable<String> MISSION =
+      Variable.text("MISSION")
+          .describedAs(
+              "The mission's XML file, relative to the configuration file. Changed while running: the new mission begins.");
+
+  static final Variable<Boolean> LOOP =
+      Variable.flag("LOOP")
+          .ifAbsent(false)
+          .describedAs(
+              "Whether the mission begins anew after its last goal (thesis 4.5.2.3 did for ever).");
+
+  static final Variable<String> OPTIONS =
+      Variable.text("OPTIONS")
+          .oneOf(GoalSequence.Options.ALL.name(), GoalSequence.Options.ANY.name())
+          .ifAbsent(GoalSequence.Options.ALL.name())
+          .describedAs(
+              "Of several next goals, whether ALL are to be finished before what follows, or ANY one.");
+
+  static final Variable<Double> DEFAULT_THRESHOLD =
+      Variable.number("DEFAULT THRESHOLD", "m")
+          .range(Range.positive())
+          .ifAbsent(Mission.DEFAULT_THRESHOLD_M)
+          .describedAs("Horizontal threshold of waypoints that give none.");
+
+  private MissionVariables() {}
+}
