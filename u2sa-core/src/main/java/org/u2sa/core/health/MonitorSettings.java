@@ -30,6 +30,13 @@ final class MonitorSettings {
           .ifAbsent(4.0)
           .describedAs("Time without a word of a service after which it counts as lost.");
 
+  static final Variable<Double> RECONNECT_WITHIN =
+      Variable.number("RECONNECT WITHIN", "s")
+          .range(Range.of(0.0, 3600.0))
+          .ifAbsent(4.0)
+          .describedAs(
+              "Time that a service whose connection broke, while nobody says that its process has ended, has to connect again before it is restarted.");
+
   static final Variable<Double> START_WITHIN =
       Variable.number("START WITHIN", "s")
           .range(Range.of(0.1, 3600.0))
@@ -72,6 +79,7 @@ final class MonitorSettings {
   private final double dataTimeoutS;
   private final double hungAfterS;
   private final double lostAfterS;
+  private final double reconnectWithinS;
   private final double startWithinS;
   private final double restartDelayS;
   private final int restartLimit;
@@ -87,6 +95,7 @@ final class MonitorSettings {
     }
     hungAfterS = configuration.getVariable(HUNG_AFTER);
     lostAfterS = configuration.getVariable(LOST_AFTER);
+    reconnectWithinS = configuration.getVariable(RECONNECT_WITHIN);
     startWithinS = configuration.getVariable(START_WITHIN);
     restartDelayS = configuration.getVariable(RESTART_DELAY);
     restartLimit = configuration.getVariable(RESTART_LIMIT);
@@ -156,6 +165,10 @@ final class MonitorSettings {
 
   double lostAfterS() {
     return lostAfterS;
+  }
+
+  double reconnectWithinS() {
+    return reconnectWithinS;
   }
 
   double startWithinS() {

@@ -19,8 +19,12 @@ final class Observation {
   private static final double USUAL_INTERVAL_S = 0.25;
   private static final int REMEMBERED_INSTANCES = 16;
 
-  /** A condition and what it was concluded from. */
-  record Finding(Condition condition, String reason) {}
+  /**
+   * A condition and what it was concluded from.
+   *
+   * @param mayPass whether it may well be over soon without anybody's help
+   */
+  record Finding(Condition condition, String reason, boolean mayPass) {}
 
   private final Set<String> former = new LinkedHashSet<>();
   private String instance = ""; // empty until it said one
@@ -28,7 +32,8 @@ final class Observation {
   private double heardS; // when the present instance, or its launcher for it, was heard last
   private double spokeS; // when it spoke for itself
   private double sinceS; // when waiting for it began, or the present instance was first heard
-  private boolean lost;
+  private boolean lost; // its connection
+  private String processEnd = ""; // words; empty while nobody said that its process has ended
   private boolean dead; // a dead thread does not come to life again
 
   Observation(double nowS) {
@@ -42,7 +47,7 @@ final class Observation {
       return false;
     }
     if (report instanceof ConnectionLost) {
-      lost |= of.equals(instance) && !hasStopped();
+      lose(of, report);
       return false;
     }
     boolean isNew = last == null || !of.equals(instance);
@@ -53,6 +58,7 @@ final class Observation {
       instance = of;
       sinceS = nowS;
       lost = false;
+      processEnd = "";
       dead = false;
     }
     boolean forItself = report.threadAlive().isEmpty();
@@ -62,6 +68,18 @@ final class Observation {
     lost &= !forItself; // a connection that was restored
     dead |= report.threadAlive().equals(Optional.of(false));
     return isNew;
+  }
+
+  /**
+   * The broker says that a connection broke; a supervisor, that the process behind it has ended.
+   */
+  private void lose(String of, HealthReport word) {
+    if (of.equals(instance) && !hasStopped()) {
+      lost = true;
+      if (word.threadAlive().equals(Optional.of(false))) {
+        processEnd = word.lastError().orElse("its process has ended");
+      }
+    }
   }
 
   /** Leaves an instance behind: what it still says no longer counts. */
@@ -128,7 +146,9 @@ final class Observation {
       return finding(Condition.FAILED, "it ended itself" + error);
     }
     if (lost) {
-      return finding(Condition.LOST, "its connection broke");
+      return processEnd.isEmpty()
+          ? new Finding(Condition.LOST, "its connection broke", true)
+          : finding(Condition.LOST, processEnd);
     }
     double silentS = nowS - heardS;
     if (silentS > settings.lostAfterS()) {
@@ -156,7 +176,7 @@ final class Observation {
   }
 
   private static Finding finding(Condition condition, String reason) {
-    return new Finding(condition, reason);
+    return new Finding(condition, reason, false);
   }
 
   private static String seconds(double s) {

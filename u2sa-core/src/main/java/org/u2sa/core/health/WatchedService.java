@@ -25,7 +25,8 @@ final class WatchedService {
   private final String name;
   private final Observation observation;
   private final RestartCount restarts = new RestartCount();
-  private Observation.Finding finding = new Observation.Finding(Condition.SILENT, "not heard yet");
+  private Observation.Finding finding =
+      new Observation.Finding(Condition.SILENT, "not heard yet", true);
   private double sinceS; // of the finding's condition
   private String action = "";
   private boolean toldToStop;
@@ -43,7 +44,8 @@ final class WatchedService {
 
   void hear(HealthReport report, double nowS) {
     boolean ofReplaced = report.instance().equals(Optional.of(orderedInstance));
-    if (isPending() && ofReplaced && report.status() != ServiceStatus.RUNNING) {
+    boolean forItself = report.threadAlive().isEmpty();
+    if (isPending() && ofReplaced && !(forItself && report.status() == ServiceStatus.RUNNING)) {
       return; // it ends because it is being replaced
     }
     if (observation.hear(report, nowS)) {
@@ -103,7 +105,7 @@ final class WatchedService {
   boolean look(MonitorSettings settings, double nowS) {
     Observation.Finding found = observation.judge(settings, settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
-      found = new Observation.Finding(Condition.STOPPED, "it was told to");
+      found = new Observation.Finding(Condition.STOPPED, "it was told to", false);
     }
     if (isPending()) {
       boolean shown = found.condition() == Condition.ALIVE;
@@ -136,7 +138,11 @@ final class WatchedService {
       action = givenUpWords;
       return false;
     }
-    if (nowS - Math.max(sinceS, restarts.lastS()) < settings.delayS(before)) {
+    double delayS = settings.delayS(before);
+    if (finding.mayPass()) {
+      delayS = Math.max(delayS, settings.reconnectWithinS());
+    }
+    if (nowS - Math.max(sinceS, restarts.lastS()) < delayS) {
       return false;
     }
     action = "restart " + (before + 1) + " of " + settings.restartLimit();

@@ -413,4 +413,52 @@ class HealthMonitorTest {
     assertThat(condition().condition()).isEqualTo(Condition.STOPPED);
     assertThat(orders()).isEmpty();
   }
+
+  private ConnectionLost lost(String instance) {
+    ConnectionLost lost = new ConnectionLost();
+    lost.serviceName("Worker").status(ServiceStatus.FAILED).instance(instance);
+    return lost;
+  }
+
+  @Test
+  void connectionLost_notHeardAgain_isRestartedOnceItHadItsTimeToReconnect() {
+    kit.with("RECONNECT WITHIN", 2.0);
+    monitor();
+    live("a", 1.0);
+    say(lost("a"));
+    kit.advance(1.8);
+    assertThat(orders()).isEmpty();
+
+    kit.advance(0.5);
+    assertThat(orders()).hasSize(1);
+  }
+
+  @Test
+  void connectionLost_processHasEnded_isRestartedAtOnce() {
+    kit.with("RECONNECT WITHIN", 60.0).with("RESTART DELAY", 0.0);
+    monitor();
+    live("a", 1.0);
+    say(lost("a"));
+    ConnectionLost end = lost("a");
+    end.threadAlive(false).lastError("its process has ended with exit code 137");
+    say(end);
+
+    assertThat(orders()).hasSize(1);
+    assertThat(condition().condition()).isEqualTo(Condition.LOST);
+    assertThat(condition().reason()).isEqualTo("its process has ended with exit code 137");
+  }
+
+  @Test
+  void restart_spokenForWhileItIsReplaced_isNoNews() {
+    monitor();
+    live("a", 1.0);
+    say(report("a").threadAlive(true).callbackRunning(3.0));
+    kit.advance(0.5);
+    assertThat(orders()).hasSize(1);
+
+    say(report("a").threadAlive(false)); // its thread ends before its status says so
+    kit.advance(0.3);
+
+    assertThat(conditions()).containsExactly(Condition.ALIVE, Condition.HUNG);
+  }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.flightgear.link;
 
 import org.u2sa.core.mission.Mission;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
@@ -72,6 +73,12 @@ final class LinkConfiguration {
     this.context = context;
   }
 
+  /**
+   * Opens it.
+   *
+   * @throws BadInputException if the Simulator is started anew and the aircraft was embedded: then
+   *     it ended with the one before, and another one would begin another flight
+   */
   AircraftLink open() {
     String link = variables.getVariable(LINK);
     String mission = variables.getVariable(MISSION);
@@ -84,6 +91,10 @@ final class LinkConfiguration {
     int propertyPort = variables.getVariable(PROPERTY_PORT);
     if (link.equals("flightgear")) {
       return new FlightGearLink(host, outPort, inPort, propertyPort, context.clock());
+    }
+    if (context.isRestart()) {
+      throw new BadInputException(
+          "variable \"LINK\": \"embedded\": the aircraft has ended with the Simulator that was before; run the system anew");
     }
     Wind wind =
         gusts

@@ -13,9 +13,11 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
 
 /**
  * Learns under which names the services of a system file speak: a name is a matter of the service
@@ -29,9 +31,19 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private final Consumer<String> trouble;
   private final Map<String, String> entryNames = new ConcurrentHashMap<>(); // by service name
   private final Map<String, String> roles = new ConcurrentHashMap<>(); // by entry's simple name
+  private final Map<String, Word> words = new ConcurrentHashMap<>(); // by service name
   private final Map<String, Integer> asked = new ConcurrentHashMap<>(); // by service name
   private final Connection connection;
   private final String systemId;
+
+  /**
+   * What was heard of a service last.
+   *
+   * @param instance which one said it
+   * @param atMicros when [µs of this clock]
+   * @param isLast whether it said that it has stopped
+   */
+  record Word(String instance, long atMicros, boolean isLast) {}
 
   ServiceNames(SystemFile file, Transport transport, Clock clock, Consumer<String> trouble) {
     entries = file.services();
@@ -47,9 +59,18 @@ final class ServiceNames implements Receiver, AutoCloseable {
   public void receive(Channel<?> channel, U2SAData message) {
     if (message instanceof DiscoveryResponse response) {
       learn(response);
-    } else if (message instanceof HealthReport report
-        && !entryNames.containsKey(report.serviceName())
-        && asked.merge(report.serviceName(), 1, Integer::sum) <= ASKS_AT_MOST) {
+    } else if (message instanceof HealthReport report && !(message instanceof ConnectionLost)) {
+      hear(report);
+    }
+  }
+
+  private void hear(HealthReport report) {
+    String name = report.serviceName();
+    if (report.threadAlive().isEmpty()) { // it speaks for itself
+      boolean isLast = report.status() == ServiceStatus.STOPPED;
+      words.put(name, new Word(report.instance().orElse(""), clock.micros(), isLast));
+    }
+    if (!entryNames.containsKey(name) && asked.merge(name, 1, Integer::sum) <= ASKS_AT_MOST) {
       ask();
     }
   }
@@ -76,6 +97,27 @@ final class ServiceNames implements Receiver, AutoCloseable {
     String known = entryNames.get(serviceName);
     boolean itself = entries.stream().anyMatch(entry -> entry.simpleName().equals(serviceName));
     return known == null && itself ? Optional.of(serviceName) : Optional.ofNullable(known);
+  }
+
+  /** Under which name the entry's service speaks, as far as it has said so. */
+  Optional<String> nameOf(String entryName) {
+    return entryNames.entrySet().stream()
+        .filter(each -> each.getValue().equals(entryName))
+        .map(Map.Entry::getKey)
+        .findFirst();
+  }
+
+  /** The entries whose services have that role, as far as they have said so. */
+  List<String> entriesOf(String role) {
+    return entries.stream()
+        .map(SystemFile.Entry::simpleName)
+        .filter(entry -> role.equals(roles.get(entry)))
+        .toList();
+  }
+
+  /** What a service said for itself last. */
+  Optional<Word> lastWord(String serviceName) {
+    return Optional.ofNullable(words.get(serviceName));
   }
 
   /** The role of the entry's service, as far as it has said so. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.ObjIntConsumer;
 import org.u2sa.gcs.ExitCode;
 
 /**
@@ -22,7 +23,7 @@ final class ServiceProcesses implements AutoCloseable {
   private final Consumer<String> console;
   private final Map<String, Process> processes = new LinkedHashMap<>(); // guarded by this
   private final Map<String, Integer> failed = new LinkedHashMap<>(); // last ends; guarded by this
-  private volatile Consumer<String> onFailure = entry -> {};
+  private volatile ObjIntConsumer<String> onFailure = (entry, exitCode) -> {};
   private volatile boolean closing;
 
   /**
@@ -35,8 +36,8 @@ final class ServiceProcesses implements AutoCloseable {
     this.console = console;
   }
 
-  /** Sets what is told which service's process ended badly, on a thread of the JVM's. */
-  void onFailure(Consumer<String> takes) {
+  /** Sets what is told which service's process ended badly and how, on a thread of the JVM's. */
+  void onFailure(ObjIntConsumer<String> takes) {
     onFailure = takes;
   }
 
@@ -75,7 +76,7 @@ final class ServiceProcesses implements AutoCloseable {
     }
     if (badly) {
       console.accept("Service " + entry + " ended with exit code " + code + ".");
-      onFailure.accept(entry);
+      onFailure.accept(entry, code);
     }
   }
 

@@ -3,7 +3,6 @@ package org.u2sa.gcs.run;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import org.u2sa.core.launch.Launcher;
 import org.u2sa.core.launch.RunningSystem;
@@ -12,28 +11,27 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceContext;
-import org.u2sa.service.ServiceRole;
 
 /**
  * Carries orders to start and restart out where each service has a process of its own: kills it
  * (SIGKILL: it may hang) and starts it again. Actuators go neutral meanwhile as their commands
  * expire.
  *
- * <p>A health monitor's process that ended badly is started again without an order, as nobody else
- * would give one.
+ * <p>It says of a process that ended so, on health. A health monitor's process it starts again
+ * without an order, as nobody else would give one.
  */
 final class Supervisor implements ServiceHost, AutoCloseable {
-  private static final long MONITOR_AT_MOST_EVERY_MICROS = 1_000_000;
-
   private final ServiceProcesses processes;
   private final ServiceNames names;
   private final Launcher launcher;
-  private final Consumer<String> console;
   private final Clock clock = new SystemClock();
-  private final Map<String, Long> monitorStarts = new ConcurrentHashMap<>();
+  private final MonitorGuard guard;
 
   /**
    * Connects and begins to obey.
@@ -43,7 +41,6 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   Supervisor(
       SystemFile file, RunningSystem system, ServiceProcesses processes, Consumer<String> console) {
     this.processes = processes;
-    this.console = console;
     names = new ServiceNames(file, system.communicationManager().transport(), clock, console);
     ServiceContext context = system.contextFor(XmlConfiguration.inMemory(Launcher.NAME, Map.of()));
     try {
@@ -54,20 +51,27 @@ final class Supervisor implements ServiceHost, AutoCloseable {
       names.close();
       throw e;
     }
-    processes.onFailure(this::restartMonitor);
+    guard =
+        new MonitorGuard(
+            names, Launcher.NAME, clock, entry -> startAnew(entry).ifPresent(console), console);
+    processes.onFailure(this::ended);
   }
 
-  private void restartMonitor(String entry) {
-    if (!names.roleOf(entry).equals(Optional.of(ServiceRole.HEALTH_MONITOR.name()))) {
-      return;
-    }
-    long now = clock.micros();
-    Long before = monitorStarts.put(entry, now);
-    if (before != null && now - before < MONITOR_AT_MOST_EVERY_MICROS) {
-      console.accept("Service " + entry + " ends at once each time: it is given up.");
-      return;
-    }
-    startAnew(entry).ifPresent(console);
+  /** Says so at once, as nobody knows it sooner; the broker learns only that a link broke. */
+  private void ended(String entry, int exitCode) {
+    names
+        .nameOf(entry)
+        .ifPresent(
+            name -> {
+              ConnectionLost word = new ConnectionLost();
+              word.serviceName(name)
+                  .status(ServiceStatus.FAILED)
+                  .lastError("its process has ended with exit code " + exitCode)
+                  .threadAlive(false);
+              names.lastWord(name).ifPresent(last -> word.instance(last.instance()));
+              launcher.publish(Channels.HEALTH, word);
+            });
+    guard.ended(entry);
   }
 
   @Override
@@ -106,6 +110,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
 
   @Override
   public void close() {
+    guard.close();
     launcher.kill();
     names.close();
   }
