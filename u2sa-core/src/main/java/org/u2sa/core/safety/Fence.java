@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -74,6 +75,17 @@ final class Fence {
 
   private static OptionalDouble shifted(OptionalDouble altitude, double byM) {
     return altitude.isPresent() ? OptionalDouble.of(altitude.getAsDouble() + byM) : altitude;
+  }
+
+  /** The corners of the keep-in area; empty on a local plane. */
+  List<Geodetic> corners() {
+    List<Geodetic> corners = new ArrayList<>();
+    if (origin.isPresent()) {
+      for (Coordinate corner : keepIn.getExteriorRing().getCoordinates()) {
+        corners.add(origin.get().fromEnu(Point.of(corner.x, corner.y, 0.0)));
+      }
+    }
+    return corners;
   }
 
   /**

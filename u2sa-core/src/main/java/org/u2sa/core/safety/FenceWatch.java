@@ -23,6 +23,11 @@ final class FenceWatch implements Watch {
     Manoeuvre.of(configuration);
   }
 
+  /** As it is watched: drawn in by its margin. */
+  Fence fence() {
+    return fence;
+  }
+
   @Override
   public Hazard hazard() {
     return Hazard.FENCE;

@@ -12,6 +12,7 @@ import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.service.EmergencyLatch;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
@@ -73,6 +74,18 @@ public final class SafetyManager extends PeriodicService {
     registerPublisher(Channels.EMERGENCY_STOP);
     handleMessagesAtSteps();
     HEARD.forEach(this::registerSubscriber);
+  }
+
+  /**
+   * The corners of the area in which it keeps the vehicle, drawn in by FENCE MARGIN; empty if there
+   * is none on the earth. Safe from any thread.
+   */
+  public List<Geodetic> fenceCorners() {
+    return watches.stream()
+        .filter(FenceWatch.class::isInstance)
+        .map(watch -> ((FenceWatch) watch).fence().corners())
+        .findFirst()
+        .orElse(List.of());
   }
 
   private void beginAfterPredecessor(long now) {

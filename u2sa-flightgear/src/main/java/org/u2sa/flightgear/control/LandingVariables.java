@@ -43,7 +43,7 @@ final class LandingVariables {
   static final Variable<Double> FLARE_SINK =
       number("FLARE SINK", "m/s", 0.1, 2.0, 0.5, "Sink at which the wheels are to touch.");
   static final Variable<Double> FLARE_GAIN =
-      number("FLARE GAIN", "rad/m", 0.001, 1.0, 0.05, "Pitch rate per difference of sink.");
+      number("FLARE GAIN", "rad/m", 0.001, 1.0, 0.08, "Pitch rate per difference of sink.");
   static final Variable<Double> FLARE_PITCH_LIMIT =
       number("FLARE PITCH LIMIT", "deg", 2.0, 14.0, 10.0, "Most pitch demanded in the flare.");
 

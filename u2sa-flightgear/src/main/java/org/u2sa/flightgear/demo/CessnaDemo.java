@@ -12,6 +12,7 @@ import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.gcs.DemoOptions;
 import org.u2sa.gcs.report.RunReport;
+import org.u2sa.gcs.run.Setting;
 import org.u2sa.gcs.terminal.Terminal;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -51,6 +52,13 @@ final class CessnaDemo implements Callable<Integer> {
           "In flight, put another class in the place of a service, for example 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner. May be given several times.")
   private List<String> swaps = List.of();
 
+  @Option(
+      names = "--set",
+      paramLabel = "SERVICE:VARIABLE=VALUE",
+      description =
+          "Set a configuration variable for this flight, for example --set \"SafetyManager:ON FENCE=LAND\". May be given several times.")
+  private List<String> settings = List.of();
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     Path home = CessnaFiles.root();
@@ -59,6 +67,7 @@ final class CessnaDemo implements Callable<Integer> {
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     windOf(options.seed());
+    parsedSettings();
     List<PlannedSwap> planned = plannedSwaps();
     return new FlightSeries(options, command.commandLine().getOut())
         .fly(
@@ -87,6 +96,9 @@ final class CessnaDemo implements Callable<Integer> {
     LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));
     CessnaFiles.fly(launch, mission, options.mission().isEmpty());
     demoWind.applyTo(launch);
+    parsedSettings()
+        .forEach(
+            setting -> launch.override(setting.service(), setting.variable(), setting.value()));
     broker.configure(system, launch, terminal);
     if (options.realtime()) {
       StandInSimulation standIn = new StandInSimulation(mission, demoWind.wind(seed));
@@ -102,6 +114,14 @@ final class CessnaDemo implements Callable<Integer> {
       return swaps.stream().map(PlannedSwap::parse).toList();
     } catch (IllegalArgumentException e) {
       throw new ParameterException(command.commandLine(), "--swap: " + e.getMessage());
+    }
+  }
+
+  private List<Setting> parsedSettings() {
+    try {
+      return settings.stream().map(Setting::parse).toList();
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
     }
   }
 

@@ -10,6 +10,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.RunFailedException;
 import org.u2sa.gcs.report.FlightOutcome;
 import org.u2sa.gcs.report.FlightPlan;
@@ -158,10 +159,18 @@ final class FlightRun {
       return RunReport.of(
           new RunFacts(
               "cessna", seed, simulated.name(), wallS, OptionalInt.of(observer.completed())),
-          plan,
+          plan.within(fence(running)),
           observer.track(),
           new FlightOutcome(observer.isCrashed(), observer.isStalled(), List.of()));
     }
+  }
+
+  private static List<FlightPlan.Corner> fence(RunningSystem running) {
+    return running.services().stream()
+        .filter(SafetyManager.class::isInstance)
+        .flatMap(manager -> ((SafetyManager) manager).fenceCorners().stream())
+        .map(place -> new FlightPlan.Corner(place.longitudeDeg(), place.latitudeDeg()))
+        .toList();
   }
 
   private Optional<SwapOperator> startOperator(RunningSystem running) {

@@ -32,13 +32,7 @@ class FailsafeMatrixTest {
   private TroubledFlight flyInto(Trouble trouble, FailsafeAction action)
       throws InterruptedException {
     TroubledFlight flight =
-        TroubledFlight.start(
-            directory,
-            4,
-            WIND,
-            options ->
-                trouble.configure(
-                    options.override("SafetyManager", trouble.variable(), action.name())));
+        TroubledFlight.start(directory, 4, WIND, options -> trouble.configure(options, action));
     trouble.prepare(flight);
     flight.flyIntoCruise();
     FlightWitness witness = flight.witness();

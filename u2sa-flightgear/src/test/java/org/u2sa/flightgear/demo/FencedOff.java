@@ -26,10 +26,36 @@ record FencedOff(double atEastM, double atNorthM, double outEast, double outNort
           new Geodetic(-157.887724, 21.250318, 0.0),
           new Geodetic(-157.839553, 21.250311, 0.0));
 
-  /** The side goes through a point of a leg, up to 60° from across it. */
+  private static final double ROOM_AT_HOME_M = 3_000.0;
+  private static final double ROOM_M = 2_000.0;
+  private static final double BEYOND_M = 100.0;
+
+  /**
+   * The side goes through a point of a leg, up to 60° from across it; what is flown before lies
+   * well inside.
+   */
   static FencedOff ofSeed(long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    int leg = random.nextInt(ROUTE.size() - 1);
+    FencedOff fence;
+    int leg;
+    do {
+      leg = random.nextInt(ROUTE.size() - 1);
+      fence = across(leg, random);
+    } while (!fence.leavesRoomUpTo(leg));
+    return fence;
+  }
+
+  private boolean leavesRoomUpTo(int leg) {
+    boolean room = marginM(0.0, 0.0) > ROOM_AT_HOME_M;
+    for (int i = 0; i <= leg; i++) {
+      Point corner = TroubledFlight.HOME.enuOf(ROUTE.get(i));
+      room &= marginM(corner.x(), corner.y()) > ROOM_M;
+    }
+    Point end = TroubledFlight.HOME.enuOf(ROUTE.get(leg + 1));
+    return room && marginM(end.x(), end.y()) < -BEYOND_M;
+  }
+
+  private static FencedOff across(int leg, SplittableRandom random) {
     Point from = TroubledFlight.HOME.enuOf(ROUTE.get(leg));
     Point to = TroubledFlight.HOME.enuOf(ROUTE.get(leg + 1));
     double share = 0.6 + 0.35 * random.nextDouble();
@@ -44,7 +70,11 @@ record FencedOff(double atEastM, double atNorthM, double outEast, double outNort
 
   /** Distance from the side, positive inside [m]. */
   double marginM(Moment moment) {
-    return (atEastM - moment.eastM()) * outEast + (atNorthM - moment.northM()) * outNorth;
+    return marginM(moment.eastM(), moment.northM());
+  }
+
+  private double marginM(double eastM, double northM) {
+    return (atEastM - eastM) * outEast + (atNorthM - northM) * outNorth;
   }
 
   /** Writes it down as a fence file. */

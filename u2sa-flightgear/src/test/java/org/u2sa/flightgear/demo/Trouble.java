@@ -50,6 +50,12 @@ enum Trouble {
   /** The estimates stop. */
   ESTIMATOR("ON ESTIMATOR LOSS", "state estimator") {
     @Override
+    LaunchOptions configure(LaunchOptions options, FailsafeAction action) {
+      return super.configure(options, action) // without estimates there is no position either
+          .override("SafetyManager", "ON POSITION LOSS", action.name());
+    }
+
+    @Override
     void begin(TroubledFlight flight) {
       flight.swapEstimator(TroubledEstimators.Silent.class);
     }
@@ -82,8 +88,9 @@ enum Trouble {
   /** The battery's voltage falls. */
   BATTERY("ON LOW BATTERY", "low battery") {
     @Override
-    LaunchOptions configure(LaunchOptions options) {
-      return options.override("SafetyManager", "LOW BATTERY VOLTAGE", 22.0);
+    LaunchOptions configure(LaunchOptions options, FailsafeAction action) {
+      return super.configure(options, action)
+          .override("SafetyManager", "LOW BATTERY VOLTAGE", 22.0);
     }
 
     @Override
@@ -114,11 +121,6 @@ enum Trouble {
     this.words = words;
   }
 
-  /** Its row in the matrix. */
-  String variable() {
-    return variable;
-  }
-
   /** Whether an action leads somewhere. */
   boolean needsPosition(FailsafeAction action) {
     return action != FailsafeAction.HOLD && action != FailsafeAction.STOP;
@@ -129,9 +131,9 @@ enum Trouble {
     return words;
   }
 
-  /** Makes it possible. */
-  LaunchOptions configure(LaunchOptions options) {
-    return options;
+  /** Makes it possible, and sets its row in the matrix. */
+  LaunchOptions configure(LaunchOptions options, FailsafeAction action) {
+    return options.override("SafetyManager", variable, action.name());
   }
 
   /** What must be said on the runway. */

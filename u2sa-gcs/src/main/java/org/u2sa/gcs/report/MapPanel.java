@@ -11,8 +11,8 @@ import org.u2sa.gcs.draw.TextStyle.Anchor;
 import org.u2sa.gcs.draw.Ticks;
 
 /**
- * Draws the map: grid, runway, planned line, flown track, waypoints with their capture circles and
- * names.
+ * Draws the map: grid, runway, fence, planned line, flown track, waypoints with their capture
+ * circles and names.
  */
 final class MapPanel {
 
@@ -55,6 +55,7 @@ final class MapPanel {
         view.frame(),
         () -> {
           captureCircles();
+          canvas.polyline(fence(), Stroke.dashed(Ink.MISSED, 2.0, 5.0));
           canvas.polyline(planned(), Stroke.dashed(Ink.PLANNED, 2.0, 7.0));
           plan.home().ifPresent(this::runway);
           flown.draw(canvas, altitudes.lowM(), altitudes.highM(), LINE_WIDTH);
@@ -95,6 +96,18 @@ final class MapPanel {
         frame.bottom() + 40.0,
         "km east and north of " + origin,
         Ink.TICK.anchored(Anchor.END));
+  }
+
+  /** Once around. */
+  private List<Pixel> fence() {
+    List<Pixel> line = new ArrayList<>();
+    for (FlightPlan.Corner corner : plan.fence()) {
+      line.add(view.pixel(view.plane().place(corner.longitudeDeg(), corner.latitudeDeg())));
+    }
+    if (!line.isEmpty()) {
+      line.add(line.get(0));
+    }
+    return line;
   }
 
   private List<Pixel> planned() {

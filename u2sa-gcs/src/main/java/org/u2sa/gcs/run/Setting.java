@@ -10,10 +10,15 @@ import java.util.regex.Pattern;
  * @param variable the variable's name
  * @param value Boolean, Integer, Double or String, as it looks
  */
-record Setting(String service, String variable, Object value) {
+public record Setting(String service, String variable, Object value) {
   private static final Pattern FORM = Pattern.compile("([^:=]+):([^=]+)=(.*)", Pattern.DOTALL);
 
-  static Setting parse(String text) {
+  /**
+   * Reads {@code SERVICE:VARIABLE=VALUE}.
+   *
+   * @throws IllegalArgumentException if the text is not of that form
+   */
+  public static Setting parse(String text) {
     Matcher matcher = FORM.matcher(text);
     if (!matcher.matches()) {
       throw new IllegalArgumentException("\"" + text + "\": expected SERVICE:VARIABLE=VALUE");
