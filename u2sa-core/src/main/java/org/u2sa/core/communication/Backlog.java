@@ -11,6 +11,7 @@ final class Backlog {
   private final AtomicLong in = new AtomicLong();
   private final AtomicLong out = new AtomicLong();
   private final AtomicLong lost = new AtomicLong();
+  private final AtomicLong kept = new AtomicLong();
   private long inBefore; // guarded by this
   private long outBefore; // guarded by this
 
@@ -20,6 +21,16 @@ final class Backlog {
 
   void out() {
     out.incrementAndGet();
+  }
+
+  /** Takes note of a message that is kept until each of its subscribers has acknowledged it. */
+  void keep(int bytes) {
+    kept.addAndGet(bytes);
+  }
+
+  /** Bytes of {@link #keep}, so far. */
+  long kept() {
+    return kept.get();
   }
 
   boolean isFull() {

@@ -106,6 +106,7 @@ final class BrokerDoor implements AutoCloseable {
       ClientGate gate = new ClientGate(BrokerDoor.this, outflow);
       Inflow inflow = new Inflow(BrokerDoor.this, gate);
       gate.inflow(inflow);
+      ctx.pipeline().addFirst(new FirstBytes(gate));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-gate", gate);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);
@@ -134,6 +135,14 @@ final class BrokerDoor implements AutoCloseable {
       clients.put(clientId, gate);
     }
     return Optional.empty();
+  }
+
+  /** Moquette is ready for the client's packets. */
+  void connected(String clientId) {
+    ClientGate gate = clients.get(clientId);
+    if (gate != null) {
+      gate.connected();
+    }
   }
 
   void leave(String clientId, ClientGate gate) {

@@ -1,5 +1,6 @@
 package org.u2sa.core.communication;
 
+import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
@@ -10,8 +11,10 @@ import org.u2sa.interfaces.Variable;
  * @param clients connections at once
  * @param messagesPerS packets a second from one client; beyond it, it is read more slowly
  * @param bytesPerS bytes of payload a second from one client, likewise
+ * @param patienceMicros how long a client may take nothing, or acknowledge nothing, while something
+ *     waits for it [µs]
  */
-record BrokerLimits(int clients, int messagesPerS, int bytesPerS) {
+record BrokerLimits(int clients, int messagesPerS, int bytesPerS, long patienceMicros) {
   static final Variable<Integer> CLIENTS =
       Variable.integer("CLIENTS AT MOST")
           .range(Range.of(4, 100_000))
@@ -32,6 +35,13 @@ record BrokerLimits(int clients, int messagesPerS, int bytesPerS) {
           .describedAs(
               "Bytes of payload a second that the embedded broker reads from one client; more wait at the client.");
 
+  static final Variable<Double> PATIENCE =
+      Variable.number("CLIENT PATIENCE", "s")
+          .range(Range.of(0.5, 3_600.0))
+          .ifAbsent(15.0)
+          .describedAs(
+              "Time after which the embedded broker puts a client out that reads or acknowledges nothing.");
+
   /** Connections that have not said who they are, from one address. */
   static final int STRANGERS_PER_ADDRESS = 32;
 
@@ -50,17 +60,30 @@ record BrokerLimits(int clients, int messagesPerS, int bytesPerS) {
   /** Messages on their way through the broker: half of what its queues hold. */
   static final int ON_THE_WAY = 400;
 
+  /** Bytes that may come before the first packet is whole, encryption's included. */
+  static final int STRANGERS_BYTES = 64 * 1_024;
+
+  /** As the codec's limit: nobody could read more. */
+  static final int LONGEST_PAYLOAD = 1 << 20;
+
+  /** A payload with its topic. */
+  static final int LONGEST_PACKET = LONGEST_PAYLOAD + 16 * 1_024;
+
+  /**
+   * Bytes that were published for acknowledgement, by all, since the oldest message that a client
+   * has not acknowledged: Moquette's queue for it knows no bound.
+   */
+  static final long UNACKNOWLEDGED_BYTES = 32 << 20;
+
   /** Bytes that wait for one client before messages of QoS 0 to it are dropped. */
   static final long UNREAD_BYTES = 256 * 1_024;
-
-  /** How long a client may take nothing, or acknowledge nothing, while something waits for it. */
-  static final long PATIENCE_MICROS = 15_000_000;
 
   static BrokerLimits of(Configurator configuration) {
     return new BrokerLimits(
         configuration.getVariable(CLIENTS),
         configuration.getVariable(MESSAGES_PER_S),
-        configuration.getVariable(BYTES_PER_S));
+        configuration.getVariable(BYTES_PER_S),
+        Clock.micros(configuration.getVariable(PATIENCE)));
   }
 
   /** Connections of one user: no one can take all. */

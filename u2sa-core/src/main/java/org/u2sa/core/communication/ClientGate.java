@@ -7,10 +7,6 @@ import io.netty.handler.codec.mqtt.MqttConnectMessage;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
-import io.netty.handler.codec.mqtt.MqttPublishMessage;
-import io.netty.handler.codec.mqtt.MqttQoS;
-import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
-import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
 import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -36,13 +32,14 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   private final Outflow outflow;
   private Inflow inflow;
   private Stage stage = Stage.STRANGER;
-  private PacketRules rules;
+  private PacketDesk desk; // from its admission
   private String clientId = "";
   private volatile String name = BrokerDoor.ANONYMOUS;
   private User user; // null: anonymous
   private InetAddress from;
   private long since;
   private ScheduledFuture<?> watch;
+  private volatile boolean connected; // Moquette has finished its part
   private volatile ChannelHandlerContext context;
 
   ClientGate(BrokerDoor door, Outflow outflow) {
@@ -59,9 +56,17 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     return name;
   }
 
-  /** Whether the next packet may come. */
+  /**
+   * Whether the next packet may come. Moquette cuts a client off that subscribes before it has
+   * finished connecting it, which may be after the client has its answer.
+   */
   boolean isReady() {
-    return stage != Stage.CHECKED;
+    return stage != Stage.CHECKED && (stage != Stage.IN || connected);
+  }
+
+  /** Moquette is ready for the client's packets. May be called on any thread. */
+  void connected() {
+    connected = true;
   }
 
   /** What the client has not taken yet; may be asked on any thread. */
@@ -75,18 +80,23 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     since = door.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
     for (ClientGate longest : door.strangers().add(this, from)) {
-      longest.putOut("stranger put out for a newer one");
+      longest.putOutFor("stranger put out for a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
   }
 
-  /** May be called on any thread. */
-  private void putOut(String kind) {
+  /** Whether it has not said yet who it is. */
+  boolean isStranger() {
+    return stage == Stage.STRANGER;
+  }
+
+  /** Ends the connection. May be called on any thread. */
+  void putOutFor(String kind) {
     ChannelHandlerContext ctx = context;
     ctx.executor().execute(() -> putOut(ctx, kind, ""));
   }
 
-  private void putOut(ChannelHandlerContext ctx, String kind, String details) {
+  void putOut(ChannelHandlerContext ctx, String kind, String details) {
     if (stage != Stage.OUT) {
       stage = Stage.OUT;
       door.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
@@ -127,11 +137,13 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
           || packet.fixedHeader() == null) {
         Throwable cause = packet.decoderResult() == null ? null : packet.decoderResult().cause();
         putOut(
-            ctx, "malformed packet", cause == null ? "" : Refusals.shown("" + cause.getMessage()));
+            ctx,
+            ConnectionFault.MALFORMED,
+            cause == null ? "" : Refusals.shown("" + cause.getMessage()));
       } else if (stage == Stage.STRANGER) {
         introduce(ctx, packet);
       } else {
-        handedOn = examine(ctx, packet);
+        handedOn = desk.examine(ctx, packet);
       }
     } finally {
       if (!handedOn) {
@@ -142,7 +154,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
 
   private void introduce(ChannelHandlerContext ctx, MqttMessage packet) {
     if (!(packet instanceof MqttConnectMessage)) {
-      putOut(ctx, "malformed packet", "the first one is no CONNECT");
+      putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
       return;
     }
     Introduction said = Introduction.of((MqttConnectMessage) packet, door.pass());
@@ -158,6 +170,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     } else {
       name = said.user();
       stage = Stage.CHECKED;
+      inflow.hold();
       door.desk()
           .check(
               name,
@@ -184,7 +197,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   }
 
   private void admit(ChannelHandlerContext ctx, Introduction said) {
-    rules = new PacketRules(door, user, clientId);
+    PacketRules rules = new PacketRules(door, user, clientId);
     Optional<String> foreign = said.willTopic().flatMap(rules::refusalOfSystem);
     if (foreign.isPresent()) { // it means to act where it may not: better told at once
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
@@ -196,6 +209,8 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
       return;
     }
     stage = Stage.IN;
+    desk = new PacketDesk(door, rules, who(), this);
+    inflow.hold();
     door.strangers().remove(this);
     outflow.admitted(user, clientId);
     // Without its will a client may still come: every client of U2SA has one, also an observer's.
@@ -209,59 +224,6 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     door.refusals().add("log-in refused, " + why, who());
     ctx.writeAndFlush(MqttMessageBuilders.connAck().returnCode(code).build())
         .addListener(ChannelFutureListener.CLOSE);
-  }
-
-  private boolean examine(ChannelHandlerContext ctx, MqttMessage packet) {
-    switch (packet.fixedHeader().messageType()) {
-      case PUBLISH:
-        return examine(ctx, (MqttPublishMessage) packet);
-      case SUBSCRIBE:
-        MqttSubscribeMessage wanted = (MqttSubscribeMessage) packet;
-        Optional<String> refused = rules.refusalOf(wanted);
-        if (refused.isPresent()) {
-          door.refusals().add("subscription refused, " + refused.get(), who());
-          ctx.writeAndFlush(PacketRules.refusedAnswer(wanted));
-          return false;
-        }
-        break;
-      case UNSUBSCRIBE:
-        rules.unsubscribed((MqttUnsubscribeMessage) packet);
-        break;
-      case PUBACK:
-      case PINGREQ:
-      case DISCONNECT:
-        break;
-      default: // QoS 2, a second CONNECT, or what only a broker says
-        putOut(ctx, "unexpected packet", packet.fixedHeader().messageType().toString());
-        return false;
-    }
-    ctx.fireChannelRead(packet);
-    return true;
-  }
-
-  private boolean examine(ChannelHandlerContext ctx, MqttPublishMessage publish) {
-    MqttQoS qos = publish.fixedHeader().qosLevel();
-    if (qos == MqttQoS.EXACTLY_ONCE) {
-      putOut(ctx, "unexpected packet", "QoS 2, which no channel of U2SA uses");
-      return false;
-    }
-    if (door.isEnding()) { // not acknowledged: who wants to know learns that it is lost
-      door.refusals().add("message not taken, the broker ends", who());
-      return false;
-    }
-    Optional<String> refused = rules.refusalOf(publish);
-    if (refused.isPresent()) {
-      String topic = Refusals.shown(publish.variableHeader().topicName());
-      door.refusals().add("message refused, " + refused.get(), who() + ", topic " + topic);
-      if (qos == MqttQoS.AT_LEAST_ONCE) { // MQTT 3.1.1 knows no other answer
-        int packet = publish.variableHeader().packetId();
-        ctx.writeAndFlush(MqttMessageBuilders.pubAck().packetId(packet).build());
-      }
-      return false;
-    }
-    door.backlog().in();
-    ctx.fireChannelRead(publish);
-    return true;
   }
 
   @Override
@@ -280,6 +242,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
 
   @Override
   public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
-    putOut(ctx, "connection failed", Refusals.shown("" + cause.getMessage()));
+    ConnectionFault fault = ConnectionFault.of(cause);
+    putOut(ctx, fault.kind(), fault.words());
   }
 }

@@ -39,9 +39,6 @@ import org.u2sa.messages.U2SAData;
  * and copies go out.
  */
 final class EmbeddedBroker implements AutoCloseable {
-  private static final int LARGEST_PACKET =
-      1 << 21; // the codec's limit of 1 MiB, with room for the topic
-
   private final LocalBus bus;
   private final MessageCodec codec;
   private final Consumer<String> log;
@@ -69,7 +66,9 @@ final class EmbeddedBroker implements AutoCloseable {
     this.codec = codec;
     this.address = address;
     this.log = log;
-    copies = new OutgoingCopies(server, bus.systemId(), subscriptions, door::mayRetain, log);
+    copies =
+        new OutgoingCopies(
+            server, bus.systemId(), subscriptions, door::mayRetain, door.backlog(), log);
   }
 
   /**
@@ -119,7 +118,8 @@ final class EmbeddedBroker implements AutoCloseable {
     properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the door names all
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
     properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
-    properties.setProperty(IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(LARGEST_PACKET));
+    properties.setProperty(
+        IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(BrokerLimits.LONGEST_PACKET));
     properties.setProperty(
         IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush at once: latency counts
     return properties;
@@ -195,9 +195,9 @@ final class EmbeddedBroker implements AutoCloseable {
       if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
         log.accept(
             "a message on "
-                + topicName
+                + Refusals.shown(topicName)
                 + " cannot be read: "
-                + e.getMessage()
+                + Refusals.shown(String.valueOf(e.getMessage()))
                 + " ("
                 + count
                 + " so far)");
@@ -240,6 +240,7 @@ final class EmbeddedBroker implements AutoCloseable {
       } else {
         wills.remove(message.getClientID());
       }
+      door.connected(message.getClientID());
     }
 
     @Override

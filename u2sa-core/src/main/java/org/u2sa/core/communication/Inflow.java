@@ -21,6 +21,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private final Allowance messages;
   private final Allowance bytes;
   private boolean paused;
+  private ChannelHandlerContext context;
 
   Inflow(BrokerDoor door, ClientGate gate) {
     this.door = door;
@@ -28,6 +29,16 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     long now = door.nowMicros();
     messages = new Allowance(door.limits().messagesPerS(), now);
     bytes = new Allowance(door.limits().bytesPerS(), now);
+  }
+
+  @Override
+  public void handlerAdded(ChannelHandlerContext ctx) {
+    context = ctx;
+  }
+
+  /** Reads no more until the gate is ready. */
+  void hold() {
+    pause(context);
   }
 
   @Override

@@ -22,13 +22,17 @@ final class Outflow extends ChannelDuplexHandler {
   private static final String SYSTEMS = "u2sa/";
 
   private final BrokerDoor door;
-  private final Map<Integer, Long> unacknowledged = new LinkedHashMap<>(); // packet: since [µs]
+  private final Map<Integer, Unacknowledged> unacknowledged = new LinkedHashMap<>(); // by packet
   private User user; // null: may listen to everything
   private String client = "";
-  private long unreadSince = Long.MAX_VALUE; // [µs]
-  private long leastUnread;
+  private long taken; // packets that the client's side of the network took
+  private long takenBefore;
+  private long idleSince; // [µs]
   private int onTheWay; // of those that are not acknowledged: handed over and not sent yet
   private long sentMicros = Long.MIN_VALUE / 2; // the last message
+
+  /** Since when [µs], and how much had been published then for acknowledgement by anybody. */
+  private record Unacknowledged(long since, long keptBefore) {}
 
   Outflow(BrokerDoor door) {
     this.door = door;
@@ -36,13 +40,14 @@ final class Outflow extends ChannelDuplexHandler {
 
   void admitted(User whom, String clientId) {
     user = whom;
+    idleSince = door.nowMicros();
     client = clientId;
   }
 
   @Override
   public void write(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
     if (!(message instanceof MqttPublishMessage)) {
-      ctx.write(message, promise);
+      pass(ctx, message, promise);
       return;
     }
     MqttPublishMessage publish = (MqttPublishMessage) message;
@@ -63,13 +68,17 @@ final class Outflow extends ChannelDuplexHandler {
     } else {
       sentMicros = door.nowMicros();
       if (acknowledged) {
-        unacknowledged.putIfAbsent(packet, sentMicros);
-        ctx.write(message, promise);
+        unacknowledged.putIfAbsent(packet, new Unacknowledged(sentMicros, door.backlog().kept()));
+        pass(ctx, message, promise);
       } else {
         onTheWay++;
-        ctx.write(message, promise.unvoid().addListener(sent -> onTheWay--));
+        pass(ctx, message, promise.unvoid().addListener(sent -> onTheWay--));
       }
     }
+  }
+
+  private void pass(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
+    ctx.write(message, promise.unvoid().addListener(done -> taken++));
   }
 
   /** What the client has not taken yet. */
@@ -107,17 +116,21 @@ final class Outflow extends ChannelDuplexHandler {
   /** Why the client is to be put out; to be asked about every second. */
   Optional<String> tooSlow(ChannelHandlerContext ctx) {
     long now = door.nowMicros();
-    long unread = unread(ctx);
-    if (unread == 0 || unread < leastUnread || unreadSince == Long.MAX_VALUE) {
-      leastUnread = unread;
-      unreadSince = unread == 0 ? Long.MAX_VALUE : now;
-    } else if (now - unreadSince > BrokerLimits.PATIENCE_MICROS) {
+    if (unread(ctx) == 0 || taken != takenBefore) {
+      takenBefore = taken;
+      idleSince = now;
+    } else if (now - idleSince > door.limits().patienceMicros()) {
       return Optional.of("it reads nothing");
     }
-    if (!unacknowledged.isEmpty()
-        && now - unacknowledged.values().iterator().next() > BrokerLimits.PATIENCE_MICROS) {
+    if (unacknowledged.isEmpty()) {
+      return Optional.empty();
+    }
+    Unacknowledged oldest = unacknowledged.values().iterator().next();
+    if (now - oldest.since > door.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return Optional.empty();
+    return door.backlog().kept() - oldest.keptBefore > BrokerLimits.UNACKNOWLEDGED_BYTES
+        ? Optional.of("too much waits for its acknowledgement")
+        : Optional.empty();
   }
 }

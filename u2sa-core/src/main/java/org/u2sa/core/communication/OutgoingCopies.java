@@ -47,6 +47,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final String systemId;
   private final RemoteSubscriptions subscriptions;
   private final Consumer<String> retained;
+  private final Backlog backlog;
   private final Consumer<String> log;
   private final OriginNumbers numbers = OriginNumbers.ofNewSender();
   private final Map<String, Map<List<String>, Interest>> interests = new ConcurrentHashMap<>();
@@ -64,11 +65,13 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
       String systemId,
       RemoteSubscriptions subscriptions,
       Consumer<String> retained,
+      Backlog backlog,
       Consumer<String> log) {
     this.server = server;
     this.systemId = systemId;
     this.subscriptions = subscriptions;
     this.retained = retained;
+    this.backlog = backlog;
     this.log = log;
     sender.setDaemon(true);
   }
@@ -168,12 +171,16 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     if (copy.channel.isRetained()) {
       retained.accept(copy.topic);
     }
+    byte[] payload = copy.message.serialize(copy.origin);
+    if (eachMatters) {
+      backlog.keep(payload.length);
+    }
     return server.internalPublish(
         MqttMessageBuilders.publish()
             .topicName(copy.topic)
             .qos(eachMatters ? MqttQoS.AT_LEAST_ONCE : MqttQoS.AT_MOST_ONCE)
             .retained(copy.channel.isRetained())
-            .payload(Unpooled.wrappedBuffer(copy.message.serialize(copy.origin)))
+            .payload(Unpooled.wrappedBuffer(payload))
             .build(),
         SENDER);
   }

@@ -43,6 +43,9 @@ final class PacketRules {
     if (refusal.isPresent()) {
       return refusal;
     }
+    if (publish.content().readableBytes() > BrokerLimits.LONGEST_PAYLOAD) {
+      return Optional.of("its payload is too long");
+    }
     if (publish.fixedHeader().isRetain() && !door.mayRetain(topic)) {
       return Optional.of("too many retained topics");
     }

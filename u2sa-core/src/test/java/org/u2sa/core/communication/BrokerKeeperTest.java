@@ -50,7 +50,7 @@ class BrokerKeeperTest {
         new MessageCodec(MessageTypes.standard()),
         address,
         new BrokerSecurity(null, null),
-        new BrokerLimits(16, 1_000, 1_000_000),
+        new BrokerLimits(16, 1_000, 1_000_000, 15_000_000),
         log::add,
         whenDead);
   }

@@ -15,6 +15,7 @@ final class RawClient implements AutoCloseable {
   private static final int CLEAN_SESSION = 0x02;
 
   private final Socket socket;
+  private int keepAliveS = 60;
 
   RawClient(int port) throws IOException {
     this(new Socket(), port);
@@ -28,6 +29,12 @@ final class RawClient implements AutoCloseable {
     socket.connect(new InetSocketAddress("127.0.0.1", port));
   }
 
+  /** Promises in its introduction to say something each so many seconds. */
+  RawClient keepingAlive(int seconds) {
+    keepAliveS = seconds;
+    return this;
+  }
+
   /** Connects without a user and reads the answer. */
   RawClient introduced(String clientId) throws IOException {
     int code = introduce(clientId);
@@ -37,6 +44,16 @@ final class RawClient implements AutoCloseable {
     return this;
   }
 
+  /** Connects and subscribes without waiting for an answer, as MQTT allows: the filter's code. */
+  int introduceAndSubscribe(String clientId, String filter) throws IOException {
+    ByteArrayOutputStream both = new ByteArrayOutputStream();
+    both.write(packet(0x10, introduction(clientId)));
+    both.write(packet(0x82, subscription(filter, 0)));
+    send(both.toByteArray());
+    byte[] answers = socket.getInputStream().readNBytes(9);
+    return answers.length < 9 ? -1 : answers[8] & 0xff;
+  }
+
   /**
    * Says who it is and reads the answer.
    *
@@ -44,19 +61,23 @@ final class RawClient implements AutoCloseable {
    * @return the return code, 0 accepted; -1: put out without a word
    */
   int introduce(String clientId, String... userAndPassword) throws IOException {
+    send(packet(0x10, introduction(clientId, userAndPassword)));
+    byte[] answer = socket.getInputStream().readNBytes(4);
+    return answer.length < 4 ? -1 : answer[3];
+  }
+
+  private byte[] introduction(String clientId, String... userAndPassword) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     DataOutputStream out = new DataOutputStream(bytes);
     out.writeUTF("MQTT");
     out.write(4); // 3.1.1
     out.write(CLEAN_SESSION | (userAndPassword.length > 0 ? USER_AND_PASSWORD : 0));
-    out.writeShort(60); // keep alive [s]
+    out.writeShort(keepAliveS);
     out.writeUTF(clientId);
     for (String text : userAndPassword) {
       out.writeUTF(text);
     }
-    send(0x10, bytes.toByteArray());
-    byte[] answer = socket.getInputStream().readNBytes(4);
-    return answer.length < 4 ? -1 : answer[3];
+    return bytes.toByteArray();
   }
 
   /** Subscribes, QoS 0, and reads the answer: the code for the filter. */
@@ -65,13 +86,26 @@ final class RawClient implements AutoCloseable {
   }
 
   int subscribe(String filter, int qos) throws IOException {
+    send(packet(0x82, subscription(filter, qos)));
+    return socket.getInputStream().readNBytes(5)[4] & 0xff;
+  }
+
+  /**
+   * Subscribes, and reads whatever the broker answers until it is silent or ends the connection.
+   */
+  void trySubscribe(String filter) throws IOException {
+    send(packet(0x82, subscription(filter, 0)));
+    send(new byte[] {(byte) 0xe0, 0}); // DISCONNECT, after which the broker ends it
+    isPutOut();
+  }
+
+  private static byte[] subscription(String filter, int qos) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     DataOutputStream out = new DataOutputStream(bytes);
     out.writeShort(1);
     out.writeUTF(filter);
     out.write(qos);
-    send(0x82, bytes.toByteArray());
-    return socket.getInputStream().readNBytes(5)[4] & 0xff;
+    return bytes.toByteArray();
   }
 
   /** QoS 1. */
@@ -93,7 +127,7 @@ final class RawClient implements AutoCloseable {
       all[2 + name.length + 1] = 7;
     }
     System.arraycopy(payload, 0, all, all.length - payload.length, payload.length);
-    send(0x30 | qos << 1 | retain, all);
+    send(packet(0x30 | qos << 1 | retain, all));
   }
 
   /** Reads one packet to its end. Returns its first byte: type and flags. */
@@ -112,7 +146,7 @@ final class RawClient implements AutoCloseable {
     return first;
   }
 
-  private void send(int type, byte[] content) throws IOException {
+  private static byte[] packet(int type, byte[] content) throws IOException {
     ByteArrayOutputStream packet = new ByteArrayOutputStream();
     packet.write(type);
     int left = content.length;
@@ -121,7 +155,7 @@ final class RawClient implements AutoCloseable {
       left /= 128;
     } while (left > 0);
     packet.write(content);
-    send(packet.toByteArray());
+    return packet.toByteArray();
   }
 
   void send(byte[] bytes) throws IOException {
@@ -138,6 +172,18 @@ final class RawClient implements AutoCloseable {
       return true;
     } catch (SocketTimeoutException e) {
       return false;
+    } catch (IOException e) {
+      return true; // reset
+    }
+  }
+
+  /** Whether the broker ends the connection while so many more bytes are sent. */
+  boolean isPutOutWhileSending(int bytes) {
+    try {
+      for (int sent = 0; sent < bytes; sent += 1_024) {
+        send(new byte[1_024]);
+      }
+      return isPutOut();
     } catch (IOException e) {
       return true; // reset
     }

@@ -1,0 +1,33 @@
+package org.u2sa.core.communication;
+
+import io.netty.handler.codec.DecoderException;
+import java.io.IOException;
+import javax.net.ssl.SSLException;
+
+/**
+ * What a connection failed by.
+ *
+ * @param kind what is counted together
+ * @param words what the network code said of it, fit for a log
+ */
+record ConnectionFault(String kind, String words) {
+  static final String MALFORMED = "malformed packet";
+
+  static ConnectionFault of(Throwable error) {
+    for (Throwable cause = error; cause != null; cause = cause.getCause()) {
+      if (cause instanceof SSLException) {
+        return told("connection without the right encryption", cause);
+      }
+    }
+    if (error instanceof DecoderException) {
+      return told(MALFORMED, error);
+    }
+    return error instanceof IOException && error.getCause() != null // Moquette wraps the decoder's
+        ? told(MALFORMED, error.getCause())
+        : told("connection failed", error);
+  }
+
+  private static ConnectionFault told(String kind, Throwable cause) {
+    return new ConnectionFault(kind, Refusals.shown(String.valueOf(cause.getMessage())));
+  }
+}

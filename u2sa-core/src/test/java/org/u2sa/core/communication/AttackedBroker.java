@@ -1,0 +1,113 @@
+package org.u2sa.core.communication;
+
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.awaitility.core.ConditionFactory;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.PercentageCommand;
+
+/** An embedded broker of system cessna on a free port, for clients that mean harm. */
+final class AttackedBroker implements AutoCloseable {
+  static final String STATE = "u2sa/cessna/state/StateInformation";
+  private static final MessageTypes TYPES = MessageTypes.standard();
+
+  final List<String> log = new CopyOnWriteArrayList<>();
+  final int port;
+  final CommunicationManager manager;
+  final Connection bus;
+  private final RecordingReceiver local = new RecordingReceiver();
+  private final List<RawClient> strangers = new CopyOnWriteArrayList<>();
+
+  AttackedBroker(Map<String, Object> variables) throws IOException {
+    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      port = probe.getLocalPort();
+    }
+    Map<String, Object> all = new HashMap<>(variables);
+    all.put("COMMUNICATION MANAGER PORT", port);
+    manager =
+        CommunicationManager.start(
+            "cessna", XmlConfiguration.inMemory("test", all), TYPES, log::add);
+    bus = manager.transport().connect("Local", local);
+    bus.subscribe(Channels.ACTUATION);
+  }
+
+  /** A connection that has said nothing yet; ended with the broker. */
+  RawClient stranger() throws IOException {
+    RawClient client = new RawClient(port);
+    strangers.add(client);
+    return client;
+  }
+
+  /** A client as services have it, which tries again if it is taken for one of the attackers. */
+  Connection remote(Receiver receiver) {
+    return new MqttTransport("127.0.0.1", port, "cessna", new MessageCodec(TYPES))
+        .waiting(30.0)
+        .connect("Remote", receiver);
+  }
+
+  static PercentageCommand command(double percent) {
+    PercentageCommand command = PercentageCommand.of("RUDDER", percent);
+    command.systemId("cessna");
+    command.timestamp(1);
+    command.freeze();
+    return command;
+  }
+
+  static ConditionFactory soon() {
+    return await().atMost(Duration.ofSeconds(40));
+  }
+
+  /** Waits until commands arrive both ways at a client that comes now. */
+  void servesOn() {
+    RecordingReceiver inbox = new RecordingReceiver();
+    try (Connection connection = remote(inbox)) {
+      connection.subscribe(Channels.ACTUATION);
+      PercentageCommand there = command(1.0);
+      PercentageCommand back = command(2.0);
+      soon()
+          .until(
+              () -> {
+                bus.publish(Channels.ACTUATION, there);
+                connection.publish(Channels.ACTUATION, back);
+                return inbox.messages.contains(there) && local.messages.contains(back);
+              });
+    }
+  }
+
+  /** Ends all connections of {@link #stranger}. */
+  void leaveStrangers() throws IOException {
+    for (RawClient client : strangers) {
+      client.close();
+    }
+    strangers.clear();
+  }
+
+  boolean hasLogged(String part) {
+    return log.stream().anyMatch(line -> line.contains(part));
+  }
+
+  void awaitLog(String part) {
+    soon().until(() -> hasLogged(part));
+  }
+
+  @Override
+  public void close() throws IOException {
+    leaveStrangers();
+    bus.close();
+    manager.close();
+  }
+}
