@@ -33,7 +33,7 @@ def messages(text):
         if not chain:
             continue
         rows = [cells(line) for line in section.splitlines() if line.startswith("|")][2:]
-        fields = [field(*row) for row in rows]
+        fields = [field(*row[:6]) for row in rows]
         found.append((tuple(chain.group(1).split("/")), bool(chain.group(2)), fields))
     return found
 

@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -45,21 +48,44 @@ class WireProtocolDocTest {
     for (MessageType<?> type : MessageTypes.standard().all()) {
       append(out, type);
     }
+    out.append("\n### Constants\n\n| class and field | constant | meaning |\n|---|---|---|\n");
+    Set<Class<?>> told = new HashSet<>();
+    for (MessageType<?> type : MessageTypes.standard().all()) {
+      for (MessageField<?> field : type.fields()) {
+        if (field instanceof ValueField<?, ?> value && !value.constants().isEmpty()) {
+          appendConstants(out, type.name() + "." + field.name(), value.constants(), told);
+        }
+      }
+    }
     return out.toString();
+  }
+
+  private static void appendConstants(
+      StringBuilder out, String field, List<?> constants, Set<Class<?>> told) {
+    if (!told.add(constants.get(0).getClass())) {
+      return;
+    }
+    for (Object constant : constants) {
+      out.append("| ").append(field).append(" | ").append(constant);
+      out.append(" | ").append(Meanings.ofConstant(constant)).append(" |\n");
+    }
   }
 
   private static <T extends U2SAData> void append(StringBuilder out, MessageType<T> type) {
     out.append("\n### ").append(type.name()).append("\n\n");
     out.append("Type chain `").append(String.join("/", type.chain())).append('`');
     out.append(type.isAbstract() ? ", abstract: only subclasses travel.\n\n" : ".\n\n");
-    out.append("| field | CBOR | unit | presence | bit | since |\n|---|---|---|---|---|---|\n");
+    out.append(Meanings.ofClass(type.messageClass())).append("\n\n");
+    out.append("| field | CBOR | unit | presence | bit | since | meaning |\n");
+    out.append("|---|---|---|---|---|---|---|\n");
     for (MessageField<T> field : type.fields()) {
       out.append("| ").append(field.name());
       out.append(" | ").append(cborType(field));
       out.append(" | ").append(unit(field));
       out.append(" | ").append(presence(field));
       out.append(" | ").append(field.bit().isPresent() ? field.bit().getAsInt() : "");
-      out.append(" | ").append(field.since()).append(" |\n");
+      out.append(" | ").append(field.since());
+      out.append(" | ").append(Meanings.ofField(type, field.name())).append(" |\n");
     }
   }
 
