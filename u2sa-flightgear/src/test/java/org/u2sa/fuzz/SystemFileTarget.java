@@ -12,6 +12,7 @@ public final class SystemFileTarget {
     try (InputFile file = InputFile.of(data)) {
       SystemFile system = SystemFile.read(file.path());
       Agreement.require(!system.services().isEmpty(), "services", system, "one at least");
+      system.apart();
       for (SystemFile.Entry entry : system.services()) {
         Agreement.require(
             system.only(entry.simpleName()).services().size() == 1, "only", system, entry);

@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -109,7 +110,7 @@ public record SystemFile(
    * The same system with some of its services only.
    *
    * @param simpleNames of the services' classes
-   * @throws BadInputException if the file lists no service of one of the names
+   * @throws BadInputException if the file lists no service of one of the names, or several
    */
   public SystemFile only(Collection<String> simpleNames) {
     List<String> known = new ArrayList<>();
@@ -120,7 +121,27 @@ public record SystemFile(
             file + ": lists no service \"" + name + "\"; expected one of " + known);
       }
     }
+    Set<String> chosen = new HashSet<>();
+    for (Entry entry : services) {
+      if (simpleNames.contains(entry.simpleName()) && !chosen.add(entry.simpleName())) {
+        throw entry
+            .element()
+            .error(
+                "is one more service \""
+                    + entry.simpleName()
+                    + "\"; services that are to run apart need classes of different names");
+      }
+    }
     return with(entry -> simpleNames.contains(entry.simpleName()));
+  }
+
+  /**
+   * The same system, each of whose services can be run in a process of its own.
+   *
+   * @throws BadInputException if two classes have the same simple name
+   */
+  public SystemFile apart() {
+    return only(services.stream().map(Entry::simpleName).collect(Collectors.toList()));
   }
 
   /** {@link #only(Collection)} with one service. */

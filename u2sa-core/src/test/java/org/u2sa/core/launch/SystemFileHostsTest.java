@@ -72,6 +72,22 @@ class SystemFileHostsTest {
   }
 
   @Test
+  void apart_twoOfOneName_isRefusedByLine() throws IOException {
+    Path twice =
+        Files.writeString(
+            file.resolveSibling("twice.xml"),
+            "<system id=\"boat\">\n<service class=\"a.Lidar\"/>\n<service class=\"b.Lidar\"/>\n"
+                + "<service class=\"Control\"/></system>");
+    SystemFile system = SystemFile.read(twice);
+
+    assertThatThrownBy(system::apart)
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("twice.xml, line 3")
+        .hasMessageContaining("one more service \"Lidar\"");
+    assertThat(names(system.only("Control"))).containsExactly("Control");
+  }
+
+  @Test
   void only_unknown_listsThoseKnown() {
     SystemFile system = SystemFile.read(file);
 

@@ -132,7 +132,9 @@ public final class RunCommand implements Callable<Integer> {
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart);
     }
-    return separate ? runSeparately(system, options, terminal) : run(system, options, terminal);
+    return separate
+        ? runSeparately(system.apart(), options, terminal)
+        : run(system, options, terminal);
   }
 
   /** Said as settings, so that processes that this one starts use the same broker. */
