@@ -12,6 +12,7 @@ final class Arming {
   private final ArmingChecks checks;
   private boolean armed;
   private boolean waits; // for the checks to pass, to arm by itself
+  private int waitsForReasons; // as said last
   private boolean saidArmed;
   private int saidReasons = -1;
 
@@ -53,8 +54,15 @@ final class Arming {
 
   /** Arms as soon as the checks pass, once, if ARM AT START. */
   void armAtStart(long nowMicros) {
-    if (waits && checks.reasons(nowMicros).isEmpty()) {
+    if (!waits) {
+      return;
+    }
+    List<String> reasons = checks.reasons(nowMicros);
+    if (reasons.isEmpty()) {
       arm(nowMicros);
+    } else if (reasons.size() != waitsForReasons) { // they change their numbers all the time
+      manager.log("waits to arm: " + String.join("; ", reasons));
+      waitsForReasons = reasons.size();
     }
   }
 

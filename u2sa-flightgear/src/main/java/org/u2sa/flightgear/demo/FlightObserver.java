@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.u2sa.flightgear.AircraftState;
 import org.u2sa.flightgear.ControlStatus;
+import org.u2sa.flightgear.control.FlightPhase;
 import org.u2sa.flightgear.link.FlightChannels;
 import org.u2sa.gcs.report.FlightPlan;
 import org.u2sa.gcs.report.FlightSample;
@@ -25,6 +26,8 @@ final class FlightObserver extends EventDrivenService {
   /** Past it the wing of the Cessna 172 no longer lifts more; clean, power off about 16°. */
   private static final double STALL_ANGLE_RAD = Math.toRadians(17.0);
 
+  private static final double STANDS_MPS = 0.5;
+
   private final List<String> names;
   private final PlannedLegs legs;
   private final FlightTrack track = new FlightTrack();
@@ -34,6 +37,8 @@ final class FlightObserver extends EventDrivenService {
   private long startMicros = -1;
   private volatile boolean missionOver;
   private volatile boolean crashed;
+  private volatile boolean landed;
+  private boolean airborne;
   private volatile boolean stalled;
   private volatile int completed;
   private volatile long readings; // written by this service's thread only
@@ -82,11 +87,16 @@ final class FlightObserver extends EventDrivenService {
       startMicros = micros;
     }
     crashed |= truth.crashed();
+    airborne |= !truth.weightOnWheels();
     stalled |= !truth.weightOnWheels() && angleOfAttackRad(truth) > STALL_ANGLE_RAD;
     double east = truth.xDot().orElseThrow();
     double north = truth.yDot().orElseThrow();
     double longitude = truth.x().orElseThrow();
     double latitude = truth.y().orElseThrow();
+    landed |=
+        airborne
+            && phase.equals(FlightPhase.STOPPED.name())
+            && Math.hypot(east, north) < STANDS_MPS;
     FlightSample sample =
         new FlightSample(
             Clock.seconds(micros - startMicros),
@@ -122,6 +132,11 @@ final class FlightObserver extends EventDrivenService {
 
   boolean isCrashed() {
     return crashed;
+  }
+
+  /** Whether it stands after a flight. */
+  boolean isLanded() {
+    return landed;
   }
 
   /** Whether the angle of attack went past the stall in the air. */

@@ -114,6 +114,7 @@ final class FlightRun {
   private boolean isOver(FlightObserver observer) {
     return observer.isMissionOver()
         || observer.isCrashed()
+        || observer.isLanded()
         || !observer.isRunning()
         || interruption.isAsked();
   }

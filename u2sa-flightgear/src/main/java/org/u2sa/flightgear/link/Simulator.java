@@ -20,8 +20,8 @@ import org.u2sa.sim.aircraft.ControlInputs;
  * passes commands on. In: actuation, emergency-stop, arming-state. Out: sensed-state, truth, and
  * actuators.
  *
- * <p>Commands that nobody renews expire, and the controls go neutral, as at an emergency stop: the
- * aircraft glides with its wings where they are.
+ * <p>Commands that nobody renews expire, and the controls go neutral: the aircraft sinks with its
+ * wings where they are. At an emergency stop, and while it is not armed, the brakes are on, too.
  */
 public final class Simulator extends ProprioceptiveSensor {
   private static final double POLLS_PER_S = 100.0;
@@ -116,6 +116,7 @@ public final class Simulator extends ProprioceptiveSensor {
   }
 
   private ControlInputs controls() {
+    double brakes = commands.mayMove() ? 0.0 : 1.0; // what may not move must not roll either
     return new ControlInputs(
         fraction("AILERON", 0.0),
         fraction("ELEVATOR", 0.0),
@@ -123,8 +124,8 @@ public final class Simulator extends ProprioceptiveSensor {
         fraction("THROTTLE", 0.0),
         fraction("MIXTURE", RICH), // a lean mixture would stop the engine for good
         fraction("FLAPS", 0.0),
-        fraction("LEFT BRAKE", 0.0),
-        fraction("RIGHT BRAKE", 0.0));
+        fraction("LEFT BRAKE", brakes),
+        fraction("RIGHT BRAKE", brakes));
   }
 
   private double fraction(String control, double neutral) {
