@@ -29,6 +29,7 @@ import org.u2sa.service.ServiceContext;
  * path and by MQTT. The actuators stay: each stop is cleared, and they are commanded until they move again.
  */
 public final class EmergencyStopLatency {
+  private static final SystemClock CLOCK = new SystemClock(); // one: stops of one time are one stop
   private static final String SYSTEM = "benchmark";
   private static final int ACTUATORS = 8;
   private static final long WITHIN_S = 30;
@@ -165,7 +166,7 @@ public final class EmergencyStopLatency {
 
   private static <T extends U2SAData> T send(Connection operator, Channel<? super T> channel, T message) {
     message.systemId(SYSTEM);
-    message.timestamp(new SystemClock().micros());
+    message.timestamp(CLOCK.micros());
     message.freeze();
     operator.publish(channel, message);
     return message;
@@ -175,7 +176,7 @@ public final class EmergencyStopLatency {
     return ServiceContext.of(
             SYSTEM,
             XmlConfiguration.inMemory(SYSTEM, Map.of("SERVICE NAME", name, "COMMAND EXPIRY", 60.0)))
-        .clock(new SystemClock())
+        .clock(CLOCK)
         .transport(transport)
         .logDirectory(logs)
         .build();

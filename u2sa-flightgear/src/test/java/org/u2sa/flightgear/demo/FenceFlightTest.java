@@ -34,7 +34,7 @@ class FenceFlightTest {
     try (TroubledFlight flight =
         TroubledFlight.start(
             directory, seed, wind, options -> fenced(options, fence.in(directory), action))) {
-      flight.flyUntil(() -> flight.witness().action() == action, 500.0);
+      flight.flyUntil(() -> flight.witness().action() == action, 700.0);
       double atM = fence.marginM(flight.witness().last());
       flight.fly(200.0);
 
