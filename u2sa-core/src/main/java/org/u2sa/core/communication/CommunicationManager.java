@@ -1,10 +1,9 @@
 package org.u2sa.core.communication;
 
 import java.net.InetSocketAddress;
-import java.nio.file.Paths;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.u2sa.core.security.SecurityDirectory;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.Range;
@@ -16,6 +15,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.MessageTypes;
@@ -78,12 +78,17 @@ public final class CommunicationManager implements AutoCloseable {
   private static final double SEARCH_AT_LEAST_S = 5.0;
 
   private final Transport transport;
+  private final Supplier<MqttTransport> remote; // null without a broker
   private final BrokerKeeper broker; // null unless embedded
   private final BrokerAnnouncement announcement; // null if there is none
 
   private CommunicationManager(
-      Transport transport, BrokerKeeper broker, BrokerAnnouncement announcement) {
+      Transport transport,
+      Supplier<MqttTransport> remote,
+      BrokerKeeper broker,
+      BrokerAnnouncement announcement) {
     this.transport = transport;
+    this.remote = remote;
     this.broker = broker;
     this.announcement = announcement;
   }
@@ -108,36 +113,43 @@ public final class CommunicationManager implements AutoCloseable {
     String announce = configuration.getVariable(ANNOUNCE);
     BrokerLimits limits = BrokerLimits.of(configuration);
     BrokerSecurity.Settings settings = BrokerSecurity.settings(configuration);
-    Access access = Access.of(configuration);
+    AccessVariables access = AccessVariables.of(configuration);
     MessageCodec codec = new MessageCodec(types);
     if (kind.equals("external")) {
       BrokerAccess as = access.beside(settings.directory());
+      InetSocketAddress broker = InetSocketAddress.createUnresolved(host, port);
       if (host.equals(BrokerSearch.AUTO)) {
         FoundBroker found = search(systemId, as, Math.max(patienceS, SEARCH_AT_LEAST_S));
         log.accept("broker found by mDNS: " + found);
-        host = found.host();
-        port = found.port();
+        broker = new InetSocketAddress(found.host(), found.port());
       }
       MqttTransport transport =
-          new MqttTransport(host, port, systemId, codec, as).waiting(patienceS);
+          new MqttTransport(broker.getHostString(), broker.getPort(), systemId, codec, as)
+              .waiting(patienceS);
       transport.connect("CommunicationManager", new Probe()).close();
-      return new CommunicationManager(transport, null, null);
+      return new CommunicationManager(transport, () -> transport, null, null);
     }
     LocalBus bus = new LocalBus(systemId);
     BrokerKeeper broker = null;
     BrokerAnnouncement announcement = null;
+    Supplier<MqttTransport> remote = null;
     if (kind.equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, log);
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =
           new BrokerKeeper(
               died -> EmbeddedBroker.start(bus, codec, address, security, limits, log, died), log);
+      String reached = address.getAddress().isAnyLocalAddress() ? LOOPBACK : bindAddress;
+      remote =
+          () ->
+              new MqttTransport(
+                  reached, port, systemId, codec, access.beside(settings.directory()));
       if (announce.equals("yes")
           || announce.equals("auto") && !BrokerSecurity.isLoopback(bindAddress)) {
         announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
       }
     }
-    return new CommunicationManager(bus, broker, announcement);
+    return new CommunicationManager(bus, remote, broker, announcement);
   }
 
   private static FoundBroker search(String systemId, BrokerAccess access, double timeoutS) {
@@ -153,29 +165,29 @@ public final class CommunicationManager implements AutoCloseable {
     }
   }
 
-  /** As whom and how the services of this process come to an external broker. */
-  private record Access(String user, String passwordFile, boolean tls, String caFile) {
-    static Access of(Configurator configuration) {
-      return new Access(
-          configuration.getVariable(BrokerAccess.USER),
-          configuration.getVariable(BrokerAccess.PASSWORD_FILE),
-          configuration.getVariable(BrokerAccess.TLS),
-          configuration.getVariable(BrokerAccess.CA_FILE));
-    }
-
-    /** With the same configuration as the secured broker, its authority is the one to trust. */
-    BrokerAccess beside(String directory) {
-      String authority =
-          caFile.isEmpty() && !directory.isEmpty()
-              ? new SecurityDirectory(Paths.get(directory)).authority().toString()
-              : caFile;
-      return BrokerAccess.of(user, passwordFile, tls, authority);
-    }
-  }
-
   /** The way to it for the services of this process. */
   public Transport transport() {
     return transport;
+  }
+
+  /** Whether the broker is another process's. */
+  public boolean isExternal() {
+    return transport instanceof MqttTransport;
+  }
+
+  /**
+   * The way to another system on the same broker, for who wants to hear it. The broker asks for the
+   * same user and encryption there as of anybody.
+   *
+   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all and publish nothing
+   * @throws CommunicationException if nothing leaves this process
+   */
+  public Transport transportOf(String otherSystemId) {
+    if (remote == null) {
+      throw new CommunicationException(
+          "system \"" + otherSystemId + "\" cannot be heard: BROKER is none");
+    }
+    return remote.get().ofSystem(otherSystemId);
   }
 
   /** Where the embedded broker listens. */

@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceContext;
@@ -61,12 +63,21 @@ public final class RunningSystem implements AutoCloseable {
         ServiceMaker.configuration(options, MANAGER, file.communication());
     manager = CommunicationManager.start(file.systemId(), communication, types, options.console());
     communication.refuseUndeclared();
-    maker = new ServiceMaker(file.systemId(), options, types, manager.transport());
+    maker = new ServiceMaker(file.systemId(), options, types, transport());
     hosted = new HostedServices(maker, options.supervised(), options.console());
     hosted.makeAll(file.services());
     if (!file.services().isEmpty()) {
       launcher = makeLauncher();
     }
+  }
+
+  /** The way to the Communication Manager; over another process's, names are asked for first. */
+  private Transport transport() {
+    Transport transport = manager.transport();
+    boolean othersMayRun = manager.isExternal() && !options.restart() && !file.services().isEmpty();
+    return othersMayRun
+        ? RollCall.before(transport, new SystemClock(), options.console())
+        : transport;
   }
 
   private void startWatch() {

@@ -74,6 +74,16 @@ public final class MqttTransport implements Transport {
     return new MqttTransport(host, port, systemId, codec, access, seconds);
   }
 
+  /**
+   * The way to another system on the same broker, for who wants to hear it: its vehicles otherwise
+   * do not notice each other.
+   *
+   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all
+   */
+  public MqttTransport ofSystem(String otherSystemId) {
+    return new MqttTransport(host, port, otherSystemId, codec, access, patienceS);
+  }
+
   @Override
   public Connection connect(String serviceName, Receiver receiver) {
     MqttConnection connection =

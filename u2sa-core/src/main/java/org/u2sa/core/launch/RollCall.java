@@ -1,0 +1,97 @@
+package org.u2sa.core.launch;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
+
+/**
+ * Keeps a process from running a service that runs in another process of the same system: asks all
+ * services for their names before the first is made here, and refuses to connect one of a name that
+ * was answered. A service that hangs, or that another process starts at the same moment, does not
+ * answer; who watches the system tells it from its namesake by its instance.
+ */
+final class RollCall implements Transport, Receiver {
+  /** How long answers are awaited. */
+  private static final double ANSWERS_WITHIN_S = 1.0;
+
+  private final Transport transport;
+  private final Map<String, String> hosts = new ConcurrentHashMap<>(); // by service name
+
+  private final Consumer<String> log;
+
+  private RollCall(Transport transport, Consumer<String> log) {
+    this.transport = transport;
+    this.log = log;
+  }
+
+  /**
+   * Asks, and returns the way to the Communication Manager for those whose names are free.
+   *
+   * @param clock real time
+   * @param log takes what goes wrong, a line each
+   */
+  static Transport before(Transport transport, Clock clock, Consumer<String> log) {
+    RollCall call = new RollCall(transport, log);
+    DiscoveryRequest question = new DiscoveryRequest();
+    question.systemId(transport.systemId());
+    question.timestamp(clock.micros());
+    question.freeze();
+    try (Connection connection = transport.connect("RollCall", call);
+        Clock.Waiter waiter = clock.newWaiter("roll-call")) {
+      connection.subscribe(Channels.DISCOVERY);
+      connection.publish(Channels.DISCOVERY, question);
+      long deadline = clock.micros() + Clock.micros(ANSWERS_WITHIN_S);
+      while (clock.micros() < deadline) {
+        waiter.await(deadline);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new CommunicationException("interrupted while asking who runs already", e);
+    }
+    return call;
+  }
+
+  @Override
+  public Connection connect(String serviceName, Receiver receiver) {
+    String host = hosts.get(serviceName);
+    if (host != null) {
+      throw new CommunicationException(
+          "service name \""
+              + serviceName
+              + "\" is taken in system \""
+              + systemId()
+              + "\" by a service on host \""
+              + host
+              + "\": names must differ");
+    }
+    return transport.connect(serviceName, receiver);
+  }
+
+  @Override
+  public String systemId() {
+    return transport.systemId();
+  }
+
+  @Override
+  public void receive(Channel<?> channel, U2SAData message) {
+    if (message instanceof DiscoveryResponse) {
+      DiscoveryResponse response = (DiscoveryResponse) message;
+      hosts.put(response.serviceName(), response.host());
+    }
+  }
+
+  @Override
+  public void trouble(String what) {
+    log.accept("asking who runs already: " + what);
+  }
+}

@@ -1,0 +1,84 @@
+package org.u2sa.core.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.communication.CommunicationException;
+
+/** Two processes of one system that are both to run a service of the same name. */
+@Timeout(180)
+class RollCallTest {
+  private static final int ATTEMPTS = 20; // a busy machine may answer later than is waited for
+
+  @TempDir private Path folder;
+  private int port;
+
+  @BeforeEach
+  void choosePort() throws IOException {
+    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      port = probe.getLocalPort();
+    }
+  }
+
+  private SystemFile system() throws IOException {
+    Files.writeString(
+        folder.resolve("Manager.xml"),
+        "<configuration><variable name=\"COMMUNICATION MANAGER PORT\" type=\"int\" value=\""
+            + port
+            + "\"/></configuration>");
+    return SystemFile.read(
+        Files.writeString(
+            folder.resolve("system.xml"),
+            "<system id=\"boat\"><communication configuration=\"Manager.xml\"/><service class=\""
+                + RunningSystemTest.Quiet.class.getName()
+                + "\"/></system>"));
+  }
+
+  private LaunchOptions options() {
+    return new LaunchOptions().logDirectory(folder.resolve("logs"));
+  }
+
+  private LaunchOptions elsewhere() {
+    return options().oneOfSeveral(false).override("CommunicationManager", "BROKER", "external");
+  }
+
+  private Optional<String> refusal() throws IOException {
+    try (RunningSystem second = RunningSystem.start(system(), elsewhere())) {
+      assertThat(second.isRunning()).isTrue();
+      return Optional.empty();
+    } catch (CommunicationException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  @Test
+  void start_serviceThatRunsInAnotherProcess_isRefusedAndTheFirstGoesOn() throws IOException {
+    try (RunningSystem first = RunningSystem.start(system(), options())) {
+      Optional<String> refusal = Optional.empty();
+      for (int i = 0; i < ATTEMPTS && refusal.isEmpty(); i++) {
+        refusal = refusal();
+      }
+
+      assertThat(refusal.orElseThrow())
+          .startsWith("service name \"Quiet\" is taken in system \"boat\" by a service on host \"");
+      assertThat(first.isRunning()).isTrue();
+    }
+  }
+
+  @Test
+  void start_otherProcessRunsOtherServices_isWelcome() throws IOException {
+    try (RunningSystem first = RunningSystem.start(system().withoutServices(), options())) {
+      assertThat(first.isRunning()).isFalse();
+      assertThat(refusal()).isEmpty();
+    }
+  }
+}
