@@ -31,6 +31,8 @@ import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
@@ -49,6 +51,8 @@ class EmergencyStopRestartTest {
   private final List<U2SAService> services = new ArrayList<>();
   private final AtomicInteger motors = new AtomicInteger();
   private final Map<String, Long> refused = new ConcurrentHashMap<>();
+  private volatile FailsafeState failsafe = new FailsafeState().action(FailsafeAction.CONTINUE);
+  private volatile boolean brokerHasStop; // since the operator has connected
   private int port;
   private CommunicationManager broker;
   private Connection operator;
@@ -75,6 +79,10 @@ class EmergencyStopRestartTest {
     public void receive(Channel<?> channel, U2SAData message) {
       if (message instanceof HealthReport report) {
         refused.put(report.serviceName(), report.refused());
+      } else if (message instanceof FailsafeState state) {
+        failsafe = state;
+      } else if (message instanceof EmergencyStop stop) {
+        brokerHasStop |= stop.active();
       }
     }
 
@@ -88,8 +96,24 @@ class EmergencyStopRestartTest {
       port = probe.getLocalPort();
     }
     startBroker();
+    connectOperator();
+  }
+
+  private void connectOperator() {
     operator = transport().connect("Operator", new Listener());
     operator.subscribe(Channels.HEALTH);
+    operator.subscribe(Channels.FAILSAFE);
+    operator.subscribe(Channels.EMERGENCY_STOP);
+  }
+
+  /** The broker forgets what it retained, who said it is gone, and yet it is said again. */
+  private void startBrokerAnewWithoutTheOperator() {
+    operator.close();
+    broker.close();
+    startBroker();
+    brokerHasStop = false;
+    connectOperator();
+    await().atMost(SOON).until(() -> brokerHasStop);
   }
 
   @AfterEach
@@ -187,6 +211,16 @@ class EmergencyStopRestartTest {
     return stop;
   }
 
+  /** Until the Safety Manager has said so itself, later than that. */
+  private void awaitKnown(long sinceMicros) {
+    await()
+        .atMost(SOON)
+        .until(
+            () ->
+                failsafe.action() == FailsafeAction.STOP
+                    && failsafe.timestamp().orElseThrow() > sinceMicros);
+  }
+
   private void clear(EmergencyStop stop) {
     send(
         Channels.EMERGENCY_STOP,
@@ -213,8 +247,8 @@ class EmergencyStopRestartTest {
     Motor before = startMotor();
     EmergencyStop stop = stop(before);
 
-    broker.close();
-    startBroker();
+    awaitKnown(0);
+    startBrokerAnewWithoutTheOperator();
 
     requireStopped(before);
     end(before);
@@ -232,9 +266,10 @@ class EmergencyStopRestartTest {
     EmergencyStop stop = stop(motor);
     end(first);
 
+    long startedMicros = new SystemClock().micros();
     SafetyManager second = started(new SafetyManager(context("SafetyManager", Map.of())));
-    broker.close(); // forgets what it retained: the Safety Manager has to say it again
-    startBroker();
+    awaitKnown(startedMicros);
+    startBrokerAnewWithoutTheOperator();
     end(motor);
     Motor anew = startMotor();
 

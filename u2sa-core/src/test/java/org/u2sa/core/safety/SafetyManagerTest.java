@@ -2,11 +2,16 @@ package org.u2sa.core.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.GoalList;
@@ -143,6 +148,28 @@ class SafetyManagerTest {
             "mission: no goals",
             "actuators: none is there",
             "failsafe matrix: ON FENCE is LAND, but no Mission Manager has answered whether it has a LAND MISSION");
+  }
+
+  @Test
+  void arm_outsideTheFenceUncertainAndLow_saysSoWithTheValues(@TempDir Path directory)
+      throws IOException {
+    Path fence = directory.resolve("fence.xml");
+    String text =
+        "<fence><reference>Local ENU</reference><keepIn><corner><x>10</x><y>10</y></corner>"
+            + "<corner><x>90</x><y>10</y></corner><corner><x>90</x><y>90</y></corner></keepIn></fence>";
+    Files.write(fence, text.getBytes(StandardCharsets.UTF_8));
+    kit.with("FENCE", fence.toString()).with("REQUIRED ACTUATORS", "MOTOR, RUDDER");
+    start();
+    battery(10.5, 80.0);
+    sigmaM = 60.0;
+    live(0.3);
+
+    assertThat(arm(true).reasons())
+        .containsExactly(
+            "position: uncertain by 60 m, limit 50 m",
+            "low battery: main, voltage 10.5 below 11.0 V",
+            "geofence: outside the keep-in area, or inside a keep-out one",
+            "actuators: not there: RUDDER");
   }
 
   @Test

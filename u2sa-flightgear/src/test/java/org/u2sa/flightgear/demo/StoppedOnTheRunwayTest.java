@@ -41,6 +41,26 @@ class StoppedOnTheRunwayTest {
   }
 
   @Test
+  void arm_landWithoutAMissionForIt_standsAndSaysWhy() throws InterruptedException {
+    try (TroubledFlight flight =
+        TroubledFlight.start(
+            directory,
+            1,
+            WIND,
+            options ->
+                options
+                    .override("SafetyManager", "ON LOW BATTERY", "LAND")
+                    .override("MissionManager", "LAND MISSION", ""))) {
+      flight.fly(10.0);
+
+      assertThat(flight.witness().arming().reasons())
+          .containsExactly(
+              "failsafe matrix: ON LOW BATTERY is LAND, but the Mission Manager has no LAND MISSION");
+      requireStanding(flight);
+    }
+  }
+
+  @Test
   void emergencyStop_inTheTakeOffRun_brakesToAStandstillUntilClearedAndArmed()
       throws InterruptedException {
     try (TroubledFlight flight = TroubledFlight.start(directory, 1, WIND, options -> options)) {
