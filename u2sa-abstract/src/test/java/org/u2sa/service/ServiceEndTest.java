@@ -228,4 +228,37 @@ class ServiceEndTest {
 
     assertThatThrownBy(() -> new Stillborn(kit.context())).hasMessage("no device");
   }
+
+  /** Its run returns without end(), as it must not. */
+  private static final class Careless extends U2SAService {
+    Careless(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Careless");
+    }
+
+    @Override
+    public void run() {
+      log("returns at once");
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+
+    @Override
+    public void kill() {
+      end();
+    }
+  }
+
+  @Test
+  void run_returnsWithoutEnd_serviceFailsAndTimeGoesOn() {
+    Careless careless = kit.start(Careless::new);
+
+    kit.advance(10.0); // hangs for ever if the thread that is gone still has a place in the clock
+
+    assertThat(kit.nowS()).isEqualTo(10.0);
+    assertThat(careless.status()).isEqualTo(ServiceStatus.FAILED);
+    assertThat(kit.log("Careless")).anyMatch(line -> line.contains("run() returned without end()"));
+  }
 }

@@ -67,7 +67,7 @@ final class TakeOffSequence {
     FlightPhase flying = navigating ? FlightPhase.CRUISE : FlightPhase.HOLD;
     boolean high = !state.onGround() && state.heightM() > FLYING_HEIGHT_M;
     if (phase == null) {
-      return high ? flying : FlightPhase.RUN_UP;
+      return high ? flying : first(state, landing);
     }
     return switch (phase) {
       case RUN_UP -> {
@@ -99,6 +99,20 @@ final class TakeOffSequence {
       }
       case STOPPED -> high ? flying : FlightPhase.STOPPED;
     };
+  }
+
+  /**
+   * Where a control that is started anew near the ground finds the aircraft: brakes and an idling
+   * engine are right for one that stands, and for one too slow to fly.
+   */
+  private FlightPhase first(FlightState state, boolean landing) {
+    if (state.calibratedAirspeedMps() < parameters.rotateMps()) {
+      return FlightPhase.RUN_UP;
+    }
+    if (landing) {
+      return state.onGround() ? FlightPhase.STOPPED : FlightPhase.FLARE;
+    }
+    return state.onGround() ? FlightPhase.ROTATE : FlightPhase.CLIMB_OUT;
   }
 
   /** Whether the engine runs by itself. */

@@ -72,6 +72,27 @@ class TakeOffSequenceTest {
   }
 
   @Test
+  void step_firstSeenJustOffTheGround_goesOnClimbing() {
+    assertThat(step(rolling(31.0).onGround(false), true, 1.0)).isEqualTo(FlightPhase.CLIMB_OUT);
+  }
+
+  @Test
+  void step_firstSeenFastOnTheGround_takesOff() {
+    assertThat(step(rolling(29.0), true, 1.0)).isEqualTo(FlightPhase.ROTATE);
+  }
+
+  @Test
+  void step_firstSeenRollingSlowly_brakesAndBeginsAnew() {
+    assertThat(step(rolling(20.0), true, 1.0)).isEqualTo(FlightPhase.RUN_UP);
+  }
+
+  @Test
+  void step_firstSeenWhileItLands_landsOn() {
+    FlightState flaring = rolling(31.0).onGround(false).time(timeS).now();
+    assertThat(sequence.step(flaring, true, true, 0.0)).isEqualTo(FlightPhase.FLARE);
+  }
+
+  @Test
   void step_backOnTheGroundAndSlow_stops() {
     step(States.level(), true, 0.0);
     step(rolling(20.0), true, 0.5);
