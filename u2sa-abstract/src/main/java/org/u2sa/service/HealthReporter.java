@@ -53,10 +53,11 @@ final class HealthReporter {
    * speaks for itself, has not been started, or has said its last.
    */
   Optional<HealthReport> onBehalf(long nowMicros) {
-    boolean alive = service.isAlive(); // asked first: who is no longer alive has said its last
-    if (service.status() == ServiceStatus.CREATED || lastSaid) {
+    Thread.State state = service.getState(); // asked first: who has ended by now has said its last
+    if (state == Thread.State.NEW || service.status() == ServiceStatus.CREATED || lastSaid) {
       return Optional.empty();
     }
+    boolean alive = state != Thread.State.TERMINATED;
     long heardMicros = Math.max(service.startedMicros(), reportedMicros);
     if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
       return Optional.empty();

@@ -34,7 +34,7 @@ final class Observation {
   private double sinceS; // when waiting for it began, or the present instance was first heard
   private boolean lost; // its connection
   private String processEnd = ""; // words; empty while nobody said that its process has ended
-  private boolean dead; // a dead thread does not come to life again
+  private boolean dead; // its thread
 
   Observation(double nowS) {
     sinceS = nowS;
@@ -67,6 +67,7 @@ final class Observation {
     spokeS = forItself || isNew ? nowS : spokeS;
     lost &= !forItself; // a connection that was restored
     dead |= report.threadAlive().equals(Optional.of(false));
+    dead &= !(forItself && report.status() == ServiceStatus.RUNNING); // it speaks, so it lives
     return isNew;
   }
 

@@ -461,4 +461,19 @@ class HealthMonitorTest {
 
     assertThat(conditions()).containsExactly(Condition.ALIVE, Condition.HUNG);
   }
+
+  @Test
+  void saidToBeDead_butReportsForItself_isAlive() {
+    kit.with("RESTART DELAY", 10.0);
+    monitor();
+    live("a", 1.0);
+    say(report("a").threadAlive(false));
+    kit.advance(0.3);
+    assertThat(condition().condition()).isEqualTo(Condition.DEAD);
+
+    live("a", 0.5);
+
+    assertThat(condition().condition()).isEqualTo(Condition.ALIVE);
+    assertThat(orders()).isEmpty();
+  }
 }

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -39,7 +40,7 @@ import org.u2sa.service.U2SAService;
 class RealCausesTest {
   @TempDir private Path directory;
   private final List<ServiceCondition> conditions = new CopyOnWriteArrayList<>();
-  private RunningSystem system;
+  private List<RunningSystem> systems = List.of();
   private Observer observer;
 
   /** Obeys goal commands that tell it how to fail; publishes a state at each step until then. */
@@ -130,40 +131,55 @@ class RealCausesTest {
   }
 
   private void start(Class<?> victim) throws IOException {
-    Files.writeString(
-        directory.resolve("Manager.xml"),
-        "<configuration><variable name=\"BROKER\" type=\"string\" value=\"none\"/></configuration>");
     String name = victim.getSimpleName();
     SystemFile file =
         SystemFile.read(
             Files.writeString(
                 directory.resolve("system.xml"),
-                "<system id=\"test\"><communication configuration=\"Manager.xml\"/><service class=\""
+                "<system id=\"test\"><communication/><service class=\""
                     + victim.getName()
                     + "\"/><service class=\""
                     + HealthMonitor.class.getName()
                     + "\"/></system>"));
-    system =
-        RunningSystem.start(
-            file,
-            new LaunchOptions()
-                .logDirectory(directory.resolve("logs"))
-                .override(name, "MAX ERRORS IN A ROW", 1)
-                .override("HealthMonitor", "WATCHED", name)
-                .override("HealthMonitor", "HUNG AFTER", 1.0)
-                .override("HealthMonitor", "RESTART DELAY", 0.0)
-                .override(
-                    "HealthMonitor", name + " DATA TIMEOUT", name.equals("Victim") ? 1.0 : 0.0));
+    systems = start(file, () -> options(name));
     observer =
-        new Observer(system.contextFor(XmlConfiguration.inMemory("test", Map.of())), conditions);
+        new Observer(
+            systems.get(0).contextFor(XmlConfiguration.inMemory("test", Map.of())), conditions);
     observer.start();
     awaitCondition(Condition.ALIVE, 1);
+  }
+
+  private LaunchOptions options(String name) {
+    return new LaunchOptions()
+        .logDirectory(directory.resolve("logs"))
+        .override(name, "MAX ERRORS IN A ROW", 1)
+        .override("HealthMonitor", "WATCHED", name)
+        .override("HealthMonitor", "HUNG AFTER", 1.0)
+        .override("HealthMonitor", "RESTART DELAY", 0.0)
+        .override("HealthMonitor", name + " DATA TIMEOUT", name.equals("Victim") ? 1.0 : 0.0);
+  }
+
+  /** Starts the two services of a system file: all in one, or in parts that are to be closed. */
+  List<RunningSystem> start(SystemFile file, Supplier<LaunchOptions> options) throws IOException {
+    return List.of(
+        RunningSystem.start(
+            file, options.get().override("CommunicationManager", "BROKER", "none")));
+  }
+
+  private U2SAService service(int place) {
+    return systems.stream()
+        .flatMap(system -> system.services().stream())
+        .skip(place)
+        .findFirst()
+        .orElseThrow();
   }
 
   @AfterEach
   void close() {
     observer.kill();
-    system.close();
+    for (int i = systems.size() - 1; i >= 0; i--) {
+      systems.get(i).close();
+    }
   }
 
   private void tell(String what) {
@@ -187,13 +203,13 @@ class RealCausesTest {
     assertThat(conditions)
         .extracting(ServiceCondition::condition)
         .isSubsetOf(Condition.ALIVE, Condition.SILENT, condition);
-    assertThat(system.services().get(0)).isNotSameAs(before).matches(U2SAService::isRunning);
+    assertThat(service(0)).isNotSameAs(before).matches(U2SAService::isRunning);
   }
 
   @Test
   void callbackThatNeverReturns_isHungAndReplaced() throws IOException {
     start(Victim.class);
-    U2SAService before = system.services().get(0);
+    U2SAService before = service(0);
     tell("hang");
     expect(Condition.HUNG, before);
     assertThat(before.isRunning()).isFalse();
@@ -202,7 +218,7 @@ class RealCausesTest {
   @Test
   void threadThatThrowsAnError_isDeadAndReplaced() throws IOException {
     start(Victim.class);
-    U2SAService before = system.services().get(0);
+    U2SAService before = service(0);
     tell("die");
     expect(Condition.DEAD, before);
   }
@@ -210,7 +226,7 @@ class RealCausesTest {
   @Test
   void runThatReturns_isDeadAndReplaced() throws IOException {
     start(Careless.class);
-    U2SAService before = system.services().get(0);
+    U2SAService before = service(0);
     tell("return");
     expect(Condition.DEAD, before);
   }
@@ -218,7 +234,7 @@ class RealCausesTest {
   @Test
   void tooManyErrors_isFailedAndReplaced() throws IOException {
     start(Victim.class);
-    U2SAService before = system.services().get(0);
+    U2SAService before = service(0);
     tell("fail");
     expect(Condition.FAILED, before);
   }
@@ -226,7 +242,7 @@ class RealCausesTest {
   @Test
   void sensorWithoutData_isStalledAndReplaced() throws IOException {
     start(Victim.class);
-    U2SAService before = system.services().get(0);
+    U2SAService before = service(0);
     tell("stall");
     expect(Condition.STALLED, before);
   }
@@ -234,25 +250,22 @@ class RealCausesTest {
   @Test
   void stopCommand_isStoppedAndNotReplaced() throws Exception {
     start(Victim.class);
-    U2SAService before = system.services().get(0);
+    U2SAService before = service(0);
     observer.publish(Channels.STOP, new StopCommand().serviceName("Victim"));
     awaitCondition(Condition.STOPPED, 1);
 
-    assertThat(system.services().get(0)).isSameAs(before);
+    assertThat(service(0)).isSameAs(before);
     assertThat(conditions).extracting(ServiceCondition::restarts).containsOnly(0L);
   }
 
   @Test
   void monitorThatIsDead_isReplacedByItsProcess() throws IOException {
     start(Victim.class);
-    U2SAService monitor = system.services().get(1);
+    U2SAService monitor = service(1);
     monitor.getUncaughtExceptionHandler().uncaughtException(monitor, new AssertionError("dies"));
 
     await()
         .untilAsserted(
-            () ->
-                assertThat(system.services().get(1))
-                    .isNotSameAs(monitor)
-                    .matches(U2SAService::isRunning));
+            () -> assertThat(service(1)).isNotSameAs(monitor).matches(U2SAService::isRunning));
   }
 }
