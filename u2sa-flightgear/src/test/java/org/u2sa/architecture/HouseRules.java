@@ -72,9 +72,19 @@ final class HouseRules {
     rules.put("Moquette", confined("core.communication", "io.moquette..", "io.netty.."));
     rules.put("JmDNS", confined("core.communication", "javax.jmdns.."));
     rules.put("Paho", confined("interfaces.communication", "org.eclipse.paho.."));
+    rules.put(
+        "one XML reader", // it takes neither DOCTYPE nor entities
+        confined(
+            "interfaces.xml",
+            "javax.xml..",
+            "org.xml.sax..",
+            "org.w3c.dom..",
+            "com.ctc.wstx..",
+            "com.fasterxml.jackson.dataformat.xml.."));
     rules.put("one clock", oneClock());
     rules.put("no static mutable state", noStaticMutableState());
     rules.put("no Java serialization", noJavaSerialization());
+    rules.put("no objects from data", noObjectsFromData());
     rules.replaceAll((name, rule) -> rule.as(name).allowEmptyShould(true));
     return rules;
   }
@@ -176,5 +186,13 @@ final class HouseRules {
                     type.isEquivalentTo(ObjectOutputStream.class)
                         || type.isEquivalentTo(ObjectInputStream.class)))
         .orShould(com.tngtech.archunit.lang.conditions.ArchConditions.be(declaresIt));
+  }
+
+  /** Readers that make objects of classes that the data names, as Jackson's default typing does. */
+  private static ArchRule noObjectsFromData() {
+    return noClasses()
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("com.fasterxml.jackson.databind..", "java.beans..", "java.rmi..");
   }
 }

@@ -36,6 +36,7 @@ class HouseRulesBiteTest {
           "package org.u2sa.gcs; public class G {}",
           "package org.u2sa.flightgear; public class F {}",
           "package org.u2sa.testkit; public class T {}",
+          "package com.fasterxml.jackson.databind; public class ObjectMapper {}",
           "package io.moquette.broker; public class Server {}",
           "package org.eclipse.paho.client; public class Client {}");
 
@@ -71,6 +72,11 @@ class HouseRulesBiteTest {
           no static mutable state | package org.u2sa.core; class Bad { static final java.util.concurrent.atomic.AtomicLong N = new java.util.concurrent.atomic.AtomicLong(); }
           no static mutable state | package org.u2sa.core; class Bad { static final java.util.HashMap<String, String> M = new java.util.HashMap<>(); }
           no Java serialization   | package org.u2sa.messages; class Bad implements java.io.Serializable {}
+          no Java serialization   | package org.u2sa.core; class Bad { Object r(java.io.ObjectInputStream i) throws Exception { return i.readObject(); } }
+          no objects from data    | package org.u2sa.gcs; class Bad { com.fasterxml.jackson.databind.ObjectMapper m; }
+          no objects from data    | package org.u2sa.core; class Bad { Object o = new java.beans.XMLDecoder(System.in); }
+          one XML reader          | package org.u2sa.core.mission; class Bad { javax.xml.parsers.SAXParser p; }
+          one XML reader          | package org.u2sa.gcs; class Bad { Object f = javax.xml.stream.XMLInputFactory.newFactory(); }
           no Java serialization   | package org.u2sa.core; class Bad { void w(java.io.ObjectOutputStream o) throws Exception { o.writeObject(""); } }
           """)
   void rule_onAClassThatBreaksIt_refusesTheClass(String rule, String source) throws IOException {
