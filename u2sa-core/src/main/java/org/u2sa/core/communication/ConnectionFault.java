@@ -1,8 +1,9 @@
 package org.u2sa.core.communication;
 
 import io.netty.handler.codec.DecoderException;
+import io.netty.handler.ssl.NotSslRecordException;
 import java.io.IOException;
-import javax.net.ssl.SSLException;
+import javax.net.ssl.SSLHandshakeException;
 
 /**
  * What a connection failed by.
@@ -15,7 +16,7 @@ record ConnectionFault(String kind, String words) {
 
   static ConnectionFault of(Throwable error) {
     for (Throwable cause = error; cause != null; cause = cause.getCause()) {
-      if (cause instanceof SSLException) {
+      if (cause instanceof SSLHandshakeException || cause instanceof NotSslRecordException) {
         return told("connection without the right encryption", cause);
       }
     }

@@ -121,6 +121,8 @@ final class LoginDesk implements AutoCloseable {
 
   private void work() {
     try {
+      // Java's first hash takes seconds on a small machine, longer than a client waits.
+      new PasswordHash(PasswordHash.ITERATIONS, new byte[1], new byte[1]).matches(new char[1]);
       while (!Thread.currentThread().isInterrupted()) {
         Application application = waiting.take();
         long begun = clock.micros();

@@ -61,6 +61,8 @@ final class Outflow extends ChannelDuplexHandler {
             .execute(
                 () -> ctx.fireChannelRead(MqttMessageBuilders.pubAck().packetId(packet).build()));
       }
+    } else if (!ctx.channel().isActive()) { // it has left: neither slow nor a loss
+      ctx.write(message, promise);
     } else if (!acknowledged && unread(ctx) > BrokerLimits.UNREAD_BYTES) {
       ReferenceCountUtil.release(message);
       promise.trySuccess();

@@ -209,6 +209,18 @@ class SecuredBrokerTest {
   }
 
   @Test
+  void connect_withAnotherUsersClientId_isRefusedAndTheFirstStays()
+      throws IOException, GeneralSecurityException {
+    try (RawClient first = new RawClient(TestAuthority.socket(directory), port);
+        RawClient second = new RawClient(TestAuthority.socket(directory), port)) {
+      assertThat(first.introduce("twin", "sensor", "sensor")).isZero();
+      assertThat(second.introduce("twin", "boatman", "boatman")).isEqualTo(2);
+      assertThat(first.subscribe("u2sa/cessna/state/#")).isZero();
+    }
+    awaitLog("log-in refused, the client ID is another user's", "\"boatman\"");
+  }
+
+  @Test
   void connect_asAClientOfAnotherSystem_isRefused() {
     assertThatThrownBy(() -> connect("boatman"))
         .isInstanceOf(CommunicationException.class)
@@ -244,10 +256,13 @@ class SecuredBrokerTest {
     connect("pilot").close();
     BrokerAccess right = accessOf("pilot");
     Files.writeString(folder.resolve("pilot.password"), "guess\n");
-    for (int i = 0; i < 5; i++) {
-      assertThatThrownBy(() -> connect("pilot")).isInstanceOf(CommunicationException.class);
-    }
-    awaitLog("too soon after a wrong password");
+    soon()
+        .until(
+            () -> {
+              assertThatThrownBy(() -> connect("pilot")).isInstanceOf(CommunicationException.class);
+              return log.stream()
+                  .anyMatch(line -> line.contains("too soon after a wrong password"));
+            });
 
     connections.add(transport(right, "cessna").connect("Remote", new RecordingReceiver()));
   }
