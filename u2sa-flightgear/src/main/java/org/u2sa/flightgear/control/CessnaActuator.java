@@ -3,6 +3,7 @@ package org.u2sa.flightgear.control;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import org.u2sa.flightgear.HandsOff;
 
 /** The Cessna's actuators by the names that commands address. */
 enum CessnaActuator {
@@ -41,12 +42,14 @@ enum CessnaActuator {
     return this == THROTTLE || this == MIXTURE || this == FLAPS;
   }
 
-  /** Surfaces centred, engine idling on a rich mixture, brakes off [%]. */
+  /** Surfaces left alone, engine idling on a rich mixture, brakes off [%]. */
   static Map<String, Double> neutral() {
     Map<String, Double> neutral = new LinkedHashMap<>();
     for (CessnaActuator actuator : values()) {
-      neutral.put(actuator.actuatorName(), actuator == MIXTURE ? 100.0 : 0.0);
+      neutral.put(actuator.actuatorName(), 0.0);
     }
+    neutral.put(ELEVATOR.actuatorName(), HandsOff.ELEVATOR_PERCENT);
+    neutral.put(MIXTURE.actuatorName(), 100.0);
     return neutral;
   }
 }

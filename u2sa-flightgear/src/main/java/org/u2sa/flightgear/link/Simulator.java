@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.flightgear.AircraftState;
+import org.u2sa.flightgear.HandsOff;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
@@ -20,8 +21,9 @@ import org.u2sa.sim.aircraft.ControlInputs;
  * passes commands on. In: actuation, emergency-stop, arming-state. Out: sensed-state, truth, and
  * actuators.
  *
- * <p>Commands that nobody renews expire, and the controls go neutral: the aircraft sinks with its
- * wings where they are. At an emergency stop, and while it is not armed, the brakes are on, too.
+ * <p>Commands that nobody renews expire, and the controls go neutral: the aircraft goes on, or
+ * glides, at the speed that it is trimmed for, with its wings where they are. At an emergency stop,
+ * and while it is not armed, the brakes are on, too.
  */
 public final class Simulator extends ProprioceptiveSensor {
   private static final double POLLS_PER_S = 100.0;
@@ -119,7 +121,7 @@ public final class Simulator extends ProprioceptiveSensor {
     double brakes = commands.mayMove() ? 0.0 : 1.0; // what may not move must not roll either
     return new ControlInputs(
         fraction("AILERON", 0.0),
-        fraction("ELEVATOR", 0.0),
+        fraction("ELEVATOR", HandsOff.ELEVATOR_PERCENT / FULL_PERCENT),
         fraction("RUDDER", 0.0),
         fraction("THROTTLE", 0.0),
         fraction("MIXTURE", RICH), // a lean mixture would stop the engine for good
@@ -165,7 +167,8 @@ public final class Simulator extends ProprioceptiveSensor {
   @Override
   protected void release() {
     try {
-      link.write(new ControlInputs(0.0, 0.0, 0.0, 0.0, RICH, 0.0, 0.0, 0.0));
+      link.write(
+          ControlInputs.neutral().withSurfaces(0.0, HandsOff.ELEVATOR_PERCENT / FULL_PERCENT, 0.0));
     } finally {
       link.close();
     }

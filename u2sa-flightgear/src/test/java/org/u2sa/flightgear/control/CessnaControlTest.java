@@ -9,6 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.flightgear.AircraftState;
 import org.u2sa.flightgear.ControlStatus;
+import org.u2sa.flightgear.HandsOff;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
@@ -146,7 +147,7 @@ class CessnaControlTest {
     fly(flying(), Point.of(200.0, -200.0, 0.0), 20);
     control.kill();
     assertThat(kit.percent("AILERON")).isZero();
-    assertThat(kit.percent("ELEVATOR")).isZero();
+    assertThat(kit.percent("ELEVATOR")).isEqualTo(HandsOff.ELEVATOR_PERCENT);
     assertThat(kit.percent("THROTTLE")).isZero();
     assertThat(kit.percent("MIXTURE")).isEqualTo(100.0);
   }

@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
       "Stop everything that moves, at once, until it is cleared.",
       "",
       "Every actuator goes neutral and refuses all commands, also one that starts later, until estop --clear. An aircraft "
-          + "glides, its surfaces centred and its engine idling."
+          + "glides, its surfaces neutral and its engine idling."
     })
 public final class EmergencyStopCommand implements Callable<Integer> {
   /** A Safety Manager repeats a stop each second; without one the broker has retained it. */
