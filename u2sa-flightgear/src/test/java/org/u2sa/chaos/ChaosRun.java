@@ -24,20 +24,21 @@ final class ChaosRun {
   /** Longest time until all services run again, back-off and start of a process included. */
   private static final double WELL_WITHIN_S = 45.0;
 
-  private static final double UP_WITHIN_S = 180.0;
-  private static final double LOOK_EVERY_S = 0.1;
+  /** Longest time until the aircraft has gained again what height it lost. */
+  private static final double SAFE_WITHIN_S = 120.0;
+
+  private static final double UP_WITHIN_S = 300.0;
   private static final double CALM_S = 60.0;
 
   /** Longer than {@link Watch} takes a report for fresh: what was said before the fault is old. */
   private static final double SETTLE_S = 1.2;
 
-  /** Who watches over the others: that it is gone, it cannot tell. */
-  private static final String MONITOR = "HealthMonitor";
-
   private final Path folder;
   private final Clock clock = new SystemClock();
+  private final Patience patience = new Patience(clock);
   private final List<String> failures = new ArrayList<>();
-  private final StringBuilder table = new StringBuilder("number,kind,victim,noticedS,wellS\n");
+  private final StringBuilder table =
+      new StringBuilder("number,kind,victim,noticedS,wellS,safeS\n");
   private Vehicle vehicle;
   private Watch watch;
   private Scene scene;
@@ -73,14 +74,14 @@ final class ChaosRun {
       takeOff(judge);
       scene = new Scene(flown, broker, network, services, folder, clock);
       for (int number = 1; number <= faults; number++) {
-        suffer(Fault.draw(number, kinds, random));
+        suffer(Fault.draw(number, kinds, random), judge);
       }
       end(judge, probe);
     }
   }
 
   private void takeOff(FlightJudge judge) throws InterruptedException {
-    if (!await(UP_WITHIN_S, judge::isAirborne)) {
+    if (!patience.await(UP_WITHIN_S, judge::isAirborne)) {
       throw new IllegalStateException("the aircraft did not take off: see " + folder);
     }
     services = new TreeMap<>();
@@ -102,12 +103,12 @@ final class ChaosRun {
                     "no health of " + simpleName + " among " + watch.services()));
   }
 
-  private void suffer(Fault fault) throws Exception {
+  private void suffer(Fault fault, FlightJudge judge) throws Exception {
     String victim = services.get(scene.victim(fault));
     String instance = watch.instance(victim);
     long began = clock.micros();
     say(fault + " at " + victim);
-    Noticing noticing = new Noticing(victim, instance, began);
+    Noticing noticing = new Noticing(watch, patience, victim, instance, began, WELL_WITHIN_S);
     if (fault.kind().endsService()) {
       noticing.start();
     }
@@ -124,62 +125,33 @@ final class ChaosRun {
         failures.add(fault + ": that " + victim + " is gone was noticed " + noticed);
       }
     }
+    if (!patience.await(SAFE_WITHIN_S, judge::isSafe)) {
+      failures.add(fault + ": the aircraft did not come back to a safe height");
+    }
+    double safeS = Clock.seconds(clock.micros() - began);
     if (!vehicle.isSupervised()) {
       throw new IllegalStateException("the supervisor ended: see " + folder);
     }
     table.append(
         String.format(
             Locale.ROOT,
-            "%d,%s,%s,%s,%.2f%n",
+            "%d,%s,%s,%s,%.2f,%.2f%n",
             fault.number(),
             fault.kind(),
             victim,
             noticed,
-            wellS));
+            wellS,
+            safeS));
     write("faults.csv", table.toString());
     scene.pause(fault.pauseS());
   }
 
-  /** Awaits on the side that somebody tells that a service is gone. */
-  private final class Noticing extends Thread {
-    private final String victim;
-    private final String instance;
-    private final long began;
-    private volatile double afterS = Double.NaN;
-
-    Noticing(String victim, String instance, long began) {
-      super("chaos-noticing");
-      this.victim = victim;
-      this.instance = instance;
-      this.began = began;
-      setDaemon(true);
-    }
-
-    @Override
-    public void run() {
-      try {
-        if (await(WELL_WITHIN_S, this::isNoticed)) {
-          afterS = Clock.seconds(clock.micros() - began);
-        }
-      } catch (InterruptedException e) {
-        interrupt();
-      }
-    }
-
-    private boolean isNoticed() {
-      boolean replaced = !watch.instance(victim).equals(instance);
-      return watch.firstTrouble(victim, began).isPresent() || victim.equals(MONITOR) && replaced;
-    }
-
-    Optional<Double> afterS() throws InterruptedException {
-      join();
-      return Double.isNaN(afterS) ? Optional.empty() : Optional.of(afterS);
-    }
-  }
-
   private void end(FlightJudge judge, Probe probe) throws InterruptedException, IOException {
-    long goal = goalsReached();
     scene.pause(CALM_S);
+    long goals = goalsReached();
+    if (goals == 0) {
+      failures.add("no goal was completed");
+    }
     allWell(WELL_WITHIN_S).ifPresent(wrong -> failures.add("at the end: " + wrong));
     judge.violations().forEach(what -> failures.add("the aircraft " + what));
     probe.finish();
@@ -198,7 +170,7 @@ final class ChaosRun {
     summary.append("probes: ").append(probe.sent()).append(" sent, ").append(probe.received());
     summary.append(" received, ").append(probe.missed()).append(" counted as missed\n");
     summary.append("failsafes told: ").append(watch.failsafes()).append('\n');
-    summary.append("goals completed before the last minute: ").append(goal).append('\n');
+    summary.append("goals completed: ").append(goals).append('\n');
     services.values().forEach(name -> summary.append(counts(name)).append('\n'));
     failures.forEach(failure -> summary.append("FAILED: ").append(failure).append('\n'));
     write("summary.txt", summary.toString());
@@ -232,29 +204,11 @@ final class ChaosRun {
 
   /** Waits until every service runs exactly once; otherwise what is wrong. */
   private Optional<String> allWell(double withinS) throws InterruptedException {
-    return await(withinS, () -> wrong().isEmpty()) ? Optional.empty() : wrong();
+    return patience.await(withinS, () -> wrong().isEmpty()) ? Optional.empty() : wrong();
   }
 
   private Optional<String> wrong() {
     return services.values().stream().flatMap(name -> watch.wrongWith(name).stream()).findFirst();
-  }
-
-  /** A condition to wait for. */
-  private interface Truth {
-    boolean holds();
-  }
-
-  private boolean await(double withinS, Truth truth) throws InterruptedException {
-    long deadline = clock.micros() + Clock.micros(withinS);
-    try (Clock.Waiter waiter = clock.newWaiter("chaos-await")) {
-      while (!truth.holds()) {
-        if (clock.micros() > deadline) {
-          return false;
-        }
-        waiter.await(clock.micros() + Clock.micros(LOOK_EVERY_S));
-      }
-    }
-    return true;
   }
 
   private void write(String name, String text) throws IOException {

@@ -11,7 +11,9 @@ import org.u2sa.interfaces.Clock;
  * Watches the true flight, on a thread of its own: nothing that is broken may cost the aircraft.
  */
 final class FlightJudge implements AutoCloseable {
-  private static final double AIRBORNE_M = 150.0;
+  private static final double AIRBORNE_M = 400.0; // the mission's legs are at 450 m
+  private static final double SAFE_M = 250.0;
+  private static final double UPRIGHT_RAD = Math.toRadians(40.0);
   private static final double LOWEST_M = 60.0;
   private static final double SLOWEST_MPS = 26.0; // stall at 1.0 g, flaps up: 24.5 m/s
   private static final double STEEPEST_RAD = Math.toRadians(60.0);
@@ -86,6 +88,12 @@ final class FlightJudge implements AutoCloseable {
 
   synchronized boolean isAirborne() {
     return airborne;
+  }
+
+  /** Whether the aircraft is where the next mishap cannot bring it down. */
+  boolean isSafe() {
+    OutLine truth = vehicle.truth();
+    return truth.get(OutField.HEIGHT) > SAFE_M && Math.abs(truth.get(OutField.ROLL)) < UPRIGHT_RAD;
   }
 
   /** What the aircraft must not do and did. */
