@@ -26,6 +26,7 @@ final class NetworkFlight implements AutoCloseable {
 
   /** Also over a slow link and on a busy machine. */
   private static final Duration ANSWERED_WITHIN = Duration.ofSeconds(3);
+
   /** In which a second answer of the same service would come. */
   private static final double SETTLED_S = 0.2;
 
