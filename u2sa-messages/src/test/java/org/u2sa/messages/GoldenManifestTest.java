@@ -31,7 +31,9 @@ class GoldenManifestTest {
   private static final Map<String, String> RELEASED =
       Map.of(
           "format-1.sha256", "ca28bbd458bf45b247ac4707c4678623b36fc986f5faf5fdfa78f4423fe0d54f",
-          "format-1.zip", "8b0096c3cfbd40dedc53a779b73f3c8845db59e60ecfdb03d6274bc487fd0d84");
+          "format-1.zip", "8b0096c3cfbd40dedc53a779b73f3c8845db59e60ecfdb03d6274bc487fd0d84",
+          "format-2.sha256", "1d6c29438dec7b9166ef38d2a0aa01a690e249007a185b4cfc7e5b68f065dc29",
+          "format-2.zip", "0822c6e50df334efa73f64b28192fcfe37e81b30af5576c66c27ec420c8dd5e8");
 
   /** File names of all frozen formats with their SHA-256. */
   private static Map<String, String> frozen() throws IOException {
