@@ -37,7 +37,7 @@ abstract class CommunicatingService extends ConfiguredService
 
   @Override
   public final boolean registerPublisher(Class<? extends U2SAData> dataType) {
-    return registerPublisher(wiring.channelToPublish(dataType));
+    return registerPublisher(wiring.registrations().channelToPublish(dataType));
   }
 
   /** {@link #registerPublisher(Class)} on the channel of that name (thesis 8.2.3.1). */
@@ -53,12 +53,12 @@ abstract class CommunicatingService extends ConfiguredService
 
   @Override
   public final boolean unregisterPublisher(Class<? extends U2SAData> dataType) {
-    return wiring.unregisterPublisher(wiring.channelToPublish(dataType));
+    return wiring.unregisterPublisher(wiring.registrations().channelToPublish(dataType));
   }
 
   @Override
   public final boolean registerSubscriber(Class<? extends U2SAData> dataType) {
-    return registerSubscriber(wiring.channelToSubscribe(dataType));
+    return registerSubscriber(wiring.registrations().channelToSubscribe(dataType));
   }
 
   /** {@link #registerSubscriber(Class)} on the channel of that name (thesis 8.2.3.1). */
@@ -80,19 +80,19 @@ abstract class CommunicatingService extends ConfiguredService
    * @param deadlineS age at which a message counts as absent [s], positive
    */
   public final boolean registerSubscriber(Channel<?> channel, double deadlineS) {
-    wiring.deadline(channel, Clock.micros(deadlineS));
+    wiring.registrations().deadline(channel, Clock.micros(deadlineS));
     return registerSubscriber(channel);
   }
 
   @Override
   public final boolean unregisterSubscriber(Class<? extends U2SAData> dataType) {
-    Channel<?> channel = wiring.channelToSubscribe(dataType);
+    Channel<?> channel = wiring.registrations().channelToSubscribe(dataType);
     return attempt("unregistering from " + channel, () -> wiring.unregisterSubscriber(channel));
   }
 
   @Override
   public final boolean publish(U2SAData data) {
-    Optional<Channel<?>> channel = wiring.channelFor(data);
+    Optional<Channel<?>> channel = wiring.registrations().channelFor(data);
     if (channel.isEmpty()) {
       log(
           LogLevelEnum.ERROR,

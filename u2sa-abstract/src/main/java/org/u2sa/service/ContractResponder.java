@@ -86,8 +86,8 @@ final class ContractResponder {
   private FunctionalityResponse functionality() {
     return new FunctionalityResponse()
         .serviceName(service.getServiceName())
-        .publishes(described(wiring.published()))
-        .subscribes(described(wiring.subscribed()));
+        .publishes(described(wiring.registrations().published()))
+        .subscribes(described(wiring.registrations().subscribed()));
   }
 
   private static List<String> described(List<Channel<?>> channels) {

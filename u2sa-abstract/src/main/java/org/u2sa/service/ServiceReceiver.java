@@ -47,10 +47,10 @@ final class ServiceReceiver implements Receiver {
     Served now = served;
     if (now.present.contract().isOrderToStop(message)) {
       now.present.askToStop();
-    } else if (now.present.wiring().isSubscribed(channel)
+    } else if (now.present.wiring().registrations().isSubscribed(channel)
         || now.present.contract().concerns(message)) {
       put(now.present, channel, message);
-    } else if (now.next != null && now.next.wiring().isSubscribed(channel)) {
+    } else if (now.next != null && now.next.wiring().registrations().isSubscribed(channel)) {
       put(now.next, channel, message);
     }
   }

@@ -1,11 +1,8 @@
 package org.u2sa.service;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
@@ -17,12 +14,9 @@ import org.u2sa.messages.U2SAData;
 
 /** A service's side of its communication: the connection and what was registered on it. */
 final class ServiceWiring {
-  private final ServiceRole role;
+  private final Registrations registrations;
   private final Transport transport;
   private final String serviceName;
-  private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
-  private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
-  private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
   private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on the predecessor's
   private ServiceReceiver receiver; // the connection's
   private volatile Connection connection; // open or null; written under this
@@ -36,7 +30,7 @@ final class ServiceWiring {
 
   ServiceWiring(
       ServiceContext context, ServiceRole role, String serviceName, ServiceReceiver receiver) {
-    this.role = role;
+    registrations = new Registrations(role);
     this.serviceName = serviceName;
     this.receiver = receiver;
     staged = context.predecessor().isPresent();
@@ -109,6 +103,11 @@ final class ServiceWiring {
     return Optional.ofNullable(instance);
   }
 
+  /** What the service publishes and hears. */
+  Registrations registrations() {
+    return registrations;
+  }
+
   /** What was published so far. */
   PublishedData data() {
     return data;
@@ -116,62 +115,23 @@ final class ServiceWiring {
 
   boolean registerPublisher(Channel<?> channel) {
     begin();
-    if (!published.contains(channel)) {
-      published.add(channel);
-    }
+    registrations.publish(channel);
     return true;
   }
 
   boolean unregisterPublisher(Channel<?> channel) {
-    return published.remove(channel);
+    return registrations.published().remove(channel);
   }
 
   synchronized boolean registerSubscriber(Channel<?> channel) {
-    if (!subscribed.contains(channel)) {
-      subscribed.add(channel);
-    }
+    registrations.subscribe(channel);
     return staged || connection().subscribe(channel);
   }
 
   boolean unregisterSubscriber(Channel<?> channel) {
     boolean contract = ContractResponder.CHANNELS.contains(channel);
-    return subscribed.remove(channel) && (contract || staged || connection().unsubscribe(channel));
-  }
-
-  /** Sets the age at which the channel's messages count as absent [µs]. */
-  void deadline(Channel<?> channel, long micros) {
-    deadlinesMicros.put(channel, micros);
-  }
-
-  /** {@link #deadline}; {@link Clock#NEVER} if the service's author set none. */
-  long deadlineMicros(Channel<?> channel) {
-    return deadlinesMicros.getOrDefault(channel, Clock.NEVER);
-  }
-
-  /** Whether the service's author asked for the channel. */
-  boolean isSubscribed(Channel<?> channel) {
-    return subscribed.contains(channel);
-  }
-
-  List<Channel<?>> published() {
-    return published;
-  }
-
-  List<Channel<?>> subscribed() {
-    return subscribed;
-  }
-
-  /** The registered channel on which the message goes out; the one with the nearest type wins. */
-  Optional<Channel<?>> channelFor(U2SAData data) {
-    return RoleChannels.nearest(published, data);
-  }
-
-  Channel<?> channelToPublish(Class<? extends U2SAData> dataType) {
-    return RoleChannels.toPublish(role, dataType);
-  }
-
-  Channel<?> channelToSubscribe(Class<? extends U2SAData> dataType) {
-    return RoleChannels.toSubscribe(role, dataType);
+    return registrations.subscribed().remove(channel)
+        && (contract || staged || connection().unsubscribe(channel));
   }
 
   /**
@@ -180,8 +140,8 @@ final class ServiceWiring {
    */
   void prepare(ServiceWiring old, U2SAService service) {
     old.receiver().prepare(service);
-    for (Channel<?> channel : subscribed) {
-      if (!old.listensTo(channel)) {
+    for (Channel<?> channel : registrations.subscribed()) {
+      if (!old.registrations.listensTo(channel)) {
         prepared.add(channel);
         old.connection().subscribe(channel);
       }
@@ -219,8 +179,8 @@ final class ServiceWiring {
     connection = open;
     receiver = its;
     staged = false;
-    for (Channel<?> channel : subscribed) {
-      if (!old.listensTo(channel) && !prepared.contains(channel)) {
+    for (Channel<?> channel : registrations.subscribed()) {
+      if (!old.registrations.listensTo(channel) && !prepared.contains(channel)) {
         open.subscribe(channel); // registered late, while it took over
       }
     }
@@ -229,18 +189,14 @@ final class ServiceWiring {
 
   /** Ends what the predecessor had subscribed to and this service has not. */
   void dropSubscriptionsOnlyOf(ServiceWiring old) {
-    old.subscribed.forEach(this::unsubscribeUnlessNeeded);
+    old.registrations.subscribed().forEach(this::unsubscribeUnlessNeeded);
   }
 
   private synchronized void unsubscribeUnlessNeeded(Channel<?> channel) {
     Connection open = connection;
-    if (open != null && !listensTo(channel)) {
+    if (open != null && !registrations.listensTo(channel)) {
       open.unsubscribe(channel);
     }
-  }
-
-  private boolean listensTo(Channel<?> channel) {
-    return subscribed.contains(channel) || ContractResponder.CHANNELS.contains(channel);
   }
 
   /** What the connection calls with messages. */

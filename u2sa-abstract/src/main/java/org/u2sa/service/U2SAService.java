@@ -116,7 +116,7 @@ public abstract class U2SAService extends ReplaceableService {
               configurationChanged(changed);
             }
           }
-          if (wiring().isSubscribed(delivery.channel()) && isInTime(delivery)) {
+          if (wiring().registrations().isSubscribed(delivery.channel()) && isInTime(delivery)) {
             callback(message);
           }
         });
@@ -124,7 +124,7 @@ public abstract class U2SAService extends ReplaceableService {
 
   /** Whether a message has not outlived the deadline that the author set; otherwise counts it. */
   private boolean isInTime(ServiceInbox.Delivery delivery) {
-    long deadlineMicros = wiring().deadlineMicros(delivery.channel());
+    long deadlineMicros = wiring().registrations().deadlineMicros(delivery.channel());
     if (deadlineMicros == Clock.NEVER) {
       return true;
     }

@@ -24,15 +24,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
-import org.u2sa.interfaces.communication.Gaps;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.MalformedMessageException;
 import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.U2SAData;
 
 /**
  * Moquette in this process, joined to the direct path: what comes from elsewhere goes onto the bus,
@@ -40,14 +34,12 @@ import org.u2sa.messages.U2SAData;
  */
 final class EmbeddedBroker implements AutoCloseable {
   private final LocalBus bus;
-  private final MessageCodec codec;
   private final Consumer<String> log;
   private final InetSocketAddress address;
   private final Server server = new Server();
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final Map<String, Will> wills = new ConcurrentHashMap<>();
-  private final Gaps gaps = new Gaps();
-  private final AtomicLong unreadable = new AtomicLong();
+  private final IncomingCopies incoming;
   private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
   private final OutgoingCopies copies;
   private final BrokerDoor door;
@@ -63,7 +55,7 @@ final class EmbeddedBroker implements AutoCloseable {
     this.door = door;
     this.died = died;
     this.bus = bus;
-    this.codec = codec;
+    incoming = new IncomingCopies(bus, codec, log);
     this.address = address;
     this.log = log;
     copies =
@@ -172,39 +164,6 @@ final class EmbeddedBroker implements AutoCloseable {
     door.close();
   }
 
-  private void deliver(String topicName, byte[] payload) {
-    try {
-      Topic topic = Topic.parse(topicName);
-      if (!topic.systemId().equals(bus.systemId())) {
-        return; // another vehicle on the same broker
-      }
-      Channel<? extends U2SAData> channel = Channels.namedOrNew(topic.channel());
-      U2SAData message = codec.decode(topic.typeChain(), payload);
-      message.freeze();
-      if (!channel.carries(message)) {
-        throw new IllegalArgumentException(
-            "it is not of the channel's type " + channel.type().name());
-      }
-      long missed = gaps.arrived(topicName, message.origin());
-      if (missed > 0) {
-        bus.missed(channel, missed);
-      }
-      bus.deliver(channel, message);
-    } catch (MalformedMessageException | IllegalArgumentException e) {
-      long count = unreadable.incrementAndGet();
-      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
-        log.accept(
-            "a message on "
-                + Refusals.shown(topicName)
-                + " cannot be read: "
-                + Refusals.shown(String.valueOf(e.getMessage()))
-                + " ("
-                + count
-                + " so far)");
-      }
-    }
-  }
-
   /** What a client wants to be said when its connection breaks. */
   private record Will(String topic, byte[] payload) {}
 
@@ -226,7 +185,7 @@ final class EmbeddedBroker implements AutoCloseable {
       ByteBuf payload = message.getPayload();
       door.backlog().out();
       try {
-        deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
+        incoming.deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
       } finally {
         payload.release();
       }
@@ -264,7 +223,7 @@ final class EmbeddedBroker implements AutoCloseable {
       subscriptions.remove(message.getClientID());
       Will will = wills.remove(message.getClientID());
       if (will != null) { // Moquette says it to its clients only
-        deliver(will.topic, will.payload);
+        incoming.deliver(will.topic, will.payload);
       }
     }
   }

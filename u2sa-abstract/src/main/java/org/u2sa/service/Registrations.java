@@ -1,0 +1,77 @@
+package org.u2sa.service;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.messages.U2SAData;
+
+/** The channels that a service publishes on and asked for, whether it is connected or not. */
+final class Registrations {
+  private final ServiceRole role;
+  private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
+  private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
+  private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
+
+  Registrations(ServiceRole role) {
+    this.role = role;
+  }
+
+  List<Channel<?>> published() {
+    return published;
+  }
+
+  List<Channel<?>> subscribed() {
+    return subscribed;
+  }
+
+  /** Adds a channel to publish on, once. */
+  void publish(Channel<?> channel) {
+    if (!published.contains(channel)) {
+      published.add(channel);
+    }
+  }
+
+  /** Adds a channel to hear, once. */
+  void subscribe(Channel<?> channel) {
+    if (!subscribed.contains(channel)) {
+      subscribed.add(channel);
+    }
+  }
+
+  /** Whether the service's author asked for the channel. */
+  boolean isSubscribed(Channel<?> channel) {
+    return subscribed.contains(channel);
+  }
+
+  /** Whether the service hears the channel, for itself or for the service contract. */
+  boolean listensTo(Channel<?> channel) {
+    return isSubscribed(channel) || ContractResponder.CHANNELS.contains(channel);
+  }
+
+  /** Sets the age at which the channel's messages count as absent [µs]. */
+  void deadline(Channel<?> channel, long micros) {
+    deadlinesMicros.put(channel, micros);
+  }
+
+  /** {@link #deadline}; {@link Clock#NEVER} if the service's author set none. */
+  long deadlineMicros(Channel<?> channel) {
+    return deadlinesMicros.getOrDefault(channel, Clock.NEVER);
+  }
+
+  /** The registered channel on which the message goes out; the one with the nearest type wins. */
+  Optional<Channel<?>> channelFor(U2SAData data) {
+    return RoleChannels.nearest(published, data);
+  }
+
+  Channel<?> channelToPublish(Class<? extends U2SAData> dataType) {
+    return RoleChannels.toPublish(role, dataType);
+  }
+
+  Channel<?> channelToSubscribe(Class<? extends U2SAData> dataType) {
+    return RoleChannels.toSubscribe(role, dataType);
+  }
+}
