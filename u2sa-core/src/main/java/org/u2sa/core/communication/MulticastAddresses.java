@@ -24,7 +24,7 @@ final class MulticastAddresses {
     try {
       for (NetworkInterface each : Collections.list(NetworkInterface.getNetworkInterfaces())) {
         if (each.isUp() && (each.supportsMulticast() || each.isLoopback())) {
-          each.inetAddresses()
+          Collections.list(each.getInetAddresses()).stream()
               .filter(Inet4Address.class::isInstance)
               .findFirst()
               .ifPresent((each.isLoopback() ? loopback : networks)::add);
