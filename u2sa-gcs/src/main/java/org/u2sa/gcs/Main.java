@@ -2,11 +2,15 @@ package org.u2sa.gcs;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 
 /** Entry of the program {@code u2sa}. */
 public final class Main {
+  /** Of the MQTT library; held here, as a logger that nobody holds forgets its level. */
+  private static final Logger MQTT = Logger.getLogger("org.eclipse.paho.client.mqttv3");
 
   private Main() {}
 
@@ -14,6 +18,7 @@ public final class Main {
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true);
     PrintWriter err = new PrintWriter(System.err, true);
+    MQTT.setLevel(Level.OFF); // services log each lost link in a line of their own
     System.exit(run(CommandTree.discover(err), out, err, Help.Ansi.AUTO, args));
   }
 
@@ -43,9 +48,7 @@ public final class Main {
     CommandLine line = CommandTree.build(providers, ansi).setOut(out).setErr(err);
     try {
       return line.execute(args);
-    } catch (
-        Error e) { // picocli hands on Errors; a broken installation (LinkageError) deserves a clear
-      // line too
+    } catch (Error e) { // picocli hands it on; a broken installation deserves a clear line, too
       RootCommand root = line.getCommand();
       return new ErrorAnswers(root::debug).answer(e, err);
     } finally {
