@@ -59,8 +59,6 @@ final class Repair {
 
   private void start(
       Channel channel, int port, boolean remove, long nowMicros, BooleanSupplier needed) {
-    String newName =
-        "u2sa-" + channel.direction + "-" + nowMicros; // a name that no run before has left behind
     boolean oursFirst = !remove || attempts % 2 == 1;
     CompletableFuture<String> begun = new CompletableFuture<>();
     work = begun;
@@ -74,11 +72,9 @@ final class Repair {
               begun.complete(NOT_NEEDED);
               return;
             }
-            if (remove) {
-              server.run("remove-io-channel name=" + channel.name); // refused if it is gone already
-            }
+            channel.remove(server, remove);
             String ours = channel.config(address.rateHz(), peerOf(channel, server), port, known);
-            channel.add(server, newName, oursFirst ? List.of(ours, known) : List.of(known, ours));
+            channel.add(server, nowMicros, oursFirst ? List.of(ours, known) : List.of(known, ours));
             begun.complete("");
           } catch (IOException e) {
             begun.complete(e.getMessage());
@@ -130,13 +126,15 @@ final class Repair {
 
   /**
    * One of FlightGear's channels; touched by one repair at a time, and repairs happen one after the
-   * other.
+   * other. The name of what we add is always the same, so that another process finds it again: a
+   * channel that nobody can name keeps its port for ever.
    */
   private static final class Channel {
     private static final int RATE = 3; // place in a configuration
 
     private final String direction;
     private final String protocol;
+    private final String ours;
     private String name;
     private String knownConfig = "";
 
@@ -144,15 +142,29 @@ final class Repair {
       this.direction = direction;
       this.name = name;
       this.protocol = protocol;
+      ours = "u2sa-" + direction;
     }
 
     /** What FlightGear has this channel for: as it was started, or as we added it last. */
     private String askConfig(PropertyServer server) throws IOException {
-      String config = server.get("/io/channels/" + name + "/config");
-      if (config.startsWith("generic,socket," + direction + ",")) {
-        knownConfig = config;
+      for (String each : List.of(ours, name)) {
+        String config = server.get("/io/channels/" + each + "/config");
+        if (config.startsWith("generic,socket," + direction + ",")) {
+          knownConfig = config;
+        }
       }
       return knownConfig;
+    }
+
+    /**
+     * Takes away what a process before us added, and, if wanted, what is there now. FlightGear
+     * refuses what is gone already.
+     */
+    private void remove(PropertyServer server, boolean present) throws IOException {
+      server.run("remove-io-channel name=" + ours);
+      if (present && !name.equals(ours)) {
+        server.run("remove-io-channel name=" + name);
+      }
     }
 
     private String config(int usualRateHz, String host, int port, String known) {
@@ -161,13 +173,15 @@ final class Repair {
           ",", "generic", "socket", direction, rate, host, String.valueOf(port), "tcp", protocol);
     }
 
-    private void add(PropertyServer server, String newName, List<String> configs)
+    private void add(PropertyServer server, long nowMicros, List<String> configs)
         throws IOException {
       for (String config : configs) {
-        if (!config.isEmpty()
-            && server.run("add-io-channel name=" + newName + " config=" + config)) {
-          name = newName;
-          return;
+        for (String each : List.of(ours, ours + "-" + nowMicros)) {
+          if (!config.isEmpty()
+              && server.run("add-io-channel name=" + each + " config=" + config)) {
+            name = each;
+            return;
+          }
         }
       }
       throw new IOException("FlightGear refused to add " + String.join(" and ", configs));

@@ -85,13 +85,36 @@ final class FlightGearRepairTest {
   void somebodyLeftInTheMiddleOfALine_deafFlightGearIsNoticedAndRepaired() throws IOException {
     standIn.start("127.0.0.1", link.outPort());
     readUntil(AircraftReading::connected);
-    try (Socket somebody = new Socket(InetAddress.getLoopbackAddress(), standIn.inPort())) {
-      somebody.getOutputStream().write("0.25\n0.5,0".getBytes(StandardCharsets.US_ASCII));
-    }
-    quickly().until(() -> standIn.told().controls().aileron() == 0.25);
+    deafen(0.25);
     link.write(throttle(0.7));
     awaitTrouble("FlightGear takes no controls");
     awaitThrottle(0.7);
+  }
+
+  @Test
+  void linkOfAnotherProcessAfterRepairs_findsTheChannelsThatTheFirstOneLeft() throws IOException {
+    fly();
+    command("remove-io-channel name=generic-1");
+    awaitTrouble("FlightGear is connected again");
+    command("remove-io-channel name=generic-2");
+    awaitTrouble("FlightGear takes controls again");
+    link.write(throttle(0.7));
+    awaitThrottle(0.7);
+    link.close();
+    deafen(0.5);
+
+    link = new FlightGearLink("127.0.0.1", 0, standIn.inPort(), standIn.propertyPort(), clock);
+    readUntil(AircraftReading::connected);
+    link.write(throttle(0.3));
+
+    awaitThrottle(0.3);
+  }
+
+  private void deafen(double aileron) throws IOException {
+    try (Socket somebody = new Socket(InetAddress.getLoopbackAddress(), standIn.inPort())) {
+      somebody.getOutputStream().write((aileron + "\n0.5,0").getBytes(StandardCharsets.US_ASCII));
+    }
+    quickly().until(() -> standIn.told().controls().aileron() == aileron);
   }
 
   @Test
