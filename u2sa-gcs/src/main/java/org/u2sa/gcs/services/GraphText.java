@@ -2,6 +2,7 @@ package org.u2sa.gcs.services;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.u2sa.gcs.terminal.TextTable;
 
 /** A {@link ServiceGraph} to read, and for Graphviz. */
 final class GraphText {

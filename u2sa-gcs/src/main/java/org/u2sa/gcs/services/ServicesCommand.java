@@ -7,6 +7,7 @@ import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.gcs.terminal.TextTable;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.service.directory.Found;
 import picocli.CommandLine.ArgGroup;
