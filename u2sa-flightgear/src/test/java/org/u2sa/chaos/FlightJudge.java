@@ -16,6 +16,13 @@ final class FlightJudge implements AutoCloseable {
   private static final double UPRIGHT_RAD = Math.toRadians(40.0);
   private static final double LOWEST_M = 60.0;
   private static final double SLOWEST_MPS = 26.0; // stall at 1.0 g, flaps up: 24.5 m/s
+
+  /**
+   * Longest time below that. FlightGear keeps its last controls while the Simulator's process hangs
+   * or is frozen: elevator that belonged to a turn zooms the aircraft until somebody takes over.
+   */
+  private static final double SLOW_AT_MOST_S = 10.0;
+
   private static final double STEEPEST_RAD = Math.toRadians(60.0);
   private static final long EVERY_MICROS = 50_000;
 
@@ -28,6 +35,7 @@ final class FlightJudge implements AutoCloseable {
   private double lowestM = Double.POSITIVE_INFINITY;
   private double slowestMps = Double.POSITIVE_INFINITY;
   private double steepestRad;
+  private double flyingS; // when it was fast enough last
 
   FlightJudge(Vehicle vehicle, Clock clock) {
     this.vehicle = vehicle;
@@ -63,17 +71,20 @@ final class FlightJudge implements AutoCloseable {
             Math.toDegrees(truth.get(OutField.ROLL))));
     airborne |= heightM > AIRBORNE_M;
     if (!airborne) {
+      flyingS = truth.get(OutField.ELAPSED);
       return;
     }
     lowestM = Math.min(lowestM, heightM);
     slowestMps = Math.min(slowestMps, airspeed);
+    double elapsedS = truth.get(OutField.ELAPSED);
+    flyingS = airspeed < SLOWEST_MPS ? flyingS : elapsedS;
     steepestRad = Math.max(steepestRad, bank);
     if (truth.isSet(OutField.CRASHED) || truth.isSet(OutField.WEIGHT_ON_WHEEL)) {
       violation("touched the ground");
     } else if (heightM < LOWEST_M) {
       violation("sank to " + (int) heightM + " m");
-    } else if (airspeed < SLOWEST_MPS) {
-      violation("slowed down to " + (int) airspeed + " m/s");
+    } else if (elapsedS - flyingS > SLOW_AT_MOST_S) {
+      violation("was slow for " + (int) (elapsedS - flyingS) + " s");
     } else if (bank > STEEPEST_RAD) {
       violation("banked " + (int) Math.toDegrees(bank) + " deg");
     }
