@@ -153,11 +153,12 @@ public final class RemoteSystem {
 
   private MqttTransport transport(String id) {
     return new MqttTransport(
-        broker.hostInAddress(),
-        broker.port(),
-        id,
-        new MessageCodec(MessageTypes.discovered()),
-        BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile));
+            broker.hostInAddress(),
+            broker.port(),
+            id,
+            new MessageCodec(MessageTypes.discovered()),
+            BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile))
+        .waiting(timeoutS); // the broker may be starting anew
   }
 
   private String name() {

@@ -94,7 +94,8 @@ final class MqttLink {
           throw new IllegalStateException(e.getCause());
         }
         waitMs = backOff.nextMs();
-        if (clock.micros() + TimeUnit.MILLISECONDS.toMicros(waitMs) > deadline) {
+        if (isRefusal(failure)
+            || clock.micros() + TimeUnit.MILLISECONDS.toMicros(waitMs) > deadline) {
           throw failure;
         }
       } catch (CancellationException | RejectedExecutionException e) {
@@ -104,6 +105,13 @@ final class MqttLink {
         throw new MqttException(e);
       }
     }
+  }
+
+  /** Whether the broker does not want us, which waiting does not change. */
+  private static boolean isRefusal(MqttException failure) {
+    int code = failure.getReasonCode();
+    return code == MqttException.REASON_CODE_FAILED_AUTHENTICATION
+        || code == MqttException.REASON_CODE_NOT_AUTHORIZED;
   }
 
   /** Makes a session unless there is one. Returns whether it made one. */
