@@ -6,6 +6,8 @@ description = "Ground control: command line, reports."
 
 dependencies {
     api(project(":u2sa-core"))
+    api(project(":u2sa-drivers"))
+    api(project(":u2sa-sim"))
     api(libs.picocli)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     api(libs.jackson.core)

@@ -2,12 +2,17 @@ package org.u2sa.core.launch;
 
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.U2SAService;
 
 /** How a system is run: all that its files do not say. */
 public final class LaunchOptions {
@@ -19,6 +24,8 @@ public final class LaunchOptions {
   private boolean supervised;
   private boolean restart;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
+  private final Map<String, Function<ServiceContext, ? extends U2SAService>> makers =
+      new HashMap<>();
 
   /** Sets the time of the run; without it, real time. */
   public LaunchOptions clock(Clock value) {
@@ -64,6 +71,23 @@ public final class LaunchOptions {
   public LaunchOptions override(String service, String variable, Object value) {
     overrides.computeIfAbsent(service, name -> new LinkedHashMap<>()).put(variable, value);
     return this;
+  }
+
+  /**
+   * Sets how services of a class are made, where its constructor {@code (ServiceContext)} does not
+   * know all: a board that a program simulates, a connection that only an Android application can
+   * open. Restarts and swaps to that class go the same way.
+   *
+   * @param serviceClass as it stands in the system file
+   */
+  public <S extends U2SAService> LaunchOptions making(
+      Class<S> serviceClass, Function<ServiceContext, ? extends S> maker) {
+    makers.put(serviceClass.getName(), Objects.requireNonNull(maker, "maker"));
+    return this;
+  }
+
+  Optional<Function<ServiceContext, ? extends U2SAService>> makerOf(String className) {
+    return Optional.ofNullable(makers.get(className));
   }
 
   Clock clock() {

@@ -59,7 +59,7 @@ final class ServiceMaker {
    * @throws org.u2sa.interfaces.communication.CommunicationException if it cannot connect
    */
   U2SAService make(SystemFile.Entry entry, XmlConfiguration configuration) {
-    return make(context(configuration), context -> ServiceFactory.create(entry, context));
+    return make(context(configuration), made(entry));
   }
 
   /**
@@ -68,9 +68,7 @@ final class ServiceMaker {
    * @throws RuntimeException if the class is no service or its constructor refuses
    */
   U2SAService makeAnew(String className, XmlConfiguration configuration) {
-    return make(
-        builder(configuration).restart(true).build(),
-        context -> ServiceFactory.create(className, context));
+    return make(builder(configuration).restart(true).build(), made(className));
   }
 
   /**
@@ -79,13 +77,21 @@ final class ServiceMaker {
    * @throws RuntimeException if the class is no service or its constructor refuses
    */
   U2SAService makeInPlaceOf(U2SAService running, String className, XmlConfiguration configuration) {
-    return make(
-        builder(configuration).inPlaceOf(running).build(),
-        context -> ServiceFactory.create(className, context));
+    return make(builder(configuration).inPlaceOf(running).build(), made(className));
+  }
+
+  private Function<ServiceContext, ? extends U2SAService> made(SystemFile.Entry entry) {
+    return options
+        .makerOf(entry.className())
+        .orElse(context -> ServiceFactory.create(entry, context));
+  }
+
+  private Function<ServiceContext, ? extends U2SAService> made(String className) {
+    return options.makerOf(className).orElse(context -> ServiceFactory.create(className, context));
   }
 
   private static U2SAService make(
-      ServiceContext context, Function<ServiceContext, U2SAService> constructor) {
+      ServiceContext context, Function<ServiceContext, ? extends U2SAService> constructor) {
     try {
       return constructor.apply(context);
     } catch (RuntimeException | Error e) {

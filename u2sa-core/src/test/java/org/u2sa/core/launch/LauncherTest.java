@@ -52,10 +52,17 @@ class LauncherTest {
     }
   }
 
-  /** Another one. */
+  /** Another one, which may be told something that stands in no file. */
   public static final class Bystander extends EventDrivenService {
+    private final String told;
+
     public Bystander(ServiceContext context) {
+      this(context, "");
+    }
+
+    Bystander(ServiceContext context, String told) {
       super(context, ServiceRole.OBSERVER, "Bystander");
+      this.told = told;
     }
 
     @Override
@@ -99,7 +106,11 @@ class LauncherTest {
                     + "\"/></system>"));
     system =
         RunningSystem.start(
-            file, new LaunchOptions().clock(clock).logDirectory(directory.resolve("logs")));
+            file,
+            new LaunchOptions()
+                .clock(clock)
+                .logDirectory(directory.resolve("logs"))
+                .making(Bystander.class, context -> new Bystander(context, "a secret")));
     operator = new Operator(system.contextFor(XmlConfiguration.inMemory("test", Map.of())));
     operator.start();
     clock.advance(0);
@@ -161,6 +172,15 @@ class LauncherTest {
     write("Worker.xml", "");
     assertThat(order("Worker", ServiceAction.START).accepted()).isTrue();
     assertThat(system.services().get(0).isRunning()).isTrue();
+  }
+
+  @Test
+  void restart_serviceWithAMakerOfItsOwn_isMadeByThatEachTime() throws Exception {
+    assertThat(((Bystander) system.services().get(1)).told).isEqualTo("a secret");
+
+    assertThat(order("Bystander", ServiceAction.RESTART).accepted()).isTrue();
+
+    assertThat(((Bystander) system.services().get(1)).told).isEqualTo("a secret");
   }
 
   @Test

@@ -1,0 +1,41 @@
+package org.u2sa.drivers.link;
+
+/**
+ * A two-way stream of bytes to a device: serial line, TCP or UDP, a UART of the IOIO, simulated or
+ * replayed. A device that is not there is a state, not an exception: the link looks for it again by
+ * itself. No call waits for the device.
+ *
+ * <p>One thread reads and writes; {@link #close} may come from any.
+ */
+public interface ByteLink extends AutoCloseable {
+  /**
+   * Takes what has come since the last call.
+   *
+   * @param buffer filled from its beginning
+   * @return the number of bytes; 0 if nothing came or the device is not there. What comes after a
+   *     loss begins at the buffer's beginning: bytes of before and after are never in one answer
+   */
+  int read(byte[] buffer);
+
+  /**
+   * Hands bytes over for sending, all or none.
+   *
+   * @return false if the device is not there or does not take them now; nothing was sent then
+   */
+  boolean write(byte[] bytes);
+
+  /** Whether the device is there. */
+  boolean isConnected();
+
+  /**
+   * How often the device was found so far: a parser that sees another number than before starts
+   * anew, and a device that needs to be set up is set up again.
+   */
+  int connections();
+
+  /** What is wrong, for the log and the health report; empty if nothing. */
+  String trouble();
+
+  @Override
+  void close();
+}
