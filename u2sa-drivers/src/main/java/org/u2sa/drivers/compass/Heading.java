@@ -1,0 +1,10 @@
+package org.u2sa.drivers.compass;
+
+/**
+ * Where a compass's front pointed at one moment.
+ *
+ * @param measuredAtMicros when the bytes came [µs of the run's clock]
+ * @param headingRad clockwise from north [rad], 0…2π
+ * @param isTrue whether north is true north; otherwise magnetic north
+ */
+public record Heading(long measuredAtMicros, double headingRad, boolean isTrue) {}
