@@ -2,6 +2,16 @@ pluginManagement {
     includeBuild("build-logic")
     repositories {
         mavenCentral()
+        google()
+    }
+    // By module, not by marker: not every mirror carries the markers.
+    resolutionStrategy {
+        eachPlugin {
+            when (requested.id.id) {
+                "com.android.application" -> useModule("com.android.tools.build:gradle:8.4.2")
+                "org.jetbrains.kotlin.android" -> useModule("org.jetbrains.kotlin:kotlin-gradle-plugin:2.0.21")
+            }
+        }
     }
 }
 
@@ -9,6 +19,7 @@ dependencyResolutionManagement {
     repositoriesMode.set(RepositoriesMode.FAIL_ON_PROJECT_REPOS)
     repositories {
         mavenCentral()
+        google()
     }
 }
 
@@ -23,3 +34,8 @@ include("u2sa-drivers")
 include("u2sa-gcs")
 include("u2sa-flightgear")
 include("u2sa-bom")
+
+// The phone's application needs an Android SDK; without one, all others build nonetheless.
+if (System.getenv("ANDROID_HOME") != null || file("local.properties").exists()) {
+    include("u2sa-android")
+}

@@ -46,7 +46,7 @@ final class HouseRules {
           "gcs", List.of("messages", "interfaces", "service", "core", "drivers", "sim"),
           "flightgear",
               List.of("messages", "interfaces", "service", "core", "drivers", "sim", "gcs"),
-          "android", List.of("messages", "interfaces", "service", "core", "drivers", "sim", "gcs"));
+          "android", List.of("messages", "interfaces", "service", "core", "drivers"));
 
   /** Calls that read the time of day or of the machine. */
   private static final Map<String, Set<String>> TIME_READERS =

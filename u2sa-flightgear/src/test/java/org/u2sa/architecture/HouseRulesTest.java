@@ -5,7 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.core.importer.Location;
+import com.tngtech.archunit.core.importer.Locations;
 import com.tngtech.archunit.lang.ArchRule;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.HashSet;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
@@ -19,13 +25,21 @@ import org.junit.jupiter.params.provider.MethodSource;
 class HouseRulesTest {
   private JavaClasses house;
 
+  /** No module depends on the application, so it is on no class path: read where it was built. */
+  private static final Path APPLICATION =
+      Paths.get("").toAbsolutePath().resolveSibling("u2sa-android").resolve("target/classes");
+
   @BeforeAll
   void readAllModules() {
+    Set<Location> locations = new HashSet<>(Locations.ofPackage("org.u2sa"));
+    if (Files.isDirectory(APPLICATION)) {
+      locations.add(Location.of(APPLICATION));
+    }
     house =
         new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
             .withImportOption(location -> !location.contains("/test-classes/"))
-            .importPackages("org.u2sa");
+            .importLocations(locations);
   }
 
   @Test

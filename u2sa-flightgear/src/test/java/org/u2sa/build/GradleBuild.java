@@ -18,7 +18,7 @@ import java.util.regex.Pattern;
  */
 final class GradleBuild {
   private static final String BOM = "u2sa-bom";
-  private static final Pattern INCLUDE = Pattern.compile("include\\(\"([^\"]+)\"\\)");
+  private static final Pattern INCLUDE = Pattern.compile("\\s*include\\(\"([^\"]+)\"\\)");
   private static final Pattern TEXT = Pattern.compile("\"([^\"]*)\"");
 
   /** Gradle starts tests with it; Surefire brings its own. */

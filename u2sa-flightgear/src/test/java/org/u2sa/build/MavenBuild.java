@@ -100,6 +100,9 @@ final class MavenBuild {
   private SortedSet<Dependency> declared(Element pom) {
     SortedSet<Dependency> declared = new TreeSet<>();
     for (Element dependency : dependencies(pom)) {
+      if (optional(dependency, "scope").filter("provided"::equals).isPresent()) {
+        continue; // the platform itself: Gradle has it from the Android SDK
+      }
       String name = name(dependency);
       Optional<Element> management = Optional.ofNullable(managed.get(name));
       String version =

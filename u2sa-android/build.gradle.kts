@@ -1,0 +1,37 @@
+plugins {
+    id("com.android.application")
+    id("org.jetbrains.kotlin.android")
+}
+
+description = "The Android application that carries a vehicle's services (thesis 4.6)."
+
+android {
+    namespace = "org.u2sa.android"
+    compileSdk = 34
+    defaultConfig {
+        minSdk = 28
+        targetSdk = 34
+        versionCode = 1
+        versionName = project.version.toString()
+    }
+    compileOptions {
+        sourceCompatibility = JavaVersion.VERSION_17
+        targetCompatibility = JavaVersion.VERSION_17
+    }
+    kotlinOptions {
+        jvmTarget = "17"
+        allWarningsAsErrors = true
+    }
+    packaging {
+        resources {
+            excludes += setOf("META-INF/*.md", "META-INF/LICENSE*", "META-INF/NOTICE*", "META-INF/INDEX.LIST", "META-INF/DEPENDENCIES", "about.html")
+        }
+    }
+}
+
+dependencies {
+    api(project(":u2sa-core"))
+    api(project(":u2sa-drivers"))
+    api(libs.kotlin.stdlib)
+    testImplementation(libs.awaitility)
+}
