@@ -7,6 +7,7 @@ import io.netty.handler.codec.mqtt.MqttConnectMessage;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttMessageType;
 import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -144,6 +145,11 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
         introduce(ctx, packet);
       } else {
         handedOn = desk.examine(ctx, packet);
+        if (packet.fixedHeader().messageType() == MqttMessageType.DISCONNECT) {
+          // MQTT lets a server heed nothing after it (3.14.4): an acknowledgement that Moquette
+          // meets after it has cleared the session up would end its thread.
+          stage = Stage.OUT;
+        }
       }
     } finally {
       if (!handedOn) {

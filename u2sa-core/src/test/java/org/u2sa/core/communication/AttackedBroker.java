@@ -1,5 +1,6 @@
 package org.u2sa.core.communication;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
@@ -104,10 +105,12 @@ final class AttackedBroker implements AutoCloseable {
     soon().until(() -> hasLogged(part));
   }
 
+  /** Fails if the broker had to be started anew: whoever can bring that about can do it again. */
   @Override
   public void close() throws IOException {
     leaveStrangers();
     bus.close();
     manager.close();
+    assertThat(log).noneMatch(line -> line.contains("the broker failed"));
   }
 }

@@ -96,6 +96,18 @@ class BrokerAttackTest {
   }
 
   @Test
+  void acknowledgementAfterGoodbye_harmsNobody() throws IOException {
+    for (int i = 0; i < 8; i++) { // the broker has several threads, chosen by the client's ID
+      RawClient client = broker.stranger().introduced("hasty-" + i);
+      client.subscribe("u2sa/cessna/actuation/#", 1);
+      broker.stranger().introduced("sender-" + i).publish(ACTUATION, COMMAND, 1);
+      client.acknowledgeAfterGoodbye(client.nextMessage());
+      assertThat(client.isPutOut()).isTrue();
+    }
+    broker.servesOn();
+  }
+
+  @Test
   void packetLongerThanAnyMayBe_putsTheClientOut() throws IOException {
     RawClient huge = broker.stranger().introduced("huge");
     huge.send(new byte[] {0x30, (byte) 0xff, (byte) 0xff, (byte) 0xff, 0x7f, 0, 1, 'x'});

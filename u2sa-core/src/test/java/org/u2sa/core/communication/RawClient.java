@@ -16,6 +16,7 @@ final class RawClient implements AutoCloseable {
 
   private final Socket socket;
   private int keepAliveS = 60;
+  private byte[] last = {}; // content of the packet that was read last
 
   RawClient(int port) throws IOException {
     this(new Socket(), port);
@@ -142,8 +143,23 @@ final class RawClient implements AutoCloseable {
       length |= (digit & 0x7f) << shift;
       shift += 7;
     } while (digit > 0x7f);
-    in.readNBytes(length);
+    last = in.readNBytes(length);
     return first;
+  }
+
+  /** Reads a message of QoS 1. Returns its packet's identifier. */
+  int nextMessage() throws IOException {
+    int first = next();
+    if (first >> 4 != 3 || (first >> 1 & 3) != 1) {
+      throw new IOException("no message of QoS 1: " + Integer.toHexString(first));
+    }
+    int topicLength = (last[0] & 0xff) << 8 | last[1] & 0xff;
+    return (last[2 + topicLength] & 0xff) << 8 | last[3 + topicLength] & 0xff;
+  }
+
+  /** Says goodbye and acknowledges a message after it, in one breath. */
+  void acknowledgeAfterGoodbye(int identifier) throws IOException {
+    send(new byte[] {(byte) 0xe0, 0, 0x40, 2, (byte) (identifier >> 8), (byte) identifier});
   }
 
   private static byte[] packet(int type, byte[] content) throws IOException {
