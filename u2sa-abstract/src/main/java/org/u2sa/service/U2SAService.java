@@ -68,6 +68,15 @@ public abstract class U2SAService extends ReplaceableService {
   }
 
   /**
+   * Says in the log, and as the last error in the health report, what is wrong with something that
+   * the service works with, such as a lost device; the service goes on. From any thread.
+   */
+  public final void trouble(String what) {
+    health().error(what);
+    log(LogLevelEnum.WARN, what);
+  }
+
+  /**
    * Takes note that variables were changed from outside, by {@link #setVariable}'s rules: once for
    * all that were changed together. Called on the service's thread.
    *

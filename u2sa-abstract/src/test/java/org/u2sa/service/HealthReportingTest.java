@@ -135,6 +135,19 @@ class HealthReportingTest {
   }
 
   @Test
+  void trouble_ofADevice_isInTheLogAndInTheReport() {
+    Source source = kit.start(context -> new Source(context, 0));
+    source.trouble("the compass is lost");
+    kit.advance(0.25);
+
+    assertThat(last().lastError()).hasValue("the compass is lost");
+    assertThat(last().status()).isEqualTo(ServiceStatus.RUNNING);
+    assertThat(last().exceptions()).isZero();
+    assertThat(kit.log(source.getServiceName()))
+        .anySatisfy(line -> assertThat(line).contains("WARN", "the compass is lost"));
+  }
+
+  @Test
   void overdueHealth_serviceThatReports_isEmpty() {
     Source source = kit.start(context -> new Source(context, 0));
     kit.advance(3.1);

@@ -1,0 +1,104 @@
+package org.u2sa.drivers.link;
+
+import org.u2sa.interfaces.Clock;
+import org.u2sa.service.U2SAService;
+
+/**
+ * Says in a service's log and health report when its device goes, falls silent, sends what cannot
+ * be read, and comes back. Belongs to the service's thread.
+ */
+public final class LinkWatch {
+  private static final long NEVER_HEARD = Long.MIN_VALUE;
+
+  private final U2SAService service;
+  private final String device;
+  private final ByteLink link;
+  private final long silentMicros;
+  private int connections;
+  private boolean wasConnected = true; // so that one that is absent from the start is said, too
+  private boolean wasHeard = true;
+  private long sinceMicros = NEVER_HEARD;
+  private long heardMicros = NEVER_HEARD;
+  private long malformed;
+
+  /**
+   * @param service whose log and health
+   * @param device what it is called there
+   * @param silentAfterS time without anything readable after which a device that is there counts as
+   *     silent [s]
+   */
+  public LinkWatch(U2SAService service, String device, ByteLink link, double silentAfterS) {
+    this.service = service;
+    this.device = device;
+    this.link = link;
+    this.silentMicros = Clock.micros(silentAfterS);
+  }
+
+  /**
+   * Looks after the device; at each step, before reading.
+   *
+   * @return whether it was found anew since the last call: parsers begin anew, and it is set up
+   */
+  public boolean look(long nowMicros) {
+    boolean isConnected = link.isConnected();
+    boolean isNew = link.connections() != connections;
+    connections = link.connections();
+    if (isNew || sinceMicros == NEVER_HEARD) {
+      sinceMicros = nowMicros;
+      heardMicros = NEVER_HEARD;
+    }
+    if (isConnected != wasConnected) {
+      wasConnected = isConnected;
+      if (isConnected) {
+        service.log(device + " is there");
+      } else {
+        service.trouble(device + " is lost: " + link.trouble());
+      }
+    }
+    lookForSilence(nowMicros, isConnected);
+    return isNew;
+  }
+
+  private void lookForSilence(long nowMicros, boolean isConnected) {
+    boolean isSilent = isConnected && nowMicros - lastMicros() > silentMicros;
+    if (isSilent && wasHeard) {
+      wasHeard = false;
+      service.trouble(
+          device + " says nothing readable for more than " + Clock.seconds(silentMicros) + " s");
+    }
+  }
+
+  private long lastMicros() {
+    return Math.max(sinceMicros, heardMicros);
+  }
+
+  /** Takes note that the device said something readable. */
+  public void heard(long nowMicros) {
+    heardMicros = nowMicros;
+    if (!wasHeard) {
+      wasHeard = true;
+      service.log(device + " speaks again");
+    }
+  }
+
+  /** Whether the device is there and said something readable lately. */
+  public boolean isHeard(long nowMicros) {
+    return wasConnected
+        && heardMicros != NEVER_HEARD
+        && nowMicros - heardMicros <= silentMicros
+        && link.isConnected();
+  }
+
+  /**
+   * Takes note of what could not be read; said at the 1st, 2nd, 4th, 8th, …: a flood does not fill
+   * the log.
+   *
+   * @param total since the start
+   */
+  public void malformed(long total) {
+    if (Long.highestOneBit(total) > Long.highestOneBit(malformed)) {
+      service.trouble(device + " sent what cannot be read (" + total + " times so far)");
+    }
+    malformed = total;
+  }
+}
