@@ -1,5 +1,7 @@
 package org.u2sa.core.communication;
 
+import static java.util.concurrent.TimeUnit.SECONDS;
+
 import io.moquette.broker.Server;
 import io.netty.channel.Channel;
 import io.netty.channel.EventLoop;
@@ -9,8 +11,8 @@ import io.netty.channel.SingleThreadEventLoop;
 import io.netty.util.concurrent.EventExecutor;
 import java.lang.reflect.Field;
 import java.util.Iterator;
+import java.util.List;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
 import org.u2sa.interfaces.communication.CommunicationException;
 
 /**
@@ -19,6 +21,8 @@ import org.u2sa.interfaces.communication.CommunicationException;
  * connects before the door hangs has no pass and is not let in.
  */
 final class DoorFrame {
+  private static final long END_WITHIN_S = 5;
+
   private DoorFrame() {}
 
   static void hang(BrokerDoor door, Server server) {
@@ -40,6 +44,21 @@ final class DoorFrame {
     }
   }
 
+  /**
+   * Ends the network threads. Moquette would do it too, but wait for two seconds in which nothing
+   * happens any more: what clients are owed was sent before.
+   */
+  static void takeDown(Server server) {
+    try {
+      Object acceptor = field(server, "acceptor");
+      for (String group : List.of("bossGroup", "workerGroup")) {
+        ((EventLoopGroup) field(acceptor, group)).shutdownGracefully(0, END_WITHIN_S, SECONDS);
+      }
+    } catch (ReflectiveOperationException e) {
+      throw new CommunicationException("this version of Moquette cannot be secured: " + e, e);
+    }
+  }
+
   private static Object field(Object owner, String name) throws ReflectiveOperationException {
     Field field = owner.getClass().getDeclaredField(name);
     field.setAccessible(true);
@@ -54,7 +73,7 @@ final class DoorFrame {
       Channel channel = channels.next();
       if (channel instanceof ServerChannel) {
         channel.pipeline().addFirst(door.new Acceptor());
-        loop.scheduleAtFixedRate(door::tidy, 1, 1, TimeUnit.SECONDS);
+        loop.scheduleAtFixedRate(door::tidy, 1, 1, SECONDS);
         hung++;
       }
     }

@@ -160,6 +160,7 @@ final class EmbeddedBroker implements AutoCloseable {
       notTaken.addAndGet(owed);
       log.accept(owed + " messages or more were not taken by remote subscribers before the end");
     }
+    DoorFrame.takeDown(server);
     server.stopServer();
     door.close();
   }
