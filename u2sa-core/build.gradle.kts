@@ -16,6 +16,8 @@ dependencies {
         exclude(group = "io.netty", module = "netty-transport-native-epoll")
     }
     api(libs.jmdns)
+    api(libs.slf4j)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
+    testImplementation(libs.logback)
 }

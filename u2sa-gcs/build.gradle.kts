@@ -9,6 +9,7 @@ dependencies {
     api(project(":u2sa-drivers"))
     api(project(":u2sa-sim"))
     api(libs.picocli)
+    api(libs.logback)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     api(libs.jackson.core)
     api(libs.geographiclib)

@@ -7,7 +7,5 @@ description = "Service contract (thesis 3.2.1) and its default implementations."
 dependencies {
     api(project(":u2sa-messages"))
     api(libs.jackson.xml)
-    api(libs.slf4j)
-    api(libs.logback)
     api(libs.paho)
 }

@@ -55,7 +55,7 @@ class BuildsAgreeTest {
           gradle/libs.versions.toml        | logback = "1                              | logback = "2                              | version only in Gradle: ch.qos.logback:logback-classic = 2
           settings.gradle.kts              | include("u2sa-android")                   | // gone                                   | module only in Maven: u2sa-android
           u2sa-android/build.gradle.kts    | api(libs.kotlin.stdlib)                   | // gone                                   | dependency of u2sa-android only in Maven: org.jetbrains.kotlin:kotlin-stdlib
-          u2sa-interfaces/build.gradle.kts | api(libs.slf4j)                           | runtimeOnly(libs.slf4j)                   | dependency of u2sa-interfaces only in Gradle: org.slf4j:slf4j-api
+          u2sa-core/build.gradle.kts       | api(libs.slf4j)                           | runtimeOnly(libs.slf4j)                   | dependency of u2sa-core only in Gradle: org.slf4j:slf4j-api
           u2sa-interfaces/build.gradle.kts | api(libs.paho)                            | // gone                                   | dependency of u2sa-interfaces only in Maven: org.eclipse.paho
           u2sa-core/pom.xml                | <scope>test</scope>                       | <scope>compile</scope>                    | dependency of u2sa-core only in Maven: org.u2sa:u2sa-abstract:test-fixtures
           u2sa-messages/build.gradle.kts   | module = "jackson-databind"               | module = "jackson-core"                   | without [com.fasterxml.jackson.core:jackson-core]

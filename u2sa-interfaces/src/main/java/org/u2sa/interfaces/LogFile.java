@@ -1,13 +1,8 @@
 package org.u2sa.interfaces;
 
-import ch.qos.logback.classic.Level;
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.LoggerContext;
-import ch.qos.logback.classic.spi.LoggingEvent;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
-import java.time.Instant;
 
 /**
  * The log file of one service (thesis 3.2.1.5, 4.6.1.3, 8.2.3.1): a line has the run's time, level,
@@ -16,14 +11,9 @@ import java.time.Instant;
  * standard error.
  */
 public final class LogFile implements AutoCloseable {
-  private static final long MICROS_PER_SECOND = 1_000_000L;
-  private static final long NANOS_PER_MICRO = 1_000L;
-
   private final LogLevelEnum lowest;
   private final Clock clock;
-  private final LoggerContext context = new LoggerContext();
-  private final Logger logger;
-  private final LogLineAppender appender;
+  private final LogLineWriter lines;
 
   /**
    * Appends to {@code file}; makes it and its folder if need be.
@@ -48,16 +38,11 @@ public final class LogFile implements AutoCloseable {
       LogLevelEnum lowest,
       Clock clock,
       PrintStream complaints,
-      LogLineAppender.Opener opener) {
+      LogLineWriter.Opener opener) {
     this.lowest = lowest;
     this.clock = clock;
-    appender = new LogLineAppender(file, serviceName, complaints, opener);
-    appender.setContext(context);
-    appender.start();
-    logger = context.getLogger(serviceName.isEmpty() ? "service" : serviceName);
-    logger.setLevel(Level.TRACE);
-    logger.setAdditive(false);
-    logger.addAppender(appender);
+    lines = new LogLineWriter(file, serviceName, complaints, opener);
+    lines.start();
   }
 
   /** Writes a line, unless {@code level} is below the lowest that is written. */
@@ -71,17 +56,9 @@ public final class LogFile implements AutoCloseable {
    * @param thrown what went wrong, or null
    */
   public void log(LogLevelEnum level, String message, Throwable thrown) {
-    if (!writes(level)) {
-      return;
+    if (writes(level)) {
+      lines.write(clock.micros(), level, message, thrown);
     }
-    LoggingEvent event =
-        new LoggingEvent(LogFile.class.getName(), logger, logback(level), message, thrown, null);
-    long micros = clock.micros();
-    event.setInstant(
-        Instant.ofEpochSecond(
-            Math.floorDiv(micros, MICROS_PER_SECOND),
-            Math.floorMod(micros, MICROS_PER_SECOND) * NANOS_PER_MICRO));
-    logger.callAppenders(event);
   }
 
   /** Whether lines of this level are written: spares the making of costly messages. */
@@ -91,25 +68,12 @@ public final class LogFile implements AutoCloseable {
 
   /** How many lines could not be written. */
   public long failures() {
-    return appender.failures();
+    return lines.failures();
   }
 
   /** Closes the file; later lines are dropped. Safe to call twice. */
   @Override
   public void close() {
-    context.stop();
-  }
-
-  private static Level logback(LogLevelEnum level) {
-    switch (level) {
-      case DEBUG:
-        return Level.DEBUG;
-      case INFO:
-        return Level.INFO;
-      case WARN:
-        return Level.WARN;
-      default:
-        return Level.ERROR;
-    }
+    lines.close();
   }
 }

@@ -1,25 +1,30 @@
 package org.u2sa.interfaces;
 
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.classic.spi.ThrowableProxyUtil;
-import ch.qos.logback.core.AppenderBase;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
+import java.util.regex.Pattern;
 
 /**
- * Writes each event as a line, with one system call, by the thread that logs. Logback's own file
- * appender drops lines uncounted for a while after a failure; this one tries, and counts, each.
+ * Writes each line with one system call, by the thread that logs. No logging library stands
+ * between: Logback's file appender drops lines uncounted for a while after a failure, and on a
+ * phone it is another library of other methods.
  */
-final class LogLineAppender extends AppenderBase<ILoggingEvent> {
+final class LogLineWriter implements AutoCloseable {
+  private static final long MICROS_PER_SECOND = 1_000_000L;
+  private static final long NANOS_PER_MICRO = 1_000L;
   private static final DateTimeFormatter TIMESTAMP =
       DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSSSSS'Z'").withZone(ZoneOffset.UTC);
   private static final String SEPARATOR = " | ";
+  private static final Pattern LINE_END = Pattern.compile("\\R");
   private static final String NEXT_LINE = "\n    ";
 
   /** Opens a file for writing at its end, unbuffered; makes it if it is not there. */
@@ -36,28 +41,29 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
   private long lost; // lines since the last one that was written
   private long failures;
   private boolean said;
+  private boolean closed;
 
-  LogLineAppender(Path file, String serviceName, PrintStream complaints, Opener opener) {
+  LogLineWriter(Path file, String serviceName, PrintStream complaints, Opener opener) {
     this.opener = opener;
     this.complaints = complaints;
     this.file = file;
     this.serviceName = serviceName;
-    setName(serviceName);
   }
 
-  @Override
-  public void start() {
+  /** Opens the file. One that cannot be opened now may become writable: each line tries again. */
+  synchronized void start() {
     try {
       open();
     } catch (IOException e) {
-      sayOnce(e); // the file may yet become writable: each line tries again
+      sayOnce(e);
     }
-    super.start();
   }
 
-  // AppenderBase calls this under its lock.
-  @Override
-  protected void append(ILoggingEvent event) {
+  /** Writes a line, unless closed. */
+  synchronized void write(long micros, LogLevelEnum level, String message, Throwable thrown) {
+    if (closed) {
+      return;
+    }
     try {
       if (out == null || !Files.exists(file)) {
         open();
@@ -66,11 +72,11 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
       if (lost > 0) {
         line(
             text,
-            event,
-            "WARN",
+            micros,
+            LogLevelEnum.WARN,
             lost + (lost == 1 ? " line" : " lines") + " before this one could not be written");
       }
-      line(text, event, event.getLevel().toString(), message(event));
+      line(text, micros, level, message(message, thrown));
       out.write(text.toString().getBytes(StandardCharsets.UTF_8));
       lineBroken = false;
       lost = 0;
@@ -83,8 +89,8 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
   }
 
   @Override
-  public synchronized void stop() {
-    super.stop();
+  public synchronized void close() {
+    closed = true;
     try {
       if (out != null) {
         out.close();
@@ -111,20 +117,26 @@ final class LogLineAppender extends AppenderBase<ILoggingEvent> {
     out = opener.append(file);
   }
 
-  private void line(StringBuilder text, ILoggingEvent event, String level, String message) {
-    text.append(TIMESTAMP.format(event.getInstant())).append(SEPARATOR);
+  private void line(StringBuilder text, long micros, LogLevelEnum level, String message) {
+    Instant time =
+        Instant.ofEpochSecond(
+            Math.floorDiv(micros, MICROS_PER_SECOND),
+            Math.floorMod(micros, MICROS_PER_SECOND) * NANOS_PER_MICRO);
+    text.append(TIMESTAMP.format(time)).append(SEPARATOR);
     text.append(level).append(SEPARATOR);
     text.append(serviceName).append(SEPARATOR);
     text.append(Thread.currentThread().getId()).append(SEPARATOR);
     text.append(message).append('\n');
   }
 
-  private static String message(ILoggingEvent event) {
-    String message = String.valueOf(event.getMessage());
-    if (event.getThrowableProxy() != null) {
-      message += "\n" + ThrowableProxyUtil.asString(event.getThrowableProxy()).trim();
+  private static String message(String message, Throwable thrown) {
+    String text = String.valueOf(message);
+    if (thrown != null) {
+      StringWriter trace = new StringWriter();
+      thrown.printStackTrace(new PrintWriter(trace, true));
+      text += "\n" + trace.toString().trim();
     }
-    return message.replaceAll("\\R", NEXT_LINE);
+    return LINE_END.matcher(text).replaceAll(NEXT_LINE);
   }
 
   private void sayOnce(IOException e) {
