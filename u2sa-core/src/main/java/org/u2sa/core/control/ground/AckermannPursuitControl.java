@@ -1,0 +1,77 @@
+package org.u2sa.core.control.ground;
+
+import static org.u2sa.core.control.ground.PursuitVariables.number;
+
+import java.util.Map;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Drives a ground vehicle with steered front wheels along its navigation points by regulated pure
+ * pursuit. In: navigation, state. Out: actuation of throttle (forwards positive) and steering (to
+ * the right positive), once for each state. Without fresh navigation, or without knowing where it
+ * is, the vehicle brakes and stands.
+ */
+public final class AckermannPursuitControl extends PursuitControl {
+  static final Variable<Double> WHEELBASE =
+      number("WHEELBASE", "m", 0.05, 20.0, 0.6, "Distance from the front axle to the rear one.");
+  static final Variable<Double> STEERING_ANGLE =
+      number(
+          "STEERING ANGLE",
+          "deg",
+          1.0,
+          70.0,
+          28.0,
+          "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.");
+  static final Variable<String> THROTTLE =
+      Variable.text("THROTTLE ACTUATOR")
+          .ifAbsent("THROTTLE")
+          .describedAs("Name of the actuator of the drive, forwards positive.");
+  static final Variable<String> STEERING =
+      Variable.text("STEERING ACTUATOR")
+          .ifAbsent("STEERING")
+          .describedAs("Name of the actuator of the steering, to the right positive.");
+
+  private static final double SLOWEST_MPS = 1.0e-3; // slower, the steering stays where it is
+
+  /** Called by the launcher. */
+  public AckermannPursuitControl(ServiceContext context) {
+    super(context);
+    getVariable(THROTTLE); // wrong values must fail before the drive
+    getVariable(STEERING);
+  }
+
+  @Override
+  PursuitSettings settings() {
+    double tightest = Math.tan(steeringAngleRad()) / getVariable(WHEELBASE);
+    return PursuitVariables.settings(this, tightest, PursuitSettings.SpotTurn.NONE);
+  }
+
+  private double steeringAngleRad() {
+    return Math.toRadians(getVariable(STEERING_ANGLE));
+  }
+
+  @Override
+  void command(Drive drive, double trimMps) {
+    double steering = lastShare(getVariable(STEERING));
+    if (drive.speedMps() > SLOWEST_MPS) {
+      double curvature = drive.yawRateRadPerS() / drive.speedMps();
+      // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
+      steering = -Math.atan(getVariable(WHEELBASE) * curvature) / steeringAngleRad();
+    }
+    commandShare(getVariable(THROTTLE), (drive.speedMps() + trimMps) / maxSpeedMps());
+    commandShare(getVariable(STEERING), steering);
+  }
+
+  @Override
+  Drive lastDrive() {
+    double speed = maxSpeedMps() * lastShare(getVariable(THROTTLE));
+    double angle = -steeringAngleRad() * lastShare(getVariable(STEERING));
+    return new Drive(speed, speed * Math.tan(angle) / getVariable(WHEELBASE));
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    return Map.of(getVariable(THROTTLE), 0.0, getVariable(STEERING), 0.0);
+  }
+}

@@ -1,0 +1,67 @@
+package org.u2sa.core.control.ground;
+
+import static org.u2sa.core.control.ground.PursuitVariables.number;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * The control of the thesis's ground vehicle (4.6.2.5), kept to teach from: a proportional
+ * controller for each wheel. In: navigation, state. Out: actuation of the left and the right motor,
+ * once for each state.
+ *
+ * <p>Both wheels follow the distance of the point to go to, up to a limit, and its direction with
+ * opposite signs. It knows no acceleration and no speed over ground: for those see {@link
+ * DifferentialPursuitControl}. Without fresh navigation both wheels stop.
+ */
+public final class DifferentialDriveControl extends GroundControl {
+  static final Variable<Double> DISTANCE_GAIN =
+      number("DISTANCE GAIN", "%/m", 0.0, 1000.0, 60.0, "Both wheels for each metre of distance.");
+  static final Variable<Double> SPEED_LIMIT =
+      number("SPEED LIMIT", "%", 0.0, 100.0, 60.0, "Most of what distance gives both wheels.");
+  static final Variable<Double> HEADING_GAIN =
+      number(
+          "HEADING GAIN",
+          "%/rad",
+          0.0,
+          500.0,
+          45.0,
+          "Each wheel for each radian of direction: right wheel forwards, left wheel backwards, for a point to the left.");
+  static final Variable<Double> TOLERANCE =
+      number("TOLERANCE", "m", 0.01, 10.0, 0.15, "Distance at which both wheels stop.");
+
+  private static final double FULL_PERCENT = 100.0;
+
+  /** Called by the launcher. */
+  public DifferentialDriveControl(ServiceContext context) {
+    super(context);
+    Motors.declare(this);
+    getVariable(DISTANCE_GAIN); // wrong values must fail before the drive
+    getVariable(SPEED_LIMIT);
+    getVariable(HEADING_GAIN);
+    getVariable(TOLERANCE);
+  }
+
+  @Override
+  void drive(Optional<GroundTarget> target, OptionalDouble forwardMps, double stepS) {
+    double ahead = 0.0; // [%]
+    double turn = 0.0;
+    if (target.isPresent() && target.get().distanceM() > getVariable(TOLERANCE)) {
+      double bearing = target.get().bearingRad();
+      ahead =
+          Math.min(getVariable(SPEED_LIMIT), getVariable(DISTANCE_GAIN) * target.get().distanceM())
+              * Math.max(0.0, Math.cos(bearing)); // not away from a point behind
+      turn = getVariable(HEADING_GAIN) * bearing;
+    }
+    commandShare(Motors.left(this), (ahead - turn) / FULL_PERCENT);
+    commandShare(Motors.right(this), (ahead + turn) / FULL_PERCENT);
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    return Motors.neutral(this);
+  }
+}

@@ -1,0 +1,73 @@
+package org.u2sa.core.control.ground;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.core.control.ControlSystem;
+import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * What control systems of ground vehicles have in common: they go to the navigation point as it
+ * lies now, and stand where there is none or the vehicle does not know where it is.
+ */
+abstract class GroundControl extends ControlSystem {
+  private static final double FULL_PERCENT = 100.0;
+
+  private boolean navigating;
+
+  GroundControl(ServiceContext context) {
+    super(context, "Control");
+  }
+
+  /**
+   * Commands the motors. Called once for each state.
+   *
+   * @param target where to go; empty: nowhere, the vehicle is to stop and stand
+   * @param forwardMps measured speed ahead [m/s]; empty if unknown
+   * @param stepS since the call before [s]; 0 for the first one and after a gap
+   */
+  abstract void drive(Optional<GroundTarget> target, OptionalDouble forwardMps, double stepS);
+
+  @Override
+  protected final void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<GroundTarget> target = point.flatMap(given -> target(given, state));
+    if (target.isPresent() != navigating) {
+      navigating = target.isPresent();
+      log(LogLevelEnum.INFO, navigating ? "drives" : "no navigation: stands");
+    }
+    drive(target, forwardMps(state), stepS());
+  }
+
+  private Optional<GroundTarget> target(NavigationPoint point, StateInformation now) {
+    return stateOf(point)
+        .flatMap(
+            then ->
+                nedOf(point).flatMap(ned -> GroundTarget.seenFrom(then, ned, now, point.speed())));
+  }
+
+  private static OptionalDouble forwardMps(StateInformation state) {
+    if (state.xDot().isEmpty() || state.yDot().isEmpty() || state.psi().isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    boolean northFirst = state.referenceFrame().equals(ReferenceFrame.LOCAL_NED);
+    double x = state.xDot().getAsDouble();
+    double y = state.yDot().getAsDouble();
+    double heading = state.psi().getAsDouble();
+    double north = northFirst ? x : y;
+    double east = northFirst ? y : x;
+    return OptionalDouble.of(north * Math.cos(heading) + east * Math.sin(heading));
+  }
+
+  /** Commands an actuator a share of all that it can [−1…1]. */
+  final void commandShare(String actuator, double share) {
+    command(actuator, FULL_PERCENT * share);
+  }
+
+  /** What an actuator was commanded last, by this or the control before [−1…1]; 0 if nothing. */
+  final double lastShare(String actuator) {
+    return lastCommand(actuator).orElse(0.0) / FULL_PERCENT;
+  }
+}

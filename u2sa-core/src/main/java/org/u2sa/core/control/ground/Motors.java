@@ -1,0 +1,36 @@
+package org.u2sa.core.control.ground;
+
+import java.util.Map;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Variable;
+
+/** The names of the two motors of a differential vehicle. */
+final class Motors {
+  static final Variable<String> LEFT =
+      Variable.text("LEFT ACTUATOR")
+          .ifAbsent("LEFT MOTOR")
+          .describedAs("Name of the actuator of the left side, forwards positive.");
+  static final Variable<String> RIGHT =
+      Variable.text("RIGHT ACTUATOR")
+          .ifAbsent("RIGHT MOTOR")
+          .describedAs("Name of the actuator of the right side, forwards positive.");
+
+  private Motors() {}
+
+  static void declare(Configurator configuration) {
+    configuration.getVariable(LEFT);
+    configuration.getVariable(RIGHT);
+  }
+
+  static String left(Configurator configuration) {
+    return configuration.getVariable(LEFT);
+  }
+
+  static String right(Configurator configuration) {
+    return configuration.getVariable(RIGHT);
+  }
+
+  static Map<String, Double> neutral(Configurator configuration) {
+    return Map.of(left(configuration), 0.0, right(configuration), 0.0);
+  }
+}

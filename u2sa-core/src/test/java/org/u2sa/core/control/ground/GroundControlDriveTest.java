@@ -1,0 +1,131 @@
+package org.u2sa.core.control.ground;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.control.ControlSystem;
+import org.u2sa.service.ServiceContext;
+
+/** The controls of ground vehicles behind the real planner, over corners of 90 and 135 degrees. */
+class GroundControlDriveTest {
+  private static final double[][] CORNERS = {{20, 0}, {20, 15}, {5, 15}, {15, 30}, {-5, 20}};
+  private static final Map<String, Object> PLANNER =
+      Map.of("LOOK AHEAD", 1.2, "LOOK AHEAD TIME", 1.2, "AT END", "HOLD");
+  private static final double COMPASS_ERROR_RAD = Math.toRadians(2.0);
+  private static final double THRESHOLD_M = 0.5;
+  private static final double DRIVEN_WITHIN_S = 200.0;
+
+  @TempDir private Path directory;
+
+  private RoverDrive differential(Function<ServiceContext, ? extends ControlSystem> control) {
+    return new RoverDrive(
+        new KinematicRover(KinematicRover.differential(), COMPASS_ERROR_RAD),
+        RoverDrive.mission(directory, THRESHOLD_M, CORNERS),
+        PLANNER,
+        control,
+        Map.of());
+  }
+
+  private static void requireAllWithin(RoverDrive drive, double missM) {
+    assertThat(drive.until(drive::isMissionOver, DRIVEN_WITHIN_S)).isTrue();
+    for (double[] corner : CORNERS) {
+      assertThat(drive.missM(corner)).as("%.0f, %.0f", corner[0], corner[1]).isLessThan(missM);
+    }
+  }
+
+  private static void requireStanding(RoverDrive drive, double forS) {
+    drive.track.clear();
+    drive.until(() -> false, forS);
+    assertThat(drive.track).allSatisfy(s -> assertThat(Math.abs(s.speed())).isLessThan(1.0e-3));
+  }
+
+  @Test
+  void pursuit_fiveCorners_capturesAllStaysOnTheStraightsAndStandsAtTheLast() {
+    try (RoverDrive drive = differential(DifferentialPursuitControl::new)) {
+      drive.rover.heading = Math.toRadians(170.0); // the first waypoint is behind
+      requireAllWithin(drive, THRESHOLD_M);
+      assertThat(drive.crossTrackRmsM(2.0, CORNERS)).isLessThan(0.1);
+
+      drive.until(() -> false, 10.0); // to the last waypoint itself
+      requireStanding(drive, 20.0);
+      assertThat(drive.missM(CORNERS[4])).isLessThan(0.2);
+    }
+  }
+
+  @Test
+  void proportional_fiveCorners_capturesAll() {
+    try (RoverDrive drive = differential(DifferentialDriveControl::new)) {
+      requireAllWithin(drive, 2.0 * THRESHOLD_M); // it does not slow down to turn
+      assertThat(drive.crossTrackRmsM(2.0, CORNERS)).isLessThan(0.5);
+    }
+  }
+
+  @Test
+  void ackermann_fiveCorners_capturesAll() {
+    Map<String, Object> planner = new HashMap<>(PLANNER);
+    planner.put("LOOK AHEAD", 1.5);
+    planner.put("TURN ACCELERATION", 1.0);
+    planner.put("TURN LAG", 0.3);
+    planner.put("AT END", "STOP");
+    try (RoverDrive drive =
+        new RoverDrive(
+            new KinematicRover(KinematicRover.ackermann(), COMPASS_ERROR_RAD),
+            RoverDrive.mission(directory, 1.0, CORNERS),
+            planner,
+            AckermannPursuitControl::new,
+            Map.of("MAX SPEED", 3.0, "CRUISE SPEED", 1.2))) {
+      requireAllWithin(drive, 1.0);
+      assertThat(drive.crossTrackRmsM(4.0, CORNERS)).isLessThan(0.4); // it swings out at corners
+
+      drive.until(() -> false, 3.0);
+      requireStanding(drive, 5.0);
+    }
+  }
+
+  @Test
+  void position_lost_brakesAtOnceAndGoesOnWhenItIsBack() {
+    try (RoverDrive drive = differential(DifferentialPursuitControl::new)) {
+      drive.until(() -> false, 8.0);
+      assertThat(drive.rover.speed).isGreaterThan(0.9);
+      double lostAtM = drive.rover.north;
+      drive.measures = false;
+      drive.until(() -> false, 2.5);
+      assertThat(drive.rover.north - lostAtM).isLessThan(1.0); // v²/2a and the motors' lag
+      requireStanding(drive, 5.0);
+
+      drive.measures = true;
+      assertThat(drive.until(drive::isMissionOver, DRIVEN_WITHIN_S)).isTrue();
+    }
+  }
+
+  @Test
+  void swap_betweenTheControlsWhileDriving_staysOnTheLineWithoutAJerk() {
+    try (RoverDrive drive = differential(DifferentialPursuitControl::new)) {
+      drive.until(() -> drive.goalsDone() == 1, 60.0);
+      drive.until(() -> false, 8.0); // on the second leg, along east
+      for (int swaps = 0; swaps < 3; swaps++) {
+        drive.swap(DifferentialDriveControl::new);
+        requireSteady(drive);
+        drive.swap(DifferentialPursuitControl::new);
+        requireSteady(drive);
+      }
+      requireAllWithin(drive, THRESHOLD_M);
+    }
+  }
+
+  private static void requireSteady(RoverDrive drive) {
+    double left = drive.percent("LEFT MOTOR");
+    double right = drive.percent("RIGHT MOTOR");
+    drive.until(() -> false, 0.1);
+    assertThat(drive.percent("LEFT MOTOR")).isBetween(left - 12.0, left + 12.0);
+    assertThat(drive.percent("RIGHT MOTOR")).isBetween(right - 12.0, right + 12.0);
+    drive.until(() -> false, 0.9);
+    assertThat(drive.rover.north).isBetween(19.7, 20.3);
+    assertThat(drive.rover.speed).isGreaterThan(0.6);
+  }
+}
