@@ -1,0 +1,177 @@
+package org.u2sa.drivers.motor;
+
+import java.util.OptionalDouble;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.interfaces.Clock;
+
+/**
+ * A RoboClaw on a serial line, in packet serial mode (RoboClaw Series User Manual, Basicmicro). One
+ * question at a time; duty cycles and questions for the encoders take turns.
+ *
+ * <p>It is told to stop by itself when it hears nothing for the serial time-out. Until it has
+ * acknowledged that, it is told duty 0 only: also if only its answers are lost.
+ */
+final class RoboClaw implements MotorController {
+  private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.06); // USB adapters take 0.016 s
+  // A packet with a pause of 10 ms in it is discarded ("Packet Timeout"): so both begin anew.
+  private static final long QUIET_MICROS = Clock.micros(0.02);
+  private static final long LOST_AFTER_MICROS = Clock.micros(0.5);
+  private static final int BATTERY_EVERY = 100; // questions
+  private static final double BATTERY_STEP_V = 0.1;
+
+  private final ByteLink link;
+  private final int address;
+  private final double serialTimeoutS;
+  private final byte[] received = new byte[64];
+  private final byte[] reply = new byte[64];
+  private int replyLength;
+  private RoboClawRequest asked; // null: no answer is due
+  private long askedMicros;
+  private long quietUntilMicros;
+  private long heardMicros;
+  private int connections;
+  private boolean isSetUp;
+  private int turn;
+  private double first;
+  private double second;
+  private Reading reading = new Reading(false, 0, 0, 0, OptionalDouble.empty());
+  private long malformed;
+
+  /**
+   * @param address 0x80…0x87, as set at the controller
+   * @param serialTimeoutS after which it stops by itself without hearing anything [s], 0.1…25.5
+   */
+  RoboClaw(ByteLink link, int address, double serialTimeoutS) {
+    this.link = link;
+    this.address = address;
+    this.serialTimeoutS = serialTimeoutS;
+  }
+
+  @Override
+  public Reading read(long nowMicros) {
+    if (link.connections() != connections || !link.isConnected()) {
+      connections = link.connections();
+      giveUp(nowMicros, 0);
+      lost();
+    }
+    hear(nowMicros);
+    if (asked != null && nowMicros - askedMicros > ANSWER_WITHIN_MICROS) {
+      malformed++;
+      giveUp(nowMicros, QUIET_MICROS);
+    }
+    if (nowMicros - heardMicros > LOST_AFTER_MICROS) {
+      lost();
+    }
+    if (asked == null && nowMicros >= quietUntilMicros) {
+      ask(next(), nowMicros);
+    }
+    return reading;
+  }
+
+  private void hear(long nowMicros) {
+    int count;
+    while ((count = link.read(received)) > 0) {
+      if (asked == null || replyLength + count > reply.length) {
+        replyLength = reply.length; // nothing was asked, or too much came
+      } else {
+        System.arraycopy(received, 0, reply, replyLength, count);
+        replyLength += count;
+      }
+    }
+    if (asked == null) {
+      replyLength = 0; // answers to what was given up, or noise
+    } else if (replyLength >= asked.replyLength()) {
+      if (asked.isAnsweredBy(address, reply, replyLength)) {
+        answered(nowMicros);
+      } else {
+        malformed++;
+        giveUp(nowMicros, QUIET_MICROS);
+      }
+    }
+  }
+
+  private void answered(long nowMicros) {
+    RoboClawRequest request = asked;
+    giveUp(nowMicros, 0);
+    heardMicros = nowMicros;
+    if (request.isSerialTimeout()) {
+      isSetUp = true;
+    } else if (request.isEncoders()) {
+      reading =
+          new Reading(
+              isSetUp,
+              askedMicros,
+              RoboClawRequest.signed32(reply, 0),
+              RoboClawRequest.signed32(reply, 4),
+              reading.batteryV());
+    } else if (request.isBattery()) {
+      double volts = RoboClawRequest.unsigned16(reply, 0) * BATTERY_STEP_V;
+      reading = withBattery(OptionalDouble.of(volts));
+    }
+  }
+
+  private Reading withBattery(OptionalDouble volts) {
+    return new Reading(
+        reading.connected(),
+        reading.measuredAtMicros(),
+        reading.firstCounts(),
+        reading.secondCounts(),
+        volts);
+  }
+
+  private void lost() {
+    isSetUp = false; // it may have been without power
+    reading = new Reading(false, 0, 0, 0, OptionalDouble.empty());
+  }
+
+  private void giveUp(long nowMicros, long quietMicros) {
+    asked = null;
+    replyLength = 0;
+    quietUntilMicros = nowMicros + quietMicros;
+  }
+
+  private RoboClawRequest next() {
+    turn++;
+    if (turn % 2 == 0) {
+      return isSetUp ? RoboClawRequest.duty(first, second) : RoboClawRequest.duty(0.0, 0.0);
+    }
+    if (!isSetUp) {
+      return RoboClawRequest.serialTimeout(serialTimeoutS);
+    }
+    return turn % BATTERY_EVERY == 1 ? RoboClawRequest.battery() : RoboClawRequest.encoders();
+  }
+
+  private void ask(RoboClawRequest request, long nowMicros) {
+    if (link.write(request.packet(address))) {
+      asked = request;
+      askedMicros = nowMicros;
+    }
+  }
+
+  @Override
+  public void drive(double newFirst, double newSecond) {
+    first = newFirst;
+    second = newSecond;
+  }
+
+  @Override
+  public void stop(long nowMicros) {
+    drive(0.0, 0.0);
+    link.write(RoboClawRequest.duty(0.0, 0.0).packet(address));
+    giveUp(nowMicros, QUIET_MICROS); // whatever it answers now, to this or to what was asked before
+  }
+
+  @Override
+  public long malformed() {
+    return malformed;
+  }
+
+  @Override
+  public void close() {
+    try {
+      link.write(RoboClawRequest.duty(0.0, 0.0).packet(address));
+    } finally {
+      link.close();
+    }
+  }
+}

@@ -1,0 +1,178 @@
+package org.u2sa.drivers.motor;
+
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.LinkWatch;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * The two wheels of a differential vehicle at one motor controller, one service because one serial
+ * line (thesis 4.1.1.5). In: actuation, emergency-stop, arming-state. Out: sensed-state, the
+ * wheels' speeds; power; actuators.
+ *
+ * <p>Both motors are off unless both have a command in time: half of a control system must not turn
+ * the vehicle in circles.
+ */
+public final class WheelMotors extends PeriodicService {
+  private static final double STEPS_PER_S = 100.0;
+  private static final double ANNOUNCE_EVERY_S = 5.0;
+  private static final double BATTERY_EVERY_S = 1.0;
+  private static final double SILENT_AFTER_S = 0.5;
+  private static final double FULL_PERCENT = 100.0;
+
+  private final String leftName;
+  private final String rightName;
+  private final boolean leftIsSecond;
+  private final double leftSign;
+  private final double rightSign;
+  private final double dutyPerPercent;
+  private final CommandedActuators commands;
+  private final SlewLimit leftSlew;
+  private final SlewLimit rightSlew;
+  private final WheelOdometry odometry;
+  private final long stateEveryMicros;
+  private final MotorController controller;
+  private final LinkWatch watch;
+  private long readMicros = -1; // of the last reading used
+  private long stateDueMicros;
+  private double announceDueS;
+  private double batteryDueS;
+
+  /** For controllers whose link the host makes. */
+  public WheelMotors(ServiceContext context, ByteLink link) {
+    super(context, ServiceRole.ACTUATOR, "WheelMotors", STEPS_PER_S);
+    leftName = getVariable(WheelVariables.LEFT_NAME);
+    rightName = getVariable(WheelVariables.RIGHT_NAME);
+    leftIsSecond = getVariable(WheelVariables.LEFT_IS_SECOND);
+    leftSign = getVariable(WheelVariables.LEFT_REVERSED) ? -1.0 : 1.0;
+    rightSign = getVariable(WheelVariables.RIGHT_REVERSED) ? -1.0 : 1.0;
+    dutyPerPercent = getVariable(WheelVariables.FULL_DUTY) / FULL_PERCENT;
+    commands = new CommandedActuators(this, Set.of(leftName, rightName));
+    leftSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
+    rightSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
+    odometry = WheelVariables.odometry(this);
+    stateEveryMicros = Clock.micros(1.0 / getVariable(WheelVariables.STATE_RATE));
+    registerPublisher(Channels.SENSED_STATE);
+    registerPublisher(Channels.POWER);
+    watch = new LinkWatch(this, "the motor controller", link, SILENT_AFTER_S);
+    controller =
+        new RoboClaw(
+            link, getVariable(WheelVariables.ADDRESS), getVariable(WheelVariables.SERIAL_TIMEOUT));
+  }
+
+  private void announce(double nowS) {
+    announce(leftName, "drives the left wheel forward");
+    announce(rightName, "drives the right wheel forward");
+    announceDueS = nowS + ANNOUNCE_EVERY_S;
+  }
+
+  private void announce(String name, String effect) {
+    commands.announce(
+        new ActuatorAnnouncement()
+            .actuatorName(name)
+            .minimum(-FULL_PERCENT)
+            .maximum(FULL_PERCENT)
+            .effect(effect));
+  }
+
+  @Override
+  protected void begin() {
+    controller.stop(clock().micros());
+    announce(nowS());
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof ActuatorCommand command) {
+      commands.obey(command);
+    } else if (!commands.heed(data)) {
+      unexpected(data);
+    } else if (!commands.mayMove()) {
+      rest(clock().micros());
+      controller.stop(clock().micros()); // an emergency stop does not wait for the next step
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    watch.look(now);
+    drive(now);
+    use(controller.read(now), now, nowS);
+    watch.malformed(controller.malformed());
+    if (nowS >= announceDueS) {
+      announce(nowS);
+    }
+  }
+
+  private void drive(long nowMicros) {
+    OptionalDouble left = commands.percentage(leftName);
+    OptionalDouble right = commands.percentage(rightName);
+    if (left.isEmpty() || right.isEmpty()) {
+      rest(nowMicros);
+      controller.drive(0.0, 0.0);
+      return;
+    }
+    double leftDuty = leftSign * dutyPerPercent * leftSlew.towards(left.getAsDouble(), nowMicros);
+    double rightDuty =
+        rightSign * dutyPerPercent * rightSlew.towards(right.getAsDouble(), nowMicros);
+    controller.drive(leftIsSecond ? rightDuty : leftDuty, leftIsSecond ? leftDuty : rightDuty);
+  }
+
+  private void rest(long nowMicros) {
+    leftSlew.rest(nowMicros);
+    rightSlew.rest(nowMicros);
+  }
+
+  private void use(MotorController.Reading reading, long nowMicros, double nowS) {
+    if (!reading.connected()) {
+      odometry.beginAnew();
+      rest(nowMicros); // it comes back from 0, whatever is commanded then
+      return;
+    }
+    if (reading.measuredAtMicros() == readMicros) {
+      return;
+    }
+    readMicros = reading.measuredAtMicros();
+    watch.heard(nowMicros);
+    if (readMicros >= stateDueMicros) {
+      stateDueMicros = readMicros + stateEveryMicros;
+      publishState(reading);
+    }
+    if (nowS >= batteryDueS && reading.batteryV().isPresent()) {
+      batteryDueS = nowS + BATTERY_EVERY_S;
+      publish(
+          Channels.POWER,
+          new BatteryState()
+              .sensorName(getServiceName())
+              .voltage(reading.batteryV().getAsDouble()));
+    }
+  }
+
+  private void publishState(MotorController.Reading reading) {
+    int left = leftIsSecond ? reading.secondCounts() : reading.firstCounts();
+    int right = leftIsSecond ? reading.firstCounts() : reading.secondCounts();
+    odometry
+        .moved(readMicros, (int) leftSign * left, (int) rightSign * right)
+        .ifPresent(
+            state -> {
+              state.timestamp(readMicros);
+              publish(Channels.SENSED_STATE, state.sensorName(getServiceName()));
+            });
+  }
+
+  @Override
+  protected void release() {
+    controller.close();
+  }
+}
