@@ -18,6 +18,7 @@ import org.u2sa.sim.atmosphere.Air;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.atmosphere.WindField;
+import org.u2sa.sim.motion.RungeKutta;
 
 /**
  * One simulated Cessna 172: controls in, state out. It steps at 120 Hz inside, whatever steps it is

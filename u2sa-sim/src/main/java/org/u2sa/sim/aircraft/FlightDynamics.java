@@ -1,13 +1,14 @@
 package org.u2sa.sim.aircraft;
 
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
+import org.u2sa.sim.motion.Motion;
 
 /**
  * Equations of motion of the rigid aircraft over the WGS-84 ellipsoid: state vector in, its rate of
  * change out. Velocity is kept north, east, down; the local vertical turns with the position; the
  * earth's own rotation is left out (0.02 % of g at these speeds).
  */
-final class FlightDynamics {
+final class FlightDynamics implements Motion {
   static final int LON = 0; // [rad]
   static final int LAT = 1; // [rad]
   static final int ALT = 2; // [m]
@@ -59,7 +60,8 @@ final class FlightDynamics {
     this.engine = engine;
   }
 
-  void derivatives(double[] s, double[] rate) {
+  @Override
+  public void derivatives(double[] s, double[] rate) {
     attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
     double an = s[VN] - windN;
     double ae = s[VE] - windE;

@@ -1,14 +1,17 @@
-package org.u2sa.sim.aircraft;
+package org.u2sa.sim.motion;
 
-/** The classical fourth-order step, with its working space. */
-final class RungeKutta {
+/** The classical fourth-order step, with its working space. For one thread. */
+public final class RungeKutta {
   private final double[] k1;
   private final double[] k2;
   private final double[] k3;
   private final double[] k4;
   private final double[] between;
 
-  RungeKutta(int size) {
+  /**
+   * @param size length of the state vectors
+   */
+  public RungeKutta(int size) {
     k1 = new double[size];
     k2 = new double[size];
     k3 = new double[size];
@@ -16,14 +19,20 @@ final class RungeKutta {
     between = new double[size];
   }
 
-  void step(FlightDynamics dynamics, double[] state, double dtS) {
-    dynamics.derivatives(state, k1);
+  /**
+   * Moves a state on by one step.
+   *
+   * @param state read and replaced
+   * @param dtS length of the step [s]
+   */
+  public void step(Motion motion, double[] state, double dtS) {
+    motion.derivatives(state, k1);
     advance(state, k1, dtS / 2);
-    dynamics.derivatives(between, k2);
+    motion.derivatives(between, k2);
     advance(state, k2, dtS / 2);
-    dynamics.derivatives(between, k3);
+    motion.derivatives(between, k3);
     advance(state, k3, dtS);
-    dynamics.derivatives(between, k4);
+    motion.derivatives(between, k4);
     for (int i = 0; i < state.length; i++) {
       state[i] += dtS / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
     }

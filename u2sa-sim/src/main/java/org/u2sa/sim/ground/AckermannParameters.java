@@ -1,0 +1,84 @@
+package org.u2sa.sim.ground;
+
+/**
+ * A vehicle with a driven rear axle and steered front wheels, as a single track.
+ *
+ * @param massKg without payload [kg]
+ * @param yawInertiaKgM2 without payload, about its own centre of gravity [kg m²]
+ * @param cogAheadM of the rear axle, without payload [m]
+ * @param wheelbaseM [m]
+ * @param wheelRadiusM [m]
+ * @param wheelInertiaKgM2 of all that turns with the rear axle, without motor [kg m²]
+ * @param steerMaxRad angle of the front wheels at full command [rad]
+ * @param steerLagS time constant of the servo [s]
+ * @param steerRateRadPerS fastest that the front wheels turn [rad/s]
+ */
+public record AckermannParameters(
+    double massKg,
+    double yawInertiaKgM2,
+    double cogAheadM,
+    double wheelbaseM,
+    double wheelRadiusM,
+    double wheelInertiaKgM2,
+    double steerMaxRad,
+    double steerLagS,
+    double steerRateRadPerS,
+    MotorParameters motor,
+    TyreParameters tyre,
+    BatteryParameters battery,
+    Payload payload) {
+  /**
+   * @throws IllegalArgumentException if a value is outside its range
+   */
+  public AckermannParameters {
+    Arguments.requirePositive("mass", massKg);
+    Arguments.requirePositive("yaw inertia", yawInertiaKgM2);
+    Arguments.requirePositive("wheelbase", wheelbaseM);
+    Arguments.requireInside("centre of gravity ahead", cogAheadM, 0.0, wheelbaseM);
+    Arguments.requirePositive("wheel radius", wheelRadiusM);
+    Arguments.requirePositive("wheel inertia", wheelInertiaKgM2);
+    Arguments.requireInside("steering angle", steerMaxRad, 0.01, 1.2);
+    Arguments.requirePositive("steering lag", steerLagS);
+    Arguments.requirePositive("steering rate", steerRateRadPerS);
+  }
+
+  /**
+   * A 1:10 truck. Mass, inertia, axles, steering angle and rate are those of F1TENTH's simulator
+   * (f1tenth_gym: m 3.74 kg, I 0.04712 kg m², lf 0.15875 m, lr 0.17145 m, 0.4189 rad, 3.2 rad/s);
+   * geared for 1.9 m/s. The servo's lag is a hobby servo's 0.1 s for 60°, taken as 0.05 s.
+   */
+  public static AckermannParameters truck() {
+    return new AckermannParameters(
+        3.74,
+        0.04712,
+        0.17145,
+        0.3302,
+        0.055,
+        0.0005,
+        0.4189,
+        0.05,
+        3.2,
+        MotorParameters.pololu37d30(),
+        TyreParameters.truck(),
+        BatteryParameters.lipo3s(),
+        Payload.none());
+  }
+
+  /** The same with another payload. */
+  public AckermannParameters withPayload(Payload newPayload) {
+    return new AckermannParameters(
+        massKg,
+        yawInertiaKgM2,
+        cogAheadM,
+        wheelbaseM,
+        wheelRadiusM,
+        wheelInertiaKgM2,
+        steerMaxRad,
+        steerLagS,
+        steerRateRadPerS,
+        motor,
+        tyre,
+        battery,
+        newPayload);
+  }
+}

@@ -1,0 +1,108 @@
+package org.u2sa.sim.ground;
+
+/**
+ * A vehicle that steers with its front wheels and drives its rear axle, as a single track: at a
+ * walk it is the kinematic bicycle, faster its tyres run at slip angles (Rajamani, Vehicle Dynamics
+ * and Control, chapter 2, with forces limited by grip). Commands: throttle, steering. Loads are
+ * those at rest: acceleration moves no weight.
+ */
+public final class AckermannVehicle extends PlanarVehicle {
+  private static final int REAR = FREE;
+  private static final int FRONT = REAR + DrivenWheel.SIZE; // stretch across [m]
+  private static final int STEER = FRONT + 1; // [rad]
+  private static final int SIZE = STEER + 1;
+
+  private final AckermannParameters p;
+  private final DrivenWheel rear;
+  private final SteeredWheel front;
+  private double steerTarget = Double.NaN; // NaN: limp
+
+  /** At the plane's origin, facing north, on a lawn. */
+  public AckermannVehicle(AckermannParameters parameters) {
+    this(parameters, GroundStart.atOrigin());
+  }
+
+  /**
+   * At rest on a lawn, battery full, steering straight.
+   *
+   * @throws IllegalArgumentException if the payload lifts an axle
+   */
+  public AckermannVehicle(AckermannParameters p, GroundStart start) {
+    this(p, start, Chassis.of(p.massKg(), p.yawInertiaKgM2(), p.cogAheadM(), p.payload()));
+  }
+
+  private AckermannVehicle(AckermannParameters p, GroundStart start, Chassis chassis) {
+    super(start, SIZE, chassis.centred(), new Battery(p.battery()));
+    this.p = p;
+    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double frontN = weight * chassis.cogAheadM() / p.wheelbaseM();
+    if (!(frontN > 0.0 && frontN < weight)) {
+      throw new IllegalArgumentException(
+          "payload: the front axle would carry " + frontN + " of " + weight + " N: one lifts off");
+    }
+    double x = -chassis.cogAheadM();
+    rear =
+        new DrivenWheel(
+            x, 0.0, weight - frontN, p.wheelRadiusM(), p.wheelInertiaKgM2(), p.motor(), p.tyre());
+    front = new SteeredWheel(x + p.wheelbaseM(), frontN, p.tyre());
+  }
+
+  @Override
+  void prepare(DriveCommand command) {
+    rear.command(command.first());
+    steerTarget = command.second() * p.steerMaxRad();
+    double spin = s[REAR + DrivenWheel.SPIN];
+    rear.supply(battery.volts(rear.duty(), rear.emfV(spin), rear.perOhm(), 0.0, 0.0, 0.0));
+    battery.draw(rear.drawnA(spin), TICK_S);
+    double east = eastOf(rear.x, 0.0);
+    double north = northOf(rear.x, 0.0);
+    rear.ground(surface.grip(east, north), surface.rollingResistance(east, north));
+    east = eastOf(front.x, 0.0);
+    north = northOf(front.x, 0.0);
+    front.ground(surface.grip(east, north), surface.rollingResistance(east, north));
+  }
+
+  @Override
+  void derive(double[] state, double[] rates) {
+    double across = state[V] + state[R] * rear.x;
+    rear.derive(state, REAR, state[U], across, state[R], rates);
+    force(rear.x, 0.0, rear.forceAlong, rear.forceAcross);
+    moment(rear.scrubNm);
+    double ahead = state[V] + state[R] * front.x;
+    rates[FRONT] = front.derive(state[FRONT], state[STEER], state[U], ahead);
+    force(front.x, 0.0, front.forceForward, front.forceRight);
+    rates[STEER] = steerRate(state[STEER]);
+  }
+
+  private double steerRate(double steer) {
+    if (Double.isNaN(steerTarget)) {
+      return 0.0;
+    }
+    double wanted = (steerTarget - steer) / p.steerLagS();
+    return Math.max(-p.steerRateRadPerS(), Math.min(p.steerRateRadPerS(), wanted));
+  }
+
+  @Override
+  void settle() {
+    rear.settle(s, REAR, TICK_S);
+    s[FRONT] = front.bounded(s[FRONT]);
+  }
+
+  @Override
+  boolean idle() {
+    return rear.idle() && Math.abs(steerRate(s[STEER])) < 1e-6;
+  }
+
+  @Override
+  void halt() {
+    rear.halt(s, REAR);
+    s[FRONT] = 0.0;
+  }
+
+  @Override
+  public GroundState state() {
+    double spin = s[REAR + DrivenWheel.SPIN];
+    double angle = rear.angleRad();
+    return state(spin, spin, angle, angle, s[STEER], rear.currentA(spin), 0.0);
+  }
+}

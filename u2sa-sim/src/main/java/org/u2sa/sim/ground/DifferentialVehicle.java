@@ -1,0 +1,140 @@
+package org.u2sa.sim.ground;
+
+/**
+ * A vehicle that steers by the difference of its two driven wheels, with a castor in front: the
+ * Mini-Molle of thesis 4.6.3. Its wheels creep and slide, scrub in turns, and load the battery.
+ * Loads are those at rest: acceleration moves no weight.
+ */
+public final class DifferentialVehicle extends PlanarVehicle {
+  private static final int LEFT = FREE;
+  private static final int RIGHT = LEFT + DrivenWheel.SIZE;
+  private static final int CASTOR = RIGHT + DrivenWheel.SIZE;
+  private static final int SIZE = CASTOR + 1;
+
+  private final double mismatch;
+  private final DrivenWheel left;
+  private final DrivenWheel right;
+  private final Castor castor;
+
+  /** At the plane's origin, facing north, on a lawn. */
+  public DifferentialVehicle(DifferentialParameters parameters) {
+    this(parameters, GroundStart.atOrigin());
+  }
+
+  /**
+   * At rest on a lawn, battery full.
+   *
+   * @throws IllegalArgumentException if the payload lifts a wheel
+   */
+  public DifferentialVehicle(DifferentialParameters p, GroundStart start) {
+    this(p, start, Chassis.of(p.massKg(), p.yawInertiaKgM2(), p.cogAheadM(), p.payload()));
+  }
+
+  private DifferentialVehicle(DifferentialParameters p, GroundStart start, Chassis chassis) {
+    super(start, SIZE, chassis, new Battery(p.battery()));
+    mismatch = p.mismatch();
+    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double castorN = weight * chassis.cogAheadM() / p.castorAheadM();
+    double axleN = weight - castorN;
+    double shiftN = weight * chassis.cogRightM() / p.trackM(); // from left to right
+    requireLoad("castor", castorN);
+    requireLoad("left wheel", axleN / 2.0 - shiftN);
+    requireLoad("right wheel", axleN / 2.0 + shiftN);
+    double x = -chassis.cogAheadM();
+    left = wheel(p, x, -p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 - shiftN);
+    right = wheel(p, x, p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 + shiftN);
+    castor = new Castor(x + p.castorAheadM(), -chassis.cogRightM(), p.castorTrailM(), castorN);
+  }
+
+  private static DrivenWheel wheel(DifferentialParameters p, double x, double y, double loadN) {
+    return new DrivenWheel(
+        x, y, loadN, p.wheelRadiusM(), p.wheelInertiaKgM2(), p.motor(), p.tyre());
+  }
+
+  private static void requireLoad(String wheel, double newtons) {
+    if (!(newtons > 0.0)) {
+      throw new IllegalArgumentException(
+          "payload: the " + wheel + " would carry " + newtons + " N: it lifts off");
+    }
+  }
+
+  @Override
+  void prepare(DriveCommand command) {
+    left.command(limit(command.first() * (1.0 - mismatch)));
+    right.command(limit(command.second() * (1.0 + mismatch)));
+    double leftSpin = s[LEFT + DrivenWheel.SPIN];
+    double rightSpin = s[RIGHT + DrivenWheel.SPIN];
+    double volts =
+        battery.volts(
+            left.duty(),
+            left.emfV(leftSpin),
+            left.perOhm(),
+            right.duty(),
+            right.emfV(rightSpin),
+            right.perOhm());
+    left.supply(volts);
+    right.supply(volts);
+    battery.draw(left.drawnA(leftSpin) + right.drawnA(rightSpin), TICK_S);
+    meetGround(left);
+    meetGround(right);
+    castor.ground(
+        surface.rollingResistance(eastOf(castor.x(), castor.y()), northOf(castor.x(), castor.y())));
+  }
+
+  private void meetGround(DrivenWheel wheel) {
+    double east = eastOf(wheel.x, wheel.y);
+    double north = northOf(wheel.x, wheel.y);
+    wheel.ground(surface.grip(east, north), surface.rollingResistance(east, north));
+  }
+
+  @Override
+  void derive(double[] state, double[] rates) {
+    rolling(left, LEFT, state, rates);
+    rolling(right, RIGHT, state, rates);
+    moment(left.scrubNm + right.scrubNm); // as one sum: a mirrored vehicle does the same
+    rates[CASTOR] = castor.derive(state[CASTOR], state[U], state[V], state[R]);
+    force(castor.x(), castor.y(), castor.forceForward, castor.forceRight);
+  }
+
+  private void rolling(DrivenWheel wheel, int at, double[] state, double[] rates) {
+    double along = state[U] - state[R] * wheel.y;
+    double across = state[V] + state[R] * wheel.x;
+    wheel.derive(state, at, along, across, state[R], rates);
+    force(wheel.x, wheel.y, wheel.forceAlong, wheel.forceAcross);
+  }
+
+  @Override
+  void settle() {
+    left.settle(s, LEFT, TICK_S);
+    right.settle(s, RIGHT, TICK_S);
+  }
+
+  @Override
+  boolean idle() {
+    return left.idle() && right.idle();
+  }
+
+  @Override
+  void halt() {
+    left.halt(s, LEFT);
+    right.halt(s, RIGHT);
+  }
+
+  @Override
+  public GroundState state() {
+    double leftSpin = s[LEFT + DrivenWheel.SPIN];
+    double rightSpin = s[RIGHT + DrivenWheel.SPIN];
+    return state(
+        leftSpin,
+        rightSpin,
+        left.angleRad(),
+        right.angleRad(),
+        0.0,
+        left.currentA(leftSpin),
+        right.currentA(rightSpin));
+  }
+
+  private static double limit(double command) {
+    return Math.max(-1.0, Math.min(1.0, command)); // NaN stays NaN
+  }
+}

@@ -1,0 +1,56 @@
+package org.u2sa.sim.ground;
+
+/**
+ * What a ground vehicle does, as truth: no sensor stands between. Its place is that of its
+ * reference point, the middle of the driven axle.
+ *
+ * @param timeS simulated time since the start [s]
+ * @param eastM on the local plane [m]
+ * @param northM on the local plane [m]
+ * @param headingRad clockwise from north [rad, 0…2π)
+ * @param forwardMps speed of the reference point along the vehicle [m/s]
+ * @param rightMps speed of the reference point across it [m/s]: only when it slides
+ * @param yawRateRadPerS clockwise positive [rad/s]
+ * @param leftWheelRadPerS forward positive [rad/s]; with Ackermann steering both are the axle's
+ * @param rightWheelRadPerS forward positive [rad/s]
+ * @param leftWheelRad turned since the start [rad]
+ * @param rightWheelRad turned since the start [rad]
+ * @param steerRad of the front wheels, right positive [rad]; 0 without them
+ * @param leftMotorA current through the left, or only, motor, driving forward positive [A]
+ * @param rightMotorA [A]; 0 if there is one motor only
+ * @param batteryV voltage at the battery's terminals [V]
+ * @param charge left in the battery, 0…1
+ */
+public record GroundState(
+    double timeS,
+    double eastM,
+    double northM,
+    double headingRad,
+    double forwardMps,
+    double rightMps,
+    double yawRateRadPerS,
+    double leftWheelRadPerS,
+    double rightWheelRadPerS,
+    double leftWheelRad,
+    double rightWheelRad,
+    double steerRad,
+    double leftMotorA,
+    double rightMotorA,
+    double batteryV,
+    double charge) {
+
+  /** Velocity towards east [m/s]. */
+  public double eastMps() {
+    return forwardMps * StrictMath.sin(headingRad) + rightMps * StrictMath.cos(headingRad);
+  }
+
+  /** Velocity towards north [m/s]. */
+  public double northMps() {
+    return forwardMps * StrictMath.cos(headingRad) - rightMps * StrictMath.sin(headingRad);
+  }
+
+  /** Speed over ground [m/s]. */
+  public double speedMps() {
+    return StrictMath.sqrt(forwardMps * forwardMps + rightMps * rightMps);
+  }
+}
