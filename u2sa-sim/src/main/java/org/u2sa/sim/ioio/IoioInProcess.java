@@ -1,0 +1,214 @@
+package org.u2sa.sim.ioio;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+
+/**
+ * A simulated board on a cable within the process, in lockstep: its time moves in {@link #exchange}
+ * only, which returns when the host's reader has taken every byte and asks for the next one. So the
+ * host knows the same at the same time in every run.
+ *
+ * <p>The host opens a connection by {@link #connect}, then gets the streams of that one; they end
+ * when the board or the host ends it. For any thread; one thread reads.
+ */
+public final class IoioInProcess {
+  private static final int CABLE = 1 << 16;
+  private static final long SLICE_MICROS = 20_000; // the board's own queue holds more than this
+
+  private final Object lock = new Object(); // guards everything below
+  private final IoioFirmware firmware;
+  private final ByteQueue cable = new ByteQueue(CABLE); // to the host
+  private final byte[] scratch = new byte[1024];
+  private boolean powered = true;
+  private int session; // 0 before the first
+  private boolean connected;
+  private boolean readerWaits;
+  private boolean readerGone;
+  private boolean hasBegun;
+  private long atMicros;
+
+  /** A cable to this board, which nothing else touches from now on. */
+  public IoioInProcess(IoioFirmware firmware) {
+    this.firmware = firmware;
+  }
+
+  /** Opens a connection; one that is open ends. Returns false if the board has no power. */
+  public boolean connect() {
+    synchronized (lock) {
+      end();
+      if (!powered) {
+        return false;
+      }
+      session++;
+      connected = true;
+      readerWaits = false;
+      readerGone = false;
+      firmware.open();
+      pass();
+      return true;
+    }
+  }
+
+  /** Ends the connection, as a cable that is pulled. */
+  public void disconnect() {
+    synchronized (lock) {
+      end();
+    }
+  }
+
+  /** Switches the board on or off. */
+  public void power(boolean on) {
+    synchronized (lock) {
+      powered = on;
+      if (!on) {
+        end();
+      }
+    }
+  }
+
+  private void end() {
+    if (connected) {
+      connected = false;
+      firmware.lost();
+      cable.clear();
+    }
+    lock.notifyAll();
+  }
+
+  /** Moves what the board has for the host onto the cable. */
+  private void pass() {
+    for (int count = firmware.output(scratch); count > 0; count = firmware.output(scratch)) {
+      cable.push(scratch, 0, count);
+    }
+    lock.notifyAll();
+  }
+
+  /**
+   * Lets the board's time pass to a time of the run [µs], and waits until the host has taken what
+   * came of it. Ends early, with the thread's flag set again, if the thread is interrupted.
+   */
+  public void exchange(long nowMicros) {
+    synchronized (lock) {
+      while (hasBegun && nowMicros - atMicros > SLICE_MICROS) {
+        atMicros += SLICE_MICROS;
+        advance(atMicros);
+      }
+      hasBegun = true;
+      atMicros = nowMicros;
+      advance(nowMicros);
+    }
+  }
+
+  private void advance(long micros) {
+    firmware.advance(micros);
+    if (!connected) {
+      return;
+    }
+    pass();
+    try {
+      while (connected && !readerGone && (cable.size() > 0 || !readerWaits || hasEnded())) {
+        lock.wait();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Whether the board has ended the connection, and the host has taken all that came before. */
+  private boolean hasEnded() {
+    return cable.size() == 0 && !firmware.isOpen();
+  }
+
+  /** The bytes from the board, of the connection opened last. */
+  public InputStream input() {
+    synchronized (lock) {
+      return new FromBoard(session);
+    }
+  }
+
+  /** The bytes to the board, of the connection opened last. */
+  public OutputStream output() {
+    synchronized (lock) {
+      return new ToBoard(session);
+    }
+  }
+
+  private final class FromBoard extends InputStream {
+    private final int number;
+
+    FromBoard(int number) {
+      this.number = number;
+    }
+
+    @Override
+    public int read() throws IOException {
+      byte[] one = new byte[1];
+      return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+    }
+
+    @Override
+    public int read(byte[] target, int offset, int length) throws IOException {
+      if (length == 0) {
+        return 0;
+      }
+      synchronized (lock) {
+        try {
+          while (isCurrent() && cable.size() == 0 && !hasEnded()) {
+            readerWaits = true;
+            lock.notifyAll();
+            lock.wait();
+          }
+        } catch (InterruptedException e) {
+          Thread.currentThread().interrupt();
+          throw new IOException("interrupted while waiting for the board", e);
+        }
+        if (!isCurrent() || cable.size() == 0) {
+          return -1;
+        }
+        readerWaits = false;
+        int count = cable.pull(scratch, Math.min(length, scratch.length));
+        System.arraycopy(scratch, 0, target, offset, count);
+        return count;
+      }
+    }
+
+    private boolean isCurrent() {
+      return connected && session == number;
+    }
+
+    @Override
+    public void close() {
+      synchronized (lock) {
+        if (session == number) {
+          readerGone = true;
+          end();
+        }
+      }
+    }
+  }
+
+  private final class ToBoard extends OutputStream {
+    private final int number;
+
+    ToBoard(int number) {
+      this.number = number;
+    }
+
+    @Override
+    public void write(int octet) throws IOException {
+      write(new byte[] {(byte) octet}, 0, 1);
+    }
+
+    @Override
+    public void write(byte[] bytes, int offset, int length) throws IOException {
+      synchronized (lock) {
+        if (!connected || session != number) {
+          throw new IOException("the board is not connected");
+        }
+        firmware.accept(bytes, offset, length);
+        pass();
+      }
+    }
+  }
+}

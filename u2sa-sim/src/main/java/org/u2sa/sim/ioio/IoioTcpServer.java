@@ -1,0 +1,212 @@
+package org.u2sa.sim.ioio;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import org.u2sa.interfaces.Clock;
+
+/**
+ * Serves a simulated board on TCP in real time, to one host at a time, as the board has one
+ * channel. Three daemon threads: one awaits hosts and takes their bytes, one lets time pass, one
+ * sends.
+ */
+public final class IoioTcpServer implements AutoCloseable {
+  private static final long PAUSE_MS = 2;
+  private static final int BUFFER = 4096;
+
+  private final Object lock = new Object(); // guards the firmware and the last three fields
+  private final IoioFirmware firmware;
+  private final Clock clock;
+  private final ServerSocket server;
+  private final Thread hosts = new Thread(this::awaitHosts, "u2sa-ioio-server");
+  private final Thread time = new Thread(this::passTime, "u2sa-ioio-server-time");
+  private final Thread sender = new Thread(this::send, "u2sa-ioio-server-sender");
+  private Socket host; // null if none is connected
+  private boolean powered = true;
+  private boolean closed;
+
+  /**
+   * Serves on the loopback interface.
+   *
+   * @param port 0 for any that is free
+   * @throws UncheckedIOException if the port is taken
+   */
+  public IoioTcpServer(IoioFirmware firmware, Clock clock, int port) {
+    this.firmware = firmware;
+    this.clock = clock;
+    try {
+      server = new ServerSocket(port, 1, InetAddress.getLoopbackAddress());
+    } catch (IOException e) {
+      throw new UncheckedIOException("simulated IOIO: port " + port + ": " + e.getMessage(), e);
+    }
+    for (Thread thread : new Thread[] {hosts, time, sender}) {
+      thread.setDaemon(true);
+      thread.start();
+    }
+  }
+
+  /** The port on which hosts connect. */
+  public int port() {
+    return server.getLocalPort();
+  }
+
+  /** Whether a host is connected. */
+  public boolean isConnected() {
+    synchronized (lock) {
+      return host != null;
+    }
+  }
+
+  /** Switches the board on or off: without power no connection holds, and all pins float. */
+  public void power(boolean on) {
+    synchronized (lock) {
+      powered = on;
+      if (!on) {
+        hangUp();
+      }
+    }
+  }
+
+  private void awaitHosts() {
+    while (!isClosed()) {
+      try (Socket socket = server.accept()) {
+        socket.setTcpNoDelay(true);
+        if (begin(socket)) {
+          listen(socket);
+        }
+      } catch (IOException e) {
+        continue; // of this host: it is gone, and the next one may come
+      } finally {
+        synchronized (lock) {
+          hangUp();
+        }
+      }
+    }
+  }
+
+  private boolean begin(Socket socket) {
+    synchronized (lock) {
+      if (powered) {
+        host = socket;
+        firmware.open();
+        lock.notifyAll();
+      }
+      return powered;
+    }
+  }
+
+  private void listen(Socket socket) throws IOException {
+    InputStream in = socket.getInputStream();
+    byte[] buffer = new byte[BUFFER];
+    for (int count = in.read(buffer); count >= 0; count = in.read(buffer)) {
+      synchronized (lock) {
+        firmware.accept(buffer, 0, count);
+        hangUpIfRefused();
+        lock.notifyAll();
+      }
+    }
+  }
+
+  private void passTime() {
+    synchronized (lock) {
+      try {
+        while (!closed) {
+          firmware.advance(clock.micros());
+          lock.notifyAll();
+          lock.wait(PAUSE_MS);
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt(); // nobody interrupts it but to end it
+      }
+    }
+  }
+
+  private void send() {
+    byte[] buffer = new byte[BUFFER];
+    try {
+      while (!isClosed()) {
+        Socket receiver;
+        int count;
+        synchronized (lock) {
+          count = host == null ? 0 : firmware.output(buffer);
+          receiver = host;
+          if (count == 0) {
+            hangUpIfRefused();
+            lock.wait();
+            continue;
+          }
+        }
+        sendTo(receiver, buffer, count);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** A host that does not read is waited for; meanwhile the board's queue runs over. */
+  private void sendTo(Socket receiver, byte[] buffer, int count) {
+    try {
+      OutputStream out = receiver.getOutputStream();
+      out.write(buffer, 0, count);
+      out.flush();
+    } catch (IOException e) {
+      synchronized (lock) {
+        if (host == receiver) {
+          hangUp();
+        }
+      }
+    }
+  }
+
+  private void hangUpIfRefused() {
+    if (host != null && !firmware.isOpen()) {
+      hangUp();
+    }
+  }
+
+  /** The caller holds the lock. */
+  private void hangUp() {
+    Socket socket = host;
+    host = null;
+    firmware.lost();
+    if (socket != null) {
+      close(socket);
+    }
+  }
+
+  private static void close(AutoCloseable socket) {
+    try {
+      socket.close();
+    } catch (Exception e) {
+      throw new IllegalStateException("a socket does not close", e);
+    }
+  }
+
+  private boolean isClosed() {
+    synchronized (lock) {
+      return closed;
+    }
+  }
+
+  /** Ends all connections and threads. */
+  @Override
+  public void close() {
+    synchronized (lock) {
+      closed = true;
+      hangUp();
+      lock.notifyAll();
+    }
+    close(server);
+    try {
+      for (Thread thread : new Thread[] {hosts, time, sender}) {
+        thread.join();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,45 @@
+package org.u2sa.sim.ioio;
+
+/** The nine PWM modules. From the firmware's {@code pwm.c}. */
+final class PwmModules {
+  static final int COUNT = 9;
+
+  private static final double SYSTEM_CLOCK_HZ = 16.0e6;
+  private static final int[] DIVIDERS = {1, 256, 64, 8}; // by the scale's two bits
+  private static final double QUARTER = 0.25;
+
+  private final int[] period = new int[COUNT]; // 0: off
+  private final int[] divider = new int[COUNT];
+  private final int[] duty = new int[COUNT];
+  private final int[] quarters = new int[COUNT];
+
+  void reset() {
+    for (int module = 0; module < COUNT; module++) {
+      setPeriod(module, 0, 0);
+    }
+  }
+
+  /** A new period begins with a duty cycle of 0. */
+  void setPeriod(int module, int newPeriod, int scale) {
+    period[module] = newPeriod;
+    divider[module] = DIVIDERS[scale];
+    duty[module] = 0;
+    quarters[module] = 0;
+  }
+
+  void setDuty(int module, int clocks, int fraction) {
+    duty[module] = clocks;
+    quarters[module] = fraction;
+  }
+
+  /** What the module gives: the registers count from 0, and 0 of the duty cycle is no pulse. */
+  PulseTrain pulses(int module) {
+    if (period[module] == 0) {
+      return PulseTrain.NONE;
+    }
+    double clockS = divider[module] / SYSTEM_CLOCK_HZ;
+    double periodS = (period[module] + 1) * clockS;
+    double clocks = duty[module] == 0 ? 0.0 : duty[module] + 1 + QUARTER * quarters[module];
+    return new PulseTrain(Math.min(periodS, clocks * clockS), periodS);
+  }
+}
