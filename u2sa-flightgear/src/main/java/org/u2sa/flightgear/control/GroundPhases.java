@@ -1,0 +1,58 @@
+package org.u2sa.flightgear.control;
+
+/** The phases in which the wheels carry: running the engine up, the take-off run, the halt. */
+final class GroundPhases {
+  private static final double ROLLING_MPS = 2.0;
+
+  private final Tuning tuning;
+  private final TakeOffSequence sequence;
+  private final GroundSteering steering;
+  private final InnerLoops loops;
+
+  GroundPhases(Tuning tuning, TakeOffSequence sequence, GroundSteering steering, InnerLoops loops) {
+    this.tuning = tuning;
+    this.sequence = sequence;
+    this.steering = steering;
+    this.loops = loops;
+  }
+
+  Surfaces runUp(FlightState state, boolean navigating, double dtS) {
+    steering.lineUp(state);
+    double wanted = 0.0;
+    if (!sequence.engineReady(state)) {
+      wanted = tuning.climbOut().startThrottle();
+    } else if (navigating && sequence.cleared(state)) {
+      wanted = 1.0;
+    }
+    loops.throttleTowards(wanted, dtS);
+    loops.rudder(0.0);
+    return new Surfaces(steering.aileron(state), 0.0, 0.0, loops.throttle(), 1.0, 0.0, 1.0);
+  }
+
+  /**
+   * @param rotating whether the nose is to come up
+   */
+  Surfaces run(FlightState state, boolean rotating, double dtS) {
+    loops.throttleTowards(1.0, dtS);
+    loops.rudder(steering.rudder(state, !rotating, dtS));
+    double elevator = 0.0;
+    double level = 0.0;
+    if (rotating) {
+      Tuning.ClimbOut climb = tuning.climbOut();
+      double step = climb.rotateRate() * dtS;
+      loops.pitch(Limit.approach(loops.pitchRad(), climb.rotatePitchRad(), step));
+      elevator = loops.elevator(state, dtS);
+      level = loops.levelAileron(state, dtS);
+    }
+    double aileron = Limit.symmetric(steering.aileron(state) + level, 1.0);
+    return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
+  }
+
+  Surfaces stop(FlightState state, double dtS) {
+    loops.throttle(0.0);
+    Surfaces parked = Surfaces.parked();
+    boolean rolls = steering.lined() && state.groundSpeedMps() > ROLLING_MPS;
+    loops.rudder(rolls ? steering.rudder(state, true, dtS) : 0.0);
+    return new Surfaces(0.0, 0.0, loops.rudder(), 0.0, parked.mixture(), 0.0, parked.brakes());
+  }
+}
