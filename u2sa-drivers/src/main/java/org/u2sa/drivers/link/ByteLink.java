@@ -12,8 +12,10 @@ public interface ByteLink extends AutoCloseable {
    * Takes what has come since the last call.
    *
    * @param buffer filled from its beginning
-   * @return the number of bytes; 0 if nothing came or the device is not there. What comes after a
-   *     loss begins at the buffer's beginning: bytes of before and after are never in one answer
+   * @return the number of bytes; 0 if nothing came or the device is not there, and once for each
+   *     new connection that the owner has not yet seen in {@link #connections}: so that no byte of
+   *     it is taken for a part of what came before. Bytes that were not read before a new
+   *     connection are dropped
    */
   int read(byte[] buffer);
 

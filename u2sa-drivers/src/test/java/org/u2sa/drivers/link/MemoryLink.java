@@ -21,6 +21,7 @@ public final class MemoryLink implements ByteLink {
   private Device device = bytes -> {};
   private boolean connected = true;
   private int connections = 1;
+  private int told = 1; // the number of the connection that the reader knows of
   private boolean closed;
 
   /** Puts a simulated device at the other end. */
@@ -66,6 +67,10 @@ public final class MemoryLink implements ByteLink {
 
   @Override
   public synchronized int read(byte[] buffer) {
+    if (told != connections) {
+      told = connections;
+      return 0;
+    }
     int count = 0;
     while (count < buffer.length && !toRead.isEmpty()) {
       buffer[count++] = toRead.remove();
@@ -85,17 +90,18 @@ public final class MemoryLink implements ByteLink {
 
   @Override
   public synchronized boolean isConnected() {
-    return connected;
+    return connected && !closed;
   }
 
   @Override
   public synchronized int connections() {
+    told = connections;
     return connections;
   }
 
   @Override
   public synchronized String trouble() {
-    return connected ? "" : "unplugged";
+    return closed ? "closed" : connected ? "" : "unplugged";
   }
 
   @Override

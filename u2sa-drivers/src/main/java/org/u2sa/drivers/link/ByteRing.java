@@ -1,0 +1,47 @@
+package org.u2sa.drivers.link;
+
+/** The newest bytes that wait to be read, up to a limit. Not safe for several threads. */
+final class ByteRing {
+  private final byte[] bytes;
+  private int first;
+  private int count;
+
+  ByteRing(int capacity) {
+    bytes = new byte[capacity];
+  }
+
+  /**
+   * Takes bytes in; where there are too many, the oldest are dropped.
+   *
+   * @return how many were dropped
+   */
+  int put(byte[] from, int length) {
+    int skipped = Math.max(0, length - bytes.length);
+    int dropped = Math.max(0, count + length - skipped - bytes.length);
+    first = (first + dropped) % bytes.length;
+    count -= dropped;
+    int at = (first + count) % bytes.length;
+    int taken = length - skipped;
+    int untilEnd = Math.min(taken, bytes.length - at);
+    System.arraycopy(from, skipped, bytes, at, untilEnd);
+    System.arraycopy(from, skipped + untilEnd, bytes, 0, taken - untilEnd);
+    count += taken;
+    return skipped + dropped;
+  }
+
+  /** Gives the oldest bytes out; returns how many. */
+  int take(byte[] to) {
+    int taken = Math.min(to.length, count);
+    int untilEnd = Math.min(taken, bytes.length - first);
+    System.arraycopy(bytes, first, to, 0, untilEnd);
+    System.arraycopy(bytes, 0, to, untilEnd, taken - untilEnd);
+    first = (first + taken) % bytes.length;
+    count -= taken;
+    return taken;
+  }
+
+  void clear() {
+    first = 0;
+    count = 0;
+  }
+}

@@ -1,0 +1,263 @@
+package org.u2sa.drivers.link;
+
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.SystemClock;
+
+/**
+ * A link to a device that may be unplugged: one thread looks for it and reads, another one writes,
+ * so that the owner never waits. The waits between two attempts grow from 0.1 s to 0.8 s, so that a
+ * device that returns is found within 2 s.
+ */
+final class ReconnectingLink implements ByteLink {
+  private static final int FIRST_WAIT_MS = 100;
+  private static final int LONGEST_WAIT_MS = 800;
+  private static final int UNREAD_BYTES = 65_536;
+  private static final int UNSENT_BYTES = 65_536;
+  private static final int END_WITHIN_MS = 2_000;
+  private static final int BUFFER_BYTES = 4_096;
+
+  private final Port.Opener opener;
+  private final long silenceMicros; // 0: silence is no loss
+  private final Clock stopwatch = new SystemClock(); // devices live in real time
+  private final Thread reader;
+  private final Thread writer;
+
+  // guarded by this
+  private final ByteRing unread = new ByteRing(UNREAD_BYTES);
+  private final Deque<byte[]> unsent = new ArrayDeque<>();
+  private int unsentBytes;
+  private Port port; // null: none is open
+  private boolean connected;
+  private int found;
+  private int told; // the number of the connection that the owner knows of
+  private String trouble = "not found yet";
+  private boolean closed;
+
+  /**
+   * Begins to look for the device.
+   *
+   * @param name for the threads
+   * @param silenceS time without a byte after which the device counts as lost [s]; 0: never
+   */
+  ReconnectingLink(String name, Port.Opener opener, double silenceS) {
+    this.opener = opener;
+    silenceMicros = Clock.micros(silenceS);
+    reader = begin("link reads " + name, this::readAlways);
+    writer = begin("link writes " + name, this::writeAlways);
+  }
+
+  private static Thread begin(String name, Runnable work) {
+    Thread thread = new Thread(work, name);
+    thread.setDaemon(true);
+    thread.start();
+    return thread;
+  }
+
+  private void readAlways() {
+    int waitMs = FIRST_WAIT_MS;
+    try {
+      while (!isClosed()) {
+        if (readUntilLost()) {
+          waitMs = FIRST_WAIT_MS;
+        }
+        synchronized (this) {
+          if (!closed) {
+            wait(waitMs);
+          }
+        }
+        waitMs = Math.min(LONGEST_WAIT_MS, 2 * waitMs);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // told to end
+    }
+  }
+
+  /** Returns whether the device was there. */
+  private boolean readUntilLost() {
+    boolean wasThere = false;
+    try (Port opened = opener.open()) {
+      wasThere = true;
+      if (use(opened)) {
+        read(opened);
+      }
+    } catch (IOException e) {
+      lost(e.getMessage());
+    } catch (RuntimeException e) { // a library's bug must not end the looking
+      lost(e.toString());
+    }
+    synchronized (this) {
+      port = null;
+    }
+    return wasThere;
+  }
+
+  private void read(Port opened) throws IOException {
+    byte[] buffer = new byte[BUFFER_BYTES];
+    long heardMicros = stopwatch.micros();
+    while (!isClosed()) {
+      int count = opened.read(buffer);
+      if (count > 0) {
+        heardMicros = stopwatch.micros();
+        heard(buffer, count);
+      } else if (silenceMicros > 0 && stopwatch.micros() - heardMicros > silenceMicros) {
+        if (!opened.isFoundBySpeaking()) {
+          throw new IOException("nothing came for " + Clock.seconds(silenceMicros) + " s");
+        }
+        lost("nothing comes");
+      }
+    }
+  }
+
+  /** Returns false if this was closed meanwhile. */
+  private synchronized boolean use(Port opened) {
+    if (closed) {
+      return false;
+    }
+    port = opened;
+    if (opened.isFoundBySpeaking()) {
+      trouble = "nothing comes";
+    } else {
+      found();
+    }
+    notifyAll();
+    return true;
+  }
+
+  private void found() {
+    unread.clear();
+    unsent.clear();
+    unsentBytes = 0;
+    connected = true;
+    found++;
+    trouble = "";
+  }
+
+  private synchronized void heard(byte[] bytes, int count) {
+    if (!connected) {
+      found();
+    }
+    if (unread.put(bytes, count) > 0) {
+      trouble = "more came than was read: the oldest bytes were dropped";
+    }
+  }
+
+  private synchronized void lost(String why) {
+    connected = false;
+    trouble = why;
+  }
+
+  private void writeAlways() {
+    try {
+      while (true) {
+        byte[] next;
+        Port to;
+        synchronized (this) {
+          while (!closed && (unsent.isEmpty() || port == null)) {
+            wait();
+          }
+          if (closed) {
+            return;
+          }
+          next = unsent.remove();
+          unsentBytes -= next.length;
+          to = port;
+        }
+        send(to, next);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // told to end
+    }
+  }
+
+  private void send(Port to, byte[] bytes) {
+    try {
+      to.write(bytes);
+    } catch (IOException | RuntimeException e) {
+      lost(e.getMessage());
+      close(to); // the reader notices and looks for the device anew
+    }
+  }
+
+  private void close(Port open) {
+    try {
+      open.close();
+    } catch (IOException e) {
+      lost(e.getMessage());
+    }
+  }
+
+  private synchronized boolean isClosed() {
+    return closed;
+  }
+
+  @Override
+  public synchronized int read(byte[] buffer) {
+    if (told != found) {
+      told = found; // what comes next is of another connection: the owner shall look first
+      return 0;
+    }
+    return unread.take(buffer);
+  }
+
+  @Override
+  public synchronized boolean write(byte[] bytes) {
+    if (closed || port == null || !port.isWritable() || unsentBytes + bytes.length > UNSENT_BYTES) {
+      return false;
+    }
+    unsent.add(bytes.clone());
+    unsentBytes += bytes.length;
+    notifyAll();
+    return true;
+  }
+
+  @Override
+  public synchronized boolean isConnected() {
+    return connected;
+  }
+
+  @Override
+  public synchronized int connections() {
+    told = found;
+    return found;
+  }
+
+  @Override
+  public synchronized String trouble() {
+    return trouble;
+  }
+
+  @Override
+  public void close() {
+    Port open;
+    synchronized (this) {
+      closed = true;
+      connected = false;
+      trouble = "closed";
+      open = port;
+      notifyAll();
+    }
+    if (open != null) {
+      close(open);
+    }
+    boolean interrupted = Thread.interrupted();
+    interrupted |= !ended(reader);
+    interrupted |= !ended(writer);
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Waits for a thread's end; false if this thread was interrupted. */
+  private static boolean ended(Thread thread) {
+    try {
+      thread.join(END_WITHIN_MS);
+      return true;
+    } catch (InterruptedException e) {
+      thread.interrupt();
+      return false;
+    }
+  }
+}

@@ -1,0 +1,113 @@
+package org.u2sa.drivers.link;
+
+import com.fazecast.jSerialComm.SerialPort;
+import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.io.IOException;
+import java.util.Arrays;
+
+/**
+ * Opens a serial port of the desktop, by jSerialComm: the only class that knows it, loaded for
+ * {@code serial:} addresses only, since Android has no such ports.
+ */
+final class SerialOpener implements Port.Opener {
+  private static final int DATA_BITS = 8;
+
+  private final String path;
+  private final int baud;
+  private final SerialParity parity;
+  private final int stopBits;
+
+  SerialOpener(String path, int baud, SerialParity parity, int stopBits) {
+    this.path = path;
+    this.baud = baud;
+    this.parity = parity;
+    this.stopBits = stopBits;
+  }
+
+  @Override
+  public Port open() throws IOException {
+    try {
+      SerialPort port = SerialPort.getCommPort(path);
+      port.setComPortParameters(
+          baud,
+          DATA_BITS,
+          stopBits == 1 ? SerialPort.ONE_STOP_BIT : SerialPort.TWO_STOP_BITS,
+          parityOf(parity));
+      port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
+      port.setComPortTimeouts(
+          SerialPort.TIMEOUT_READ_SEMI_BLOCKING | SerialPort.TIMEOUT_WRITE_BLOCKING,
+          Port.PATIENCE_MS,
+          0);
+      if (!port.openPort(0)) {
+        throw new IOException(
+            path + " cannot be opened (" + errorText(port.getLastErrorCode()) + ")");
+      }
+      return new Opened(path, port);
+    } catch (SerialPortInvalidPortException e) {
+      throw new IOException(path + " is not there", e);
+    } catch (UnsatisfiedLinkError e) {
+      throw new IOException("no serial ports on this platform: " + e.getMessage(), e);
+    }
+  }
+
+  private static int parityOf(SerialParity parity) {
+    switch (parity) {
+      case EVEN:
+        return SerialPort.EVEN_PARITY;
+      case ODD:
+        return SerialPort.ODD_PARITY;
+      default:
+        return SerialPort.NO_PARITY;
+    }
+  }
+
+  /** The numbers of errno(3) that users meet. */
+  private static String errorText(int code) {
+    switch (code) {
+      case 2:
+        return "it is not there";
+      case 13:
+        return "permission denied: is the user in the group dialout?";
+      case 16:
+        return "another program has it";
+      default:
+        return "error " + code;
+    }
+  }
+
+  private static final class Opened implements Port {
+    private final String path;
+    private final SerialPort port;
+
+    Opened(String path, SerialPort port) {
+      this.path = path;
+      this.port = port;
+    }
+
+    @Override
+    public int read(byte[] buffer) throws IOException {
+      int count = port.readBytes(buffer, buffer.length);
+      if (count < 0) {
+        throw new IOException(path + " was unplugged");
+      }
+      return count;
+    }
+
+    @Override
+    public void write(byte[] bytes) throws IOException {
+      byte[] rest = bytes;
+      while (rest.length > 0) {
+        int count = port.writeBytes(rest, rest.length);
+        if (count <= 0) {
+          throw new IOException(path + " was unplugged");
+        }
+        rest = Arrays.copyOfRange(rest, count, rest.length);
+      }
+    }
+
+    @Override
+    public void close() {
+      port.closePort();
+    }
+  }
+}

@@ -1,0 +1,87 @@
+package org.u2sa.drivers.link;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.LockstepClock;
+import org.u2sa.interfaces.SystemClock;
+
+/** A recorded link is as good as the link; its recording says what passed, and when. */
+class RecordingLinkTest extends ByteLinkContract {
+  @TempDir Path folder;
+
+  @Override
+  Device device() {
+    MemoryLink memory = new MemoryLink();
+    StringBuilder told = new StringBuilder();
+    memory.with(bytes -> told.append(new String(bytes, US_ASCII)));
+    return new Device() {
+      @Override
+      public ByteLink open() {
+        return new RecordingLink(memory, folder.resolve("contract.rec"), new SystemClock());
+      }
+
+      @Override
+      public void says(String text) {
+        memory.fromDevice(text.getBytes(US_ASCII));
+      }
+
+      @Override
+      public String wasTold() {
+        return told.toString();
+      }
+
+      @Override
+      public void unplug() {
+        memory.unplug();
+      }
+
+      @Override
+      public void plug() {
+        memory.plug();
+      }
+
+      @Override
+      public void end() {
+        memory.close();
+      }
+    };
+  }
+
+  @Test
+  void recording_whatPassed_isThereWithItsTimes() throws Exception {
+    Path file = folder.resolve("own.rec");
+    LockstepClock clock = new LockstepClock();
+    clock.advance(5_000_000);
+    MemoryLink memory = new MemoryLink();
+    RecordingLink recorded = new RecordingLink(memory, file, clock);
+    byte[] buffer = new byte[16];
+    recorded.read(buffer);
+    clock.advance(1_000);
+    memory.fromDevice((byte) 0xB5, (byte) 0x62);
+    recorded.read(buffer);
+    recorded.write(new byte[] {0x01});
+    clock.advance(1_000);
+    memory.unplug();
+    recorded.read(buffer);
+    recorded.close();
+
+    assertThat(file).hasContent(RecordingLink.HEADER + "\n0 +\n1000 < b562\n1000 > 01\n2000 -\n");
+  }
+
+  @Test
+  void recording_folderIsNotThere_isRefused() {
+    Path file = folder.resolve("no such folder").resolve("own.rec");
+
+    assertThatThrownBy(() -> new RecordingLink(new MemoryLink(), file, new SystemClock()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageStartingWith("recording " + file + " cannot be written");
+    assertThat(Files.exists(file)).isFalse();
+  }
+}

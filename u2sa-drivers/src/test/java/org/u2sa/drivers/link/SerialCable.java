@@ -1,0 +1,80 @@
+package org.u2sa.drivers.link;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+
+/** A serial port that socat makes: a pseudo terminal, with the device at its other end. */
+public final class SerialCable {
+  private final Path path;
+  private final SocketDevice device = new SocketDevice(InetAddress.getLoopbackAddress());
+  private Process socat;
+
+  private SerialCable(Path path) throws IOException {
+    this.path = path;
+    plug();
+  }
+
+  /** Skips the test where there is no socat, except under CI, where it fails. */
+  public static SerialCable required(Path path) throws IOException, InterruptedException {
+    boolean isThere = hasSocat();
+    if ("true".equals(System.getenv("CI"))) {
+      assertThat(isThere).as("CI needs socat").isTrue();
+    }
+    assumeTrue(isThere, "socat, which makes the serial port, is not here");
+    return new SerialCable(path);
+  }
+
+  private static boolean hasSocat() throws InterruptedException {
+    try {
+      return new ProcessBuilder("socat", "-V")
+              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+              .start()
+              .waitFor()
+          == 0;
+    } catch (IOException e) {
+      return false; // no such program
+    }
+  }
+
+  /** The port, as the link's address has it. */
+  public Path path() {
+    return path;
+  }
+
+  SocketDevice device() {
+    return device;
+  }
+
+  void plug() throws IOException {
+    socat =
+        new ProcessBuilder("socat", "pty,raw,echo=0,link=" + path, "tcp:127.0.0.1:" + device.port())
+            .redirectErrorStream(true)
+            .redirectOutput(new File(path + ".log"))
+            .start();
+    await().atMost(Duration.ofSeconds(30)).until(() -> Files.exists(path));
+  }
+
+  void unplug() throws InterruptedException {
+    socat.destroy();
+    if (!socat.waitFor(30, TimeUnit.SECONDS)) {
+      socat.destroyForcibly().waitFor();
+    }
+    await().atMost(Duration.ofSeconds(30)).until(() -> !Files.exists(path));
+  }
+
+  /** Takes it away for good. */
+  public void remove() throws IOException, InterruptedException {
+    socat.destroy();
+    socat.waitFor(30, TimeUnit.SECONDS);
+    device.unplug();
+  }
+}
