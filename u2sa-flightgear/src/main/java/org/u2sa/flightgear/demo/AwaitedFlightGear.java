@@ -1,5 +1,6 @@
 package org.u2sa.flightgear.demo;
 
+import org.u2sa.gcs.demo.Simulation;
 import org.u2sa.gcs.terminal.Terminal;
 
 /** FlightGear that somebody else starts and stops: says what it must be told. */
@@ -28,6 +29,11 @@ final class AwaitedFlightGear implements Simulation {
   @Override
   public String name() {
     return "FlightGear";
+  }
+
+  @Override
+  public String vehicle() {
+    return "aircraft";
   }
 
   @Override

@@ -11,6 +11,11 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.gcs.DemoOptions;
+import org.u2sa.gcs.demo.BrokerPort;
+import org.u2sa.gcs.demo.DemoRun;
+import org.u2sa.gcs.demo.PlannedSwap;
+import org.u2sa.gcs.demo.RunLoop;
+import org.u2sa.gcs.demo.Simulation;
 import org.u2sa.gcs.report.RunReport;
 import org.u2sa.gcs.run.Setting;
 import org.u2sa.gcs.terminal.Terminal;
@@ -69,19 +74,27 @@ final class CessnaDemo implements Callable<Integer> {
     windOf(options.seed());
     parsedSettings();
     List<PlannedSwap> planned = plannedSwaps();
-    return new FlightSeries(options, command.commandLine().getOut())
-        .fly(
+    return new RunLoop(options, command.commandLine().getOut())
+        .run(
             "cessna",
             (directory, seed, interruption) ->
                 fly(
-                    new FlightRun(system, mission, directory, options.terminal(), interruption)
+                    new DemoRun(
+                            "cessna",
+                            system,
+                            CessnaFiles.plan(mission),
+                            CessnaFiles.PACE,
+                            FlightObserver::new,
+                            directory,
+                            options.terminal(),
+                            interruption)
                         .swapping(planned),
                     system,
                     mission,
                     seed));
   }
 
-  private RunReport fly(FlightRun run, SystemFile system, Mission mission, long seed)
+  private RunReport fly(DemoRun run, SystemFile system, Mission mission, long seed)
       throws InterruptedException {
     Terminal terminal = options.terminal();
     DemoWind demoWind = windOf(seed);
@@ -106,7 +119,7 @@ final class CessnaDemo implements Callable<Integer> {
       return run.inRealTime(launch, seed, standIn, OptionalDouble.empty());
     }
     launch.override("Simulator", "LINK", "embedded");
-    return run.inLockstep(launch, seed, Simulation.embedded());
+    return run.inLockstep(launch, seed, Simulation.within("embedded Cessna 172", "aircraft"));
   }
 
   private List<PlannedSwap> plannedSwaps() {

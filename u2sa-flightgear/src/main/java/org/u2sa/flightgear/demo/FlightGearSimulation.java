@@ -11,6 +11,7 @@ import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.demo.Simulation;
 import org.u2sa.sim.aircraft.RunwayStart;
 
 /**
@@ -107,6 +108,11 @@ final class FlightGearSimulation implements Simulation {
   @Override
   public String name() {
     return "FlightGear";
+  }
+
+  @Override
+  public String vehicle() {
+    return "aircraft";
   }
 
   @Override

@@ -1,15 +1,17 @@
 package org.u2sa.flightgear.demo;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.u2sa.flightgear.AircraftState;
 import org.u2sa.flightgear.ControlStatus;
 import org.u2sa.flightgear.control.FlightPhase;
 import org.u2sa.flightgear.link.FlightChannels;
-import org.u2sa.gcs.report.FlightPlan;
-import org.u2sa.gcs.report.FlightSample;
-import org.u2sa.gcs.report.FlightTrack;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.gcs.demo.RunObserver;
+import org.u2sa.gcs.demo.RunRecord;
+import org.u2sa.gcs.report.RunOutcome;
+import org.u2sa.gcs.report.RunPlan;
+import org.u2sa.gcs.report.TrackSample;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
@@ -17,40 +19,29 @@ import org.u2sa.messages.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
 
 /**
  * Records the truth of a flight for its score and its screen. In: truth, goals, goal-reports,
  * control-status. Out: nothing.
  */
-final class FlightObserver extends EventDrivenService {
+final class FlightObserver extends EventDrivenService implements RunObserver {
   /** Past it the wing of the Cessna 172 no longer lifts more; clean, power off about 16°. */
   private static final double STALL_ANGLE_RAD = Math.toRadians(17.0);
 
   private static final double STANDS_MPS = 0.5;
 
-  private final List<String> names;
-  private final PlannedLegs legs;
-  private final FlightTrack track = new FlightTrack();
-  private final Consumer<FlightSample> screen;
+  private final RunRecord record;
   private String phase = "WAITING";
-  private int leg = -1;
-  private long startMicros = -1;
-  private volatile boolean missionOver;
   private volatile boolean crashed;
   private volatile boolean landed;
   private boolean airborne;
   private volatile boolean stalled;
-  private volatile int completed;
-  private volatile long readings; // written by this service's thread only
 
-  /**
-   * @param screen is shown every sample, on this service's thread
-   */
-  FlightObserver(ServiceContext context, FlightPlan plan, Consumer<FlightSample> screen) {
+  /** See {@link RunObserver.Maker}. */
+  FlightObserver(ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) {
     super(context, ServiceRole.OBSERVER, "FlightObserver");
-    this.screen = screen;
-    names = plan.waypoints().stream().map(waypoint -> waypoint.name()).toList();
-    legs = new PlannedLegs(plan);
+    record = new RunRecord(plan, screen);
     registerSubscriber(FlightChannels.TRUTH);
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
@@ -60,97 +51,63 @@ final class FlightObserver extends EventDrivenService {
   @Override
   public void callback(U2SAData data) {
     if (data instanceof AircraftState truth) {
-      record(truth);
+      see(truth);
     } else if (data instanceof GoalList goals) {
-      follow(goals);
+      record.follow(goals);
     } else if (data instanceof ControlStatus status) {
       phase = status.phase().name();
     } else if (data instanceof GoalInformation report) {
-      completed += report.completed() ? 1 : 0;
+      record.reported(report);
     } else {
       unexpected(data);
     }
   }
 
-  private void follow(GoalList goals) {
-    if (goals.goals().isEmpty()) {
-      leg = names.size();
-      missionOver = true;
-    } else {
-      leg = names.indexOf(goals.goals().get(0).uid());
-    }
-  }
-
-  private void record(AircraftState truth) {
-    long micros = truth.timestamp().orElseThrow();
-    if (startMicros < 0) {
-      startMicros = micros;
-    }
+  private void see(AircraftState truth) {
     crashed |= truth.crashed();
     airborne |= !truth.weightOnWheels();
     stalled |= !truth.weightOnWheels() && angleOfAttackRad(truth) > STALL_ANGLE_RAD;
-    double east = truth.xDot().orElseThrow();
-    double north = truth.yDot().orElseThrow();
-    double longitude = truth.x().orElseThrow();
-    double latitude = truth.y().orElseThrow();
-    landed |=
-        airborne
-            && phase.equals(FlightPhase.STOPPED.name())
-            && Math.hypot(east, north) < STANDS_MPS;
-    FlightSample sample =
-        new FlightSample(
-            Clock.seconds(micros - startMicros),
-            longitude,
-            latitude,
-            truth.z().orElseThrow(),
-            truth.psi().orElseThrow(),
-            truth.phi().orElseThrow(),
-            truth.theta().orElseThrow(),
-            truth.calibratedAirspeed().orElseThrow(),
-            Math.hypot(east, north),
-            legs.crossTrackM(leg, longitude, latitude),
-            leg,
-            truth.weightOnWheels(),
-            phase);
-    track.append(sample);
-    readings++;
-    screen.accept(sample);
+    double speed = Math.hypot(truth.xDot().orElseThrow(), truth.yDot().orElseThrow());
+    landed |= airborne && phase.equals(FlightPhase.STOPPED.name()) && speed < STANDS_MPS;
+    record.moment(
+        truth.timestamp().orElseThrow(),
+        truth.x().orElseThrow(),
+        truth.y().orElseThrow(),
+        truth.z().orElseThrow(),
+        truth.psi().orElseThrow(),
+        speed,
+        phase,
+        Optional.of(
+            new TrackSample.Flight(
+                truth.phi().orElseThrow(),
+                truth.theta().orElseThrow(),
+                truth.calibratedAirspeed().orElseThrow(),
+                truth.weightOnWheels())));
   }
 
   private static double angleOfAttackRad(AircraftState truth) {
     return Math.atan2(truth.fluidzDot().orElseThrow(), truth.fluidxDot().orElseThrow());
   }
 
-  FlightTrack track() {
-    return track;
+  @Override
+  public U2SAService service() {
+    return this;
   }
 
-  /** Whether the Mission Manager has no goal left. */
-  boolean isMissionOver() {
-    return missionOver;
+  @Override
+  public RunRecord record() {
+    return record;
   }
 
-  boolean isCrashed() {
-    return crashed;
+  /** {@inheritDoc} The mission is, or it crashed, or stands after a flight. */
+  @Override
+  public boolean isOver() {
+    return record.isMissionOver() || crashed || landed;
   }
 
-  /** Whether it stands after a flight. */
-  boolean isLanded() {
-    return landed;
-  }
-
-  /** Whether the angle of attack went past the stall in the air. */
-  boolean isStalled() {
-    return stalled;
-  }
-
-  /** Readings of the aircraft so far. */
-  long readings() {
-    return readings;
-  }
-
-  /** Goals that were reported completed. */
-  int completed() {
-    return completed;
+  /** {@inheritDoc} Stalled: the angle of attack went past the stall in the air. */
+  @Override
+  public RunOutcome outcome() {
+    return new RunOutcome(crashed ? 1 : 0, stalled, List.of());
   }
 }

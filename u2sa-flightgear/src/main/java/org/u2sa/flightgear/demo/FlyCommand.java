@@ -11,6 +11,10 @@ import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.gcs.DemoOptions;
 import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.demo.BrokerPort;
+import org.u2sa.gcs.demo.DemoRun;
+import org.u2sa.gcs.demo.RunLoop;
+import org.u2sa.gcs.demo.Simulation;
 import org.u2sa.gcs.report.RunReport;
 import org.u2sa.gcs.terminal.Terminal;
 import picocli.CommandLine.Command;
@@ -78,12 +82,20 @@ final class FlyCommand implements Callable<Integer> {
     SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     patience();
-    return new FlightSeries(options, command.commandLine().getOut())
-        .fly(
+    return new RunLoop(options, command.commandLine().getOut())
+        .run(
             "flightgear",
             (directory, seed, interruption) ->
                 fly(
-                    new FlightRun(system, mission, directory, options.terminal(), interruption),
+                    new DemoRun(
+                        "cessna",
+                        system,
+                        CessnaFiles.plan(mission),
+                        CessnaFiles.PACE,
+                        FlightObserver::new,
+                        directory,
+                        options.terminal(),
+                        interruption),
                     root,
                     system,
                     mission,
@@ -92,7 +104,7 @@ final class FlyCommand implements Callable<Integer> {
   }
 
   private RunReport fly(
-      FlightRun run, Path root, SystemFile system, Mission mission, Path directory, long seed)
+      DemoRun run, Path root, SystemFile system, Mission mission, Path directory, long seed)
       throws InterruptedException {
     Terminal terminal = options.terminal();
     LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));

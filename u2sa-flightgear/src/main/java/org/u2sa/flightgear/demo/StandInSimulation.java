@@ -9,6 +9,7 @@ import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.link.StandInFlightGear;
 import org.u2sa.flightgear.link.StandInSetup;
+import org.u2sa.gcs.demo.Simulation;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
@@ -53,6 +54,11 @@ final class StandInSimulation implements Simulation {
   @Override
   public String name() {
     return "embedded Cessna 172 behind FlightGear's protocol";
+  }
+
+  @Override
+  public String vehicle() {
+    return "aircraft";
   }
 
   @Override

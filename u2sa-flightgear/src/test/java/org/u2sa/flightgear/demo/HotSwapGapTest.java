@@ -16,6 +16,8 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.planning.PathPlanner;
 import org.u2sa.core.planning.VectorFieldPlanner;
 import org.u2sa.flightgear.control.CessnaControl;
+import org.u2sa.gcs.demo.PlannedSwap;
+import org.u2sa.gcs.demo.SwapOperator;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LockstepClock;
 import org.u2sa.interfaces.XmlConfiguration;

@@ -9,7 +9,7 @@ import java.util.OptionalDouble;
  */
 record Airborne(boolean tookOff, OptionalDouble maxBankRad, OptionalDouble minAirspeedMps) {
 
-  static Airborne of(FlightPlan plan, List<FlightSample> track) {
+  static Airborne of(RunPlan plan, List<TrackSample> track) {
     if (track.isEmpty()) {
       return new Airborne(false, OptionalDouble.empty(), OptionalDouble.empty());
     }
@@ -17,14 +17,15 @@ record Airborne(boolean tookOff, OptionalDouble maxBankRad, OptionalDouble minAi
     boolean tookOff = false;
     double bank = 0.0;
     double airspeed = Double.POSITIVE_INFINITY;
-    for (FlightSample sample : track) {
-      if (sample.onGround()) {
+    for (TrackSample sample : track) {
+      if (sample.flight().isEmpty() || sample.flight().get().onGround()) {
         continue;
       }
-      tookOff |= sample.altitudeM() - ground >= FlightScorer.SCREEN_HEIGHT_M;
+      TrackSample.Flight flight = sample.flight().get();
+      tookOff |= sample.altitudeM() - ground >= RunScorer.SCREEN_HEIGHT_M;
       if (tookOff) {
-        bank = Math.max(bank, Math.abs(sample.rollRad()));
-        airspeed = Math.min(airspeed, sample.calibratedAirspeedMps());
+        bank = Math.max(bank, Math.abs(flight.rollRad()));
+        airspeed = Math.min(airspeed, flight.calibratedAirspeedMps());
       }
     }
     return new Airborne(

@@ -40,7 +40,7 @@ record LocalPlane(double longitudeDeg, double latitudeDeg) {
     return new Place(line.s12 * Math.sin(bearing), line.s12 * Math.cos(bearing));
   }
 
-  Place place(FlightSample sample) {
+  Place place(TrackSample sample) {
     return place(sample.longitudeDeg(), sample.latitudeDeg());
   }
 

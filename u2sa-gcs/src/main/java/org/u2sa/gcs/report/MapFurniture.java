@@ -10,7 +10,7 @@ import org.u2sa.gcs.draw.Stroke;
 import org.u2sa.gcs.draw.TextStyle.Anchor;
 import org.u2sa.gcs.draw.Ticks;
 
-/** The map's arrow, scale bar and key of altitudes, in the corners of its frame. */
+/** The map's arrow, scale bar and key of colours, in the corners of its frame. */
 final class MapFurniture {
 
   private static final double INSET = 18.0;
@@ -46,10 +46,10 @@ final class MapFurniture {
     return List.of(arrow, bar, key);
   }
 
-  void draw(AltitudeRange altitudes) {
+  void draw(Quantity colour) {
     north();
     scale();
-    altitudeKey(altitudes);
+    colourKey(colour);
   }
 
   private void north() {
@@ -87,7 +87,7 @@ final class MapFurniture {
         : String.format(Locale.ROOT, "%.0f m", metres);
   }
 
-  private void altitudeKey(AltitudeRange altitudes) {
+  private void colourKey(Quantity colour) {
     canvas.rectangle(key, Ink.PANEL_VEIL, null);
     double left = key.x() + 12.0;
     double width = key.width() - 24.0;
@@ -95,7 +95,7 @@ final class MapFurniture {
     canvas.text(
         key.x() + key.width() / 2.0,
         key.y() + 15.0,
-        "altitude above sea level",
+        colour.name(),
         Ink.TICK.anchored(Anchor.MIDDLE));
     for (int step = 0; step < ColourScale.STEPS; step++) {
       canvas.rectangle(
@@ -103,12 +103,11 @@ final class MapFurniture {
           ColourScale.colour(step),
           null);
     }
-    canvas.text(left, key.bottom() - 8.0, metres(altitudes.lowM()), Ink.TICK);
+    canvas.text(left, key.bottom() - 8.0, colour.text(colour.low()), Ink.TICK);
     canvas.text(
-        left + width, key.bottom() - 8.0, metres(altitudes.highM()), Ink.TICK.anchored(Anchor.END));
-  }
-
-  private static String metres(double value) {
-    return String.format(Locale.ROOT, "%.0f m", value);
+        left + width,
+        key.bottom() - 8.0,
+        colour.text(colour.high()),
+        Ink.TICK.anchored(Anchor.END));
   }
 }

@@ -11,12 +11,13 @@ import org.u2sa.gcs.draw.TextStyle.Anchor;
 import org.u2sa.gcs.draw.Ticks;
 
 /**
- * Draws the map: grid, runway, fence, planned line, flown track, waypoints with their capture
- * circles and names.
+ * Draws the map: grid, runway, fence, planned line, track, waypoints with their capture circles and
+ * names.
  */
 final class MapPanel {
 
   private static final double M_PER_KM = 1000.0;
+  private static final double KM_FROM_M = 1000.0; // smaller maps are labelled in metres
   private static final double LEAST_RUNWAY_WIDTH = 11.0; // px
   private static final double LINE_WIDTH = 3.4;
   private static final double LEADER_FROM =
@@ -27,25 +28,29 @@ final class MapPanel {
   private static final int MOST_NAMES = 30; // with more waypoints, numbers alone
 
   private final Canvas canvas;
-  private final FlightPlan plan;
+  private final RunPlan plan;
   private final List<WaypointResult> results;
   private final MapView view;
-  private final FlownLine flown;
-  private final AltitudeRange altitudes;
+  private final TrackLine line;
+  private final Quantity colour;
+  private final double gridUnitM;
 
   MapPanel(
       Canvas canvas,
       Box frame,
-      FlightPlan plan,
-      List<FlightSample> track,
-      FlightScore score,
-      AltitudeRange altitudes) {
+      RunPlan plan,
+      List<TrackSample> track,
+      RunScore score,
+      Quantity colour) {
     this.canvas = canvas;
     this.plan = plan;
     results = score.waypoints();
     view = MapView.of(plan, track, frame);
-    flown = new FlownLine(track, sample -> view.pixel(view.plane().place(sample)));
-    this.altitudes = altitudes;
+    line = new TrackLine(track, colour, sample -> view.pixel(view.plane().place(sample)));
+    this.colour = colour;
+    boolean small =
+        plan.domain() == Domain.GROUND && Math.max(view.widthM(), view.heightM()) < KM_FROM_M;
+    gridUnitM = small ? 1.0 : M_PER_KM;
   }
 
   void draw() {
@@ -58,7 +63,7 @@ final class MapPanel {
           canvas.polyline(fence(), Stroke.dashed(Ink.MISSED, 2.0, 5.0));
           canvas.polyline(planned(), Stroke.dashed(Ink.PLANNED, 2.0, 7.0));
           plan.home().ifPresent(this::runway);
-          flown.draw(canvas, altitudes.lowM(), altitudes.highM(), LINE_WIDTH);
+          line.draw(canvas, LINE_WIDTH);
           results.forEach(
               result ->
                   WaypointMark.draw(canvas, view.pixel(result.waypoint()), result.captured()));
@@ -68,40 +73,42 @@ final class MapPanel {
     LabelPlacer placer = new LabelPlacer(view.frame());
     furniture.boxes().forEach(placer::avoid);
     names(placer);
-    furniture.draw(altitudes);
+    furniture.draw(colour);
   }
 
   private void grid() {
     Box frame = view.frame();
-    Ticks ticks = Ticks.between(0.0, Math.max(view.widthM(), view.heightM()) / M_PER_KM, 12);
-    for (double km :
+    Ticks ticks = Ticks.between(0.0, Math.max(view.widthM(), view.heightM()) / gridUnitM, 12);
+    for (double tick :
         Ticks.every(
-                ticks.step(), view.westM() / M_PER_KM, (view.westM() + view.widthM()) / M_PER_KM)
+                ticks.step(), view.westM() / gridUnitM, (view.westM() + view.widthM()) / gridUnitM)
             .values()) {
-      double x = view.x(km * M_PER_KM);
+      double x = view.x(tick * gridUnitM);
       canvas.line(x, frame.y(), x, frame.bottom(), Ink.GRID);
-      canvas.text(x, frame.bottom() + 19.0, ticks.label(km), Ink.TICK.anchored(Anchor.MIDDLE));
+      canvas.text(x, frame.bottom() + 19.0, ticks.label(tick), Ink.TICK.anchored(Anchor.MIDDLE));
     }
-    for (double km :
+    for (double tick :
         Ticks.every(
-                ticks.step(), view.southM() / M_PER_KM, (view.southM() + view.heightM()) / M_PER_KM)
+                ticks.step(),
+                view.southM() / gridUnitM,
+                (view.southM() + view.heightM()) / gridUnitM)
             .values()) {
-      double y = view.y(km * M_PER_KM);
+      double y = view.y(tick * gridUnitM);
       canvas.line(frame.x(), y, frame.right(), y, Ink.GRID);
-      canvas.text(frame.x() - 8.0, y + 5.0, ticks.label(km), Ink.TICK.anchored(Anchor.END));
+      canvas.text(frame.x() - 8.0, y + 5.0, ticks.label(tick), Ink.TICK.anchored(Anchor.END));
     }
     String origin = plan.home().isPresent() ? "home" : "the first waypoint";
     canvas.text(
         frame.right(),
         frame.bottom() + 40.0,
-        "km east and north of " + origin,
+        (gridUnitM == 1.0 ? "m" : "km") + " east and north of " + origin,
         Ink.TICK.anchored(Anchor.END));
   }
 
   /** Once around. */
   private List<Pixel> fence() {
     List<Pixel> line = new ArrayList<>();
-    for (FlightPlan.Corner corner : plan.fence()) {
+    for (RunPlan.Corner corner : plan.fence()) {
       line.add(view.pixel(view.plane().place(corner.longitudeDeg(), corner.latitudeDeg())));
     }
     if (!line.isEmpty()) {
@@ -154,7 +161,7 @@ final class MapPanel {
   }
 
   private void names(LabelPlacer placer) {
-    placer.avoidLine(Densified.line(flown.pixels()));
+    placer.avoidLine(Densified.line(line.pixels()));
     placer.avoidLine(Densified.line(planned()));
     for (WaypointResult result : results) {
       Pixel at = view.pixel(result.waypoint());

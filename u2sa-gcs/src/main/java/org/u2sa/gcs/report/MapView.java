@@ -6,16 +6,15 @@ import org.u2sa.gcs.draw.Box;
 import org.u2sa.gcs.draw.Canvas.Pixel;
 
 /**
- * Where places of a flight stand on a north-up map: one scale both ways, origin at home (or the
- * first waypoint or sample), all that is to be seen within the frame.
+ * Where places of a run stand on a north-up map: one scale both ways, origin at home (or the first
+ * waypoint or sample), all that is to be seen within the frame.
  */
 record MapView(
     LocalPlane plane, Box frame, double pixelsPerMetre, double centreEastM, double centreNorthM) {
 
   private static final double MARGIN = 1.10; // of the extent
-  private static final double LEAST_EXTENT_M = 500.0;
 
-  static MapView of(FlightPlan plan, List<FlightSample> track, Box frame) {
+  static MapView of(RunPlan plan, List<TrackSample> track, Box frame) {
     LocalPlane plane = plane(plan, track);
     Extent extent = new Extent();
     plan.home()
@@ -24,13 +23,14 @@ record MapView(
     plan.waypoints()
         .forEach(waypoint -> extent.include(plane.place(waypoint), waypoint.captureRadiusM()));
     track.forEach(sample -> extent.include(plane.place(sample), 0.0));
-    double width = Math.max(LEAST_EXTENT_M, MARGIN * extent.widthM());
-    double height = Math.max(LEAST_EXTENT_M, MARGIN * extent.heightM());
+    double least = plan.domain().leastMapM();
+    double width = Math.max(least, MARGIN * extent.widthM());
+    double height = Math.max(least, MARGIN * extent.heightM());
     double scale = Math.min(frame.width() / width, frame.height() / height);
     return new MapView(plane, frame, scale, extent.centreEastM(), extent.centreNorthM());
   }
 
-  private static LocalPlane plane(FlightPlan plan, List<FlightSample> track) {
+  private static LocalPlane plane(RunPlan plan, List<TrackSample> track) {
     Optional<Home> home = plan.home();
     if (home.isPresent()) {
       return new LocalPlane(home.get().longitudeDeg(), home.get().latitudeDeg());

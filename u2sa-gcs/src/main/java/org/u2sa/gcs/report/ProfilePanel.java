@@ -13,7 +13,7 @@ import org.u2sa.gcs.draw.TextStyle.Anchor;
 import org.u2sa.gcs.draw.Ticks;
 
 /**
- * Draws altitude against simulated time: planned and flown, with the moments at which waypoints
+ * Draws a quantity against simulated time: planned and true, with the moments at which waypoints
  * were met.
  */
 final class ProfilePanel {
@@ -27,31 +27,34 @@ final class ProfilePanel {
 
   private final Canvas canvas;
   private final Box frame;
-  private final FlightPlan plan;
-  private final List<FlightSample> track;
+  private final RunPlan plan;
+  private final List<TrackSample> track;
   private final List<WaypointResult> results;
-  private final AltitudeRange altitudes;
-  private final double bottomM;
-  private final double topM;
+  private final Quantity quantity;
+  private final Quantity colour;
+  private final double bottom;
+  private final double top;
   private final double startS;
   private final double endS;
 
   ProfilePanel(
       Canvas canvas,
       Box frame,
-      FlightPlan plan,
-      List<FlightSample> track,
-      FlightScore score,
-      AltitudeRange altitudes) {
+      RunPlan plan,
+      List<TrackSample> track,
+      RunScore score,
+      Quantity quantity,
+      Quantity colour) {
     this.canvas = canvas;
     this.frame = frame;
     this.plan = plan;
     this.track = track;
     results = score.waypoints();
-    this.altitudes = altitudes;
-    double headroom = HEADROOM * (altitudes.highM() - altitudes.lowM());
-    bottomM = altitudes.lowM() - headroom;
-    topM = altitudes.highM() + headroom;
+    this.quantity = quantity;
+    this.colour = colour;
+    double headroom = HEADROOM * (quantity.high() - quantity.low());
+    bottom = quantity.low() - headroom;
+    top = quantity.high() + headroom;
     startS = track.isEmpty() ? 0.0 : track.get(0).timeS();
     endS = Math.max(startS + 1.0, track.isEmpty() ? 0.0 : track.get(track.size() - 1).timeS());
   }
@@ -67,14 +70,11 @@ final class ProfilePanel {
   }
 
   private void grid() {
-    Ticks heights = Ticks.between(bottomM, topM, 7);
-    for (double altitude : heights.values()) {
-      canvas.line(frame.x(), y(altitude), frame.right(), y(altitude), Ink.GRID);
+    Ticks heights = Ticks.between(bottom, top, 7);
+    for (double value : heights.values()) {
+      canvas.line(frame.x(), y(value), frame.right(), y(value), Ink.GRID);
       canvas.text(
-          frame.x() - 8.0,
-          y(altitude) + 5.0,
-          heights.label(altitude),
-          Ink.TICK.anchored(Anchor.END));
+          frame.x() - 8.0, y(value) + 5.0, heights.label(value), Ink.TICK.anchored(Anchor.END));
     }
     for (double time : Ticks.every(timeStep(), startS, endS).values()) {
       canvas.line(x(time), frame.y(), x(time), frame.bottom(), Ink.GRID);
@@ -118,34 +118,37 @@ final class ProfilePanel {
   }
 
   private void lines() {
-    FlownLine flown = new FlownLine(track, s -> new Pixel(x(s.timeS()), y(s.altitudeM())));
-    List<Pixel> area = new ArrayList<>(flown.pixels());
+    TrackLine line =
+        new TrackLine(
+            track, colour, s -> new Pixel(x(s.timeS()), y(quantity.of().applyAsDouble(s))));
+    List<Pixel> area = new ArrayList<>(line.pixels());
     if (!area.isEmpty()) {
-      area.add(new Pixel(area.get(area.size() - 1).x(), frame.bottom()));
-      area.add(new Pixel(area.get(0).x(), frame.bottom()));
+      double base = quantity.base() < bottom ? frame.bottom() : y(quantity.base());
+      area.add(new Pixel(area.get(area.size() - 1).x(), base));
+      area.add(new Pixel(area.get(0).x(), base));
     }
     canvas.polygon(area, Ink.FLOWN_AREA);
     planned().forEach(run -> canvas.polyline(run, Stroke.dashed(Ink.MUTED, 2.0, 7.0)));
-    flown.draw(canvas, altitudes.lowM(), altitudes.highM(), 3.0);
+    line.draw(canvas, 3.0);
   }
 
-  /** The altitude of the target over time, in runs where there is one. */
+  /** What is planned over time, in runs where there is one. */
   private List<List<Pixel>> planned() {
     List<List<Pixel>> runs = new ArrayList<>();
     List<Pixel> run = new ArrayList<>();
     int leg = -1;
-    for (FlightSample sample : track) {
+    for (TrackSample sample : track) {
       if (sample.leg() != leg) {
         if (!run.isEmpty()) {
           run.add(new Pixel(x(sample.timeS()), run.get(run.size() - 1).y()));
         }
         leg = sample.leg();
-        OptionalDouble altitude =
+        OptionalDouble value =
             leg >= 0 && leg < plan.waypoints().size()
-                ? plan.waypoints().get(leg).altitudeM()
+                ? quantity.planned().apply(plan.waypoints().get(leg))
                 : OptionalDouble.empty();
-        if (altitude.isPresent()) {
-          run.add(new Pixel(x(sample.timeS()), y(altitude.getAsDouble())));
+        if (value.isPresent()) {
+          run.add(new Pixel(x(sample.timeS()), y(value.getAsDouble())));
         } else {
           runs.add(run);
           run = new ArrayList<>();
@@ -161,10 +164,9 @@ final class ProfilePanel {
 
   private void marks() {
     for (WaypointResult result : results) {
-      if (result.timeS().isPresent() && result.waypoint().altitudeM().isPresent()) {
-        Pixel at =
-            new Pixel(
-                x(result.timeS().getAsDouble()), y(result.waypoint().altitudeM().getAsDouble()));
+      OptionalDouble planned = quantity.planned().apply(result.waypoint());
+      if (result.timeS().isPresent() && planned.isPresent()) {
+        Pixel at = new Pixel(x(result.timeS().getAsDouble()), y(planned.getAsDouble()));
         WaypointMark.draw(canvas, at, result.captured());
       }
     }
@@ -173,26 +175,27 @@ final class ProfilePanel {
   private void key() {
     double y = frame.bottom() + 40.0;
     double x = frame.x();
-    canvas.text(x, y, "altitude above sea level [m]:", Ink.TICK);
-    x += Ink.TICK.widthOf("altitude above sea level [m]:") + 24.0;
+    String name = quantity.name() + " [" + quantity.unit() + "]:";
+    canvas.text(x, y, name, Ink.TICK);
+    x += Ink.TICK.widthOf(name) + 24.0;
     canvas.line(x, y - 5.0, x + 34.0, y - 5.0, Stroke.dashed(Ink.MUTED, 2.0, 7.0));
-    canvas.text(x + 42.0, y, "of the waypoint flown to", Ink.TICK);
-    x += 42.0 + Ink.TICK.widthOf("of the waypoint flown to") + 32.0;
+    canvas.text(x + 42.0, y, quantity.plannedName(), Ink.TICK);
+    x += 42.0 + Ink.TICK.widthOf(quantity.plannedName()) + 32.0;
     canvas.line(
         x,
         y - 5.0,
         x + 34.0,
         y - 5.0,
         Stroke.solid(ColourScale.colour(ColourScale.STEPS / 2), 3.0));
-    canvas.text(x + 42.0, y, "flown", Ink.TICK);
+    canvas.text(x + 42.0, y, plan.domain().moved(), Ink.TICK);
   }
 
   private double x(double timeS) {
     return frame.x() + frame.width() * (timeS - startS) / (endS - startS);
   }
 
-  private double y(double altitudeM) {
-    return frame.bottom() - frame.height() * (altitudeM - bottomM) / (topM - bottomM);
+  private double y(double value) {
+    return frame.bottom() - frame.height() * (value - bottom) / (top - bottom);
   }
 
   static String clock(double seconds) {

@@ -12,19 +12,18 @@ import org.u2sa.gcs.draw.SvgCanvas;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * All that a finished flight leaves behind, and the files that tell of it: {@code track.csv},
- * {@code track.kml}, {@code track.svg}, {@code track.png} and {@code summary.json}.
+ * All that a finished run leaves behind, and the files that tell of it: {@code track.csv}, {@code
+ * track.kml}, {@code track.svg}, {@code track.png} and {@code summary.json}.
  *
  * <p>Each file is whole or absent, and {@code summary.json} comes last: a directory that has one is
  * complete.
  *
  * @param facts what was run
- * @param plan what was to be flown
- * @param track what was flown, truth, oldest first
- * @param score how well, see {@link FlightScorer}
+ * @param plan what was to be done
+ * @param track where the vehicle was, truth, oldest first
+ * @param score how well, see {@link RunScorer}
  */
-public record RunReport(
-    RunFacts facts, FlightPlan plan, List<FlightSample> track, FlightScore score) {
+public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, RunScore score) {
 
   /** Name of the file that programs read. */
   public static final String SUMMARY = "summary.json";
@@ -33,16 +32,15 @@ public record RunReport(
     track = List.copyOf(track);
   }
 
-  /** Scores a flight and makes its report. */
-  public static RunReport of(
-      RunFacts facts, FlightPlan plan, FlightTrack track, FlightOutcome outcome) {
+  /** Scores a run and makes its report. */
+  public static RunReport of(RunFacts facts, RunPlan plan, Track track, RunOutcome outcome) {
     return new RunReport(
-        facts, plan, track.samples(), FlightScorer.score(plan, track.samples(), outcome));
+        facts, plan, track.samples(), RunScorer.score(plan, track.samples(), outcome));
   }
 
   /**
-   * Makes the directory of a run before the run starts, so that a bad {@code --out} costs no
-   * flight. A summary of an earlier run in it is removed: the directory is no longer complete.
+   * Makes the directory of a run before the run starts, so that a bad {@code --out} costs no run. A
+   * summary of an earlier run in it is removed: the directory is no longer complete.
    *
    * @throws BadInputException if it cannot be made or written to
    */
@@ -60,7 +58,7 @@ public record RunReport(
    * Writes all files into {@code directory}, which is made if need be.
    *
    * @return empty, or why there is no {@code track.png}: a Java without fonts cannot draw one, and
-   *     a flight is not lost for that
+   *     a run is not lost for that
    * @throws ReportException naming the file and the system's reason if one cannot be written; there
    *     is no {@code summary.json} then
    */
@@ -72,7 +70,8 @@ public record RunReport(
       throw new ReportException("cannot write to " + directory + ": " + ReportFile.reason(e), e);
     }
     String title = TrackPicture.title(facts, score);
-    ReportFile.writeText(directory.resolve("track.csv"), out -> TrackCsv.write(out, track));
+    ReportFile.writeText(
+        directory.resolve("track.csv"), out -> TrackCsv.write(out, plan.domain(), track));
     ReportFile.writeText(
         directory.resolve("track.kml"), out -> TrackKml.write(out, title, plan, score, track));
     ReportFile.writeText(directory.resolve("track.svg"), out -> out.write(svg(title)));
@@ -93,7 +92,7 @@ public record RunReport(
 
   /** Writes what {@code summary.json} holds, for {@code --json}; leaves {@code out} open. */
   public void writeSummary(Writer out) throws IOException {
-    SummaryJson.write(out, facts, score);
+    SummaryJson.write(out, plan.domain(), facts, score);
   }
 
   private String svg(String title) {

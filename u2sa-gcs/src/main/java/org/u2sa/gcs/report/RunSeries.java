@@ -53,16 +53,19 @@ public record RunSeries(List<RunReport> reports) {
       generator.writeNumberField(
           "runsSucceeded", reports.stream().filter(r -> r.score().success()).count());
       json.number("worstMissM", worst(r -> worstMiss(r.score())), "no waypoint was a target");
+      Domain domain = reports.get(0).plan().domain();
       json.number(
-          "worstCrossTrackRmsM", worst(r -> r.score().crossTrackRmsM()), "no straight was flown");
-      json.number(
-          "worstAltitudeErrorM",
-          worst(r -> r.score().altitudeMaxErrorM()),
-          "no level leg was flown");
-      json.number(
-          "worstBankDeg",
-          worst(r -> SummaryNumbers.degrees(r.score().maxBankRad())),
-          "nothing took off");
+          "worstCrossTrackRmsM", worst(r -> r.score().crossTrackRmsM()), noStraight(domain));
+      if (domain == Domain.AIR) {
+        json.number(
+            "worstAltitudeErrorM",
+            worst(r -> flight(r).altitudeMaxErrorM()),
+            "no level leg was flown");
+        json.number(
+            "worstBankDeg",
+            worst(r -> SummaryNumbers.degrees(flight(r).maxBankRad())),
+            "nothing took off");
+      }
       generator.writeArrayFieldStart("perRun");
       for (RunReport report : reports) {
         run(json, report);
@@ -74,7 +77,7 @@ public record RunSeries(List<RunReport> reports) {
   }
 
   private static void run(SummaryNumbers json, RunReport report) throws IOException {
-    FlightScore score = report.score();
+    RunScore score = report.score();
     String of = "seed " + report.facts().seed();
     JsonGenerator generator = json.generator();
     generator.writeStartObject();
@@ -83,18 +86,36 @@ public record RunSeries(List<RunReport> reports) {
     generator.writeNumberField("waypoints", score.waypoints().size());
     generator.writeNumberField("waypointsCaptured", score.captured());
     json.number("worstMissM", worstMiss(score), "no waypoint was a target", of);
-    json.number("crossTrackRmsM", score.crossTrackRmsM(), "no straight was flown", of);
-    json.number("altitudeMaxErrorM", score.altitudeMaxErrorM(), "no level leg was flown", of);
-    json.number("maxBankDeg", SummaryNumbers.degrees(score.maxBankRad()), "did not take off", of);
-    generator.writeBooleanField("tookOff", score.tookOff());
-    generator.writeBooleanField("crashed", score.outcome().crashed());
-    generator.writeBooleanField("stalled", score.outcome().stalled());
+    json.number("crossTrackRmsM", score.crossTrackRmsM(), noStraight(report.plan().domain()), of);
+    if (score.flight().isPresent()) {
+      flight(json, score.flight().get(), of);
+      generator.writeBooleanField("crashed", score.outcome().crashed());
+      generator.writeBooleanField("stalled", score.outcome().stalled());
+    } else {
+      generator.writeNumberField("contacts", score.outcome().contacts());
+      generator.writeNumberField("violations", score.outcome().violations().size());
+    }
     json.number("simSeconds", score.simSeconds());
     json.number("wallSeconds", report.facts().wallSeconds());
     generator.writeEndObject();
   }
 
-  private static OptionalDouble worstMiss(FlightScore score) {
+  private static void flight(SummaryNumbers json, FlightFigures flight, String of)
+      throws IOException {
+    json.number("altitudeMaxErrorM", flight.altitudeMaxErrorM(), "no level leg was flown", of);
+    json.number("maxBankDeg", SummaryNumbers.degrees(flight.maxBankRad()), "did not take off", of);
+    json.generator().writeBooleanField("tookOff", flight.tookOff());
+  }
+
+  private static FlightFigures flight(RunReport report) {
+    return report.score().flight().orElseThrow();
+  }
+
+  private static String noStraight(Domain domain) {
+    return "no straight was " + domain.moved();
+  }
+
+  private static OptionalDouble worstMiss(RunScore score) {
     return largest(score.waypoints().stream().map(WaypointResult::missM));
   }
 

@@ -17,13 +17,13 @@ final class SummaryJson {
   }
 
   /** Writes the summary and leaves {@code out} open. */
-  static void write(Writer out, RunFacts facts, FlightScore score) throws IOException {
+  static void write(Writer out, Domain domain, RunFacts facts, RunScore score) throws IOException {
     try (SummaryNumbers numbers = new SummaryNumbers(out)) {
-      new SummaryJson(numbers).run(facts, score);
+      new SummaryJson(numbers).run(domain, facts, score);
     }
   }
 
-  private void run(RunFacts facts, FlightScore score) throws IOException {
+  private void run(Domain domain, RunFacts facts, RunScore score) throws IOException {
     int planned = score.waypoints().size();
     json.writeStartObject();
     json.writeStringField("demo", facts.demo());
@@ -36,10 +36,15 @@ final class SummaryJson {
     json.writeNumberField("goalsCompleted", facts.goalsCompleted().orElse(score.captured()));
     json.writeArrayFieldStart("perWaypoint");
     for (WaypointResult result : score.waypoints()) {
-      waypoint(result);
+      waypoint(domain, result);
     }
     json.writeEndArray();
-    flight(score);
+    straights(domain, score);
+    if (score.flight().isPresent()) {
+      flight(score.flight().get());
+      json.writeBooleanField("crashed", score.outcome().crashed());
+      json.writeBooleanField("stalled", score.outcome().stalled());
+    }
     outcome(score.outcome());
     numbers.number("simSeconds", score.simSeconds());
     numbers.number("wallSeconds", facts.wallSeconds());
@@ -52,27 +57,32 @@ final class SummaryJson {
     json.writeEndObject();
   }
 
-  private void waypoint(WaypointResult result) throws IOException {
+  private void waypoint(Domain domain, WaypointResult result) throws IOException {
     String name = result.waypoint().name();
     json.writeStartObject();
     json.writeStringField("name", name);
     String never = "never was the target";
     numbers.number("missM", result.missM(), never, name);
-    numbers.number(
-        "altitudeErrorM",
-        result.altitudeErrorM(),
-        result.missM().isPresent() ? "has no planned altitude" : never,
-        name);
+    if (domain == Domain.AIR) {
+      numbers.number(
+          "altitudeErrorM",
+          result.altitudeErrorM(),
+          result.missM().isPresent() ? "has no planned altitude" : never,
+          name);
+    }
     numbers.number("timeS", result.timeS(), never, name);
     json.writeBooleanField("captured", result.captured());
     json.writeEndObject();
   }
 
-  private void flight(FlightScore score) throws IOException {
-    String noStraight = "no straight between waypoints was flown";
+  private void straights(Domain domain, RunScore score) throws IOException {
+    String noStraight = "no straight between waypoints was " + domain.moved();
     numbers.number("crossTrackRmsM", score.crossTrackRmsM(), noStraight);
     numbers.number("crossTrackRmsWholeLegsM", score.crossTrackRmsWholeLegsM(), noStraight);
-    numbers.number("settlingDistanceM", FlightScorer.SETTLING_DISTANCE_M);
+    numbers.number("settlingDistanceM", domain.settlingDistanceM());
+  }
+
+  private void flight(FlightFigures score) throws IOException {
     String noLevel = "no leg between waypoints of one altitude was flown";
     numbers.number("altitudeRmsM", score.altitudeRmsM(), noLevel);
     numbers.number("altitudeMaxErrorM", score.altitudeMaxErrorM(), noLevel);
@@ -82,10 +92,8 @@ final class SummaryJson {
     json.writeBooleanField("tookOff", score.tookOff());
   }
 
-  private void outcome(FlightOutcome outcome) throws IOException {
-    json.writeBooleanField("crashed", outcome.crashed());
-    json.writeBooleanField("stalled", outcome.stalled());
-    json.writeNumberField("contacts", outcome.crashed() ? 1 : 0);
+  private void outcome(RunOutcome outcome) throws IOException {
+    json.writeNumberField("contacts", outcome.contacts());
     json.writeNumberField("violations", outcome.violations().size());
     json.writeArrayFieldStart("violationDetails");
     for (String violation : outcome.violations()) {

@@ -11,32 +11,53 @@ import java.util.Locale;
  */
 final class TrackCsv {
 
-  private static final String HEADER =
+  private static final String FLIGHT_HEADER =
       "time_s,longitude_deg,latitude_deg,altitude_m,heading_deg,roll_deg,pitch_deg,calibrated_airspeed_mps,ground_speed_mps,cross_track_m,leg,on_ground,phase\n";
+  private static final String HEADER =
+      "time_s,longitude_deg,latitude_deg,altitude_m,heading_deg,ground_speed_mps,cross_track_m,leg,phase\n";
 
   private TrackCsv() {}
 
-  static void write(Writer out, List<FlightSample> track) throws IOException {
-    out.write(HEADER);
-    for (FlightSample s : track) {
-      out.write(
-          String.format(
-              Locale.ROOT,
-              "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%d,%d,%s\n",
-              s.timeS(),
-              s.longitudeDeg(),
-              s.latitudeDeg(),
-              s.altitudeM(),
-              Math.toDegrees(s.headingRad()),
-              Math.toDegrees(s.rollRad()),
-              Math.toDegrees(s.pitchRad()),
-              s.calibratedAirspeedMps(),
-              s.groundSpeedMps(),
-              s.crossTrackM(),
-              s.leg(),
-              s.onGround() ? 1 : 0,
-              quoted(s.phase())));
+  static void write(Writer out, Domain domain, List<TrackSample> track) throws IOException {
+    out.write(domain == Domain.AIR ? FLIGHT_HEADER : HEADER);
+    for (TrackSample s : track) {
+      out.write(domain == Domain.AIR ? ofFlight(s) : of(s));
     }
+  }
+
+  private static String of(TrackSample s) {
+    return String.format(
+        Locale.ROOT,
+        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%d,%s\n",
+        s.timeS(),
+        s.longitudeDeg(),
+        s.latitudeDeg(),
+        s.altitudeM(),
+        Math.toDegrees(s.headingRad()),
+        s.groundSpeedMps(),
+        s.crossTrackM(),
+        s.leg(),
+        quoted(s.phase()));
+  }
+
+  private static String ofFlight(TrackSample s) {
+    TrackSample.Flight flight = s.flight().orElseThrow();
+    return String.format(
+        Locale.ROOT,
+        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%d,%d,%s\n",
+        s.timeS(),
+        s.longitudeDeg(),
+        s.latitudeDeg(),
+        s.altitudeM(),
+        Math.toDegrees(s.headingRad()),
+        Math.toDegrees(flight.rollRad()),
+        Math.toDegrees(flight.pitchRad()),
+        flight.calibratedAirspeedMps(),
+        s.groundSpeedMps(),
+        s.crossTrackM(),
+        s.leg(),
+        flight.onGround() ? 1 : 0,
+        quoted(s.phase()));
   }
 
   private static String quoted(String text) {

@@ -8,8 +8,8 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.draw.XmlText;
 
 /**
- * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track at its true altitude, the
- * planned line, and the waypoints.
+ * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track, of aircraft at its true
+ * altitude, the planned line, and the waypoints.
  */
 final class TrackKml {
 
@@ -17,8 +17,7 @@ final class TrackKml {
 
   private TrackKml() {}
 
-  static void write(
-      Writer out, String title, FlightPlan plan, FlightScore score, List<FlightSample> track)
+  static void write(Writer out, String title, RunPlan plan, RunScore score, List<TrackSample> track)
       throws IOException {
     out.write(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n");
@@ -29,7 +28,7 @@ final class TrackKml {
     out.write("<PolyStyle><color>40b27200</color></PolyStyle></Style>\n");
     out.write(
         "  <Style id=\"planned\"><LineStyle><color>ff888888</color><width>2</width></LineStyle></Style>\n");
-    flown(out, track);
+    track(out, plan.domain(), track);
     planned(out, plan);
     for (WaypointResult result : score.waypoints()) {
       waypoint(out, result);
@@ -37,29 +36,38 @@ final class TrackKml {
     out.write("</Document>\n</kml>\n");
   }
 
-  private static void flown(Writer out, List<FlightSample> track) throws IOException {
+  private static void track(Writer out, Domain domain, List<TrackSample> track) throws IOException {
     if (track.isEmpty()) {
       return;
     }
     out.write(
-        "  <Placemark>\n    <name>flown</name>\n    <styleUrl>#flown</styleUrl>\n    <LineString>\n");
+        "  <Placemark>\n    <name>"
+            + domain.moved()
+            + "</name>\n    <styleUrl>#flown</styleUrl>\n    <LineString>\n");
     out.write(
-        "      <extrude>1</extrude>\n      <altitudeMode>absolute</altitudeMode>\n      <coordinates>\n");
+        domain == Domain.AIR
+            ? "      <extrude>1</extrude>\n      <altitudeMode>absolute</altitudeMode>\n"
+            : "      <tessellate>1</tessellate>\n      <altitudeMode>clampToGround</altitudeMode>\n");
+    out.write("      <coordinates>\n");
     int step = 1 + track.size() / MOST_POINTS;
     for (int i = 0; i < track.size(); i += step) {
-      FlightSample s = track.get(i);
+      TrackSample s = track.get(i);
       coordinates(out, s.longitudeDeg(), s.latitudeDeg(), s.altitudeM());
     }
     out.write("      </coordinates>\n    </LineString>\n  </Placemark>\n");
   }
 
-  private static void planned(Writer out, FlightPlan plan) throws IOException {
+  private static void planned(Writer out, RunPlan plan) throws IOException {
     if (plan.waypoints().isEmpty()) {
       return;
     }
     out.write(
         "  <Placemark>\n    <name>planned</name>\n    <styleUrl>#planned</styleUrl>\n    <LineString>\n");
-    out.write("      <altitudeMode>absolute</altitudeMode>\n      <coordinates>\n");
+    out.write(
+        plan.domain() == Domain.AIR
+            ? "      <altitudeMode>absolute</altitudeMode>\n"
+            : "      <altitudeMode>clampToGround</altitudeMode>\n");
+    out.write("      <coordinates>\n");
     double altitude = plan.home().map(Home::altitudeM).orElse(0.0);
     if (plan.home().isPresent()) {
       coordinates(out, plan.home().get().longitudeDeg(), plan.home().get().latitudeDeg(), altitude);

@@ -7,7 +7,10 @@ import java.util.OptionalDouble;
 import org.u2sa.gcs.draw.Box;
 import org.u2sa.gcs.draw.Canvas;
 
-/** Draws a flight on one page: what it was and how it went, the map, the altitude profile. */
+/**
+ * Draws a run on one page: what it was and how it went, the map, and a quantity over time: the
+ * altitude of aircraft, how far beside the line others were.
+ */
 final class TrackPicture {
 
   static final int WIDTH = 1600;
@@ -20,7 +23,7 @@ final class TrackPicture {
 
   private TrackPicture() {}
 
-  static String title(RunFacts facts, FlightScore score) {
+  static String title(RunFacts facts, RunScore score) {
     return String.format(
         Locale.ROOT,
         "%s, seed %d: %d of %d waypoints captured",
@@ -31,36 +34,43 @@ final class TrackPicture {
   }
 
   static void draw(
-      Canvas canvas, RunFacts facts, FlightPlan plan, FlightScore score, List<FlightSample> track) {
-    AltitudeRange altitudes = AltitudeRange.of(plan, track);
+      Canvas canvas, RunFacts facts, RunPlan plan, RunScore score, List<TrackSample> track) {
+    Quantity colour = Quantity.onMap(plan, track);
     canvas.rectangle(new Box(0.0, 0.0, WIDTH, HEIGHT), Ink.PAPER, null);
     canvas.text(LEFT, 58.0, title(facts, score), Ink.TITLE);
     String alarm = alarm(score);
     canvas.text(LEFT, 92.0, alarm, Ink.ALARM);
-    canvas.text(LEFT + Ink.ALARM.widthOf(alarm), 92.0, subtitle(facts, score), Ink.SUBTITLE);
-    new MapPanel(canvas, MAP, plan, track, score, altitudes).draw();
-    new ProfilePanel(canvas, PROFILE, plan, track, score, altitudes).draw();
+    canvas.text(
+        LEFT + Ink.ALARM.widthOf(alarm), 92.0, subtitle(facts, plan.domain(), score), Ink.SUBTITLE);
+    new MapPanel(canvas, MAP, plan, track, score, colour).draw();
+    new ProfilePanel(canvas, PROFILE, plan, track, score, Quantity.overTime(plan, track), colour)
+        .draw();
   }
 
-  private static String alarm(FlightScore score) {
+  private static String alarm(RunScore score) {
     return (score.outcome().crashed() ? "CRASHED    " : "")
         + (score.outcome().stalled() ? "STALLED    " : "");
   }
 
-  private static String subtitle(RunFacts facts, FlightScore score) {
+  private static String subtitle(RunFacts facts, Domain domain, RunScore score) {
     List<String> parts = new ArrayList<>();
-    add(parts, "cross-track RMS %.1f m", score.crossTrackRmsM());
-    add(parts, "altitude RMS %.1f m on level legs", score.altitudeRmsM());
-    if (score.maxBankRad().isPresent()) {
+    String rms = domain == Domain.AIR ? "cross-track RMS %.1f m" : "cross-track RMS %.2f m";
+    add(parts, rms, score.crossTrackRmsM());
+    score.flight().ifPresent(flight -> add(parts, flight));
+    parts.add(ProfilePanel.clock(score.simSeconds()) + " min simulated");
+    parts.add(facts.simulator());
+    return String.join("  \u00b7  ", parts);
+  }
+
+  private static void add(List<String> parts, FlightFigures flight) {
+    add(parts, "altitude RMS %.1f m on level legs", flight.altitudeRmsM());
+    if (flight.maxBankRad().isPresent()) {
       parts.add(
           String.format(
               Locale.ROOT,
               "bank up to %.0f\u00b0",
-              Math.toDegrees(score.maxBankRad().getAsDouble())));
+              Math.toDegrees(flight.maxBankRad().getAsDouble())));
     }
-    parts.add(ProfilePanel.clock(score.simSeconds()) + " min simulated");
-    parts.add(facts.simulator());
-    return String.join("  \u00b7  ", parts);
   }
 
   private static void add(List<String> parts, String pattern, OptionalDouble value) {

@@ -19,9 +19,9 @@ final class WaypointApproach {
   }
 
   /**
-   * @param leg index of the waypoint as {@link FlightSample#leg()} has it
+   * @param leg index of the waypoint as {@link TrackSample#leg()} has it
    */
-  static WaypointResult measure(PlannedWaypoint waypoint, int leg, List<FlightSample> track) {
+  static WaypointResult measure(PlannedWaypoint waypoint, int leg, List<TrackSample> track) {
     WaypointApproach approach = new WaypointApproach(waypoint);
     for (int i = 0; i < track.size(); i++) {
       if (track.get(i).leg() == leg) {
@@ -32,7 +32,7 @@ final class WaypointApproach {
     return approach.result();
   }
 
-  private void segment(FlightSample from, FlightSample to) {
+  private void segment(TrackSample from, TrackSample to) {
     LocalPlane.Place a = plane.place(from);
     LocalPlane.Place b = plane.place(to);
     double dx = b.eastM() - a.eastM();

@@ -2,10 +2,11 @@ package org.u2sa.gcs.terminal;
 
 import java.util.List;
 import java.util.Locale;
+import org.u2sa.gcs.report.TrackSample;
 
 /**
- * Shows a flight while it goes on. A terminal gets a panel redrawn in place, at most ten times a
- * second of {@link FlightStatus#elapsedS()}; a pipe or file gets a line at each change of phase or
+ * Shows a run while it goes on. A terminal gets a panel redrawn in place, at most ten times a
+ * second of {@link RunStatus#elapsedS()}; a pipe or file gets a line at each change of phase or
  * waypoint and every ten simulated seconds. Not for use by several threads at once.
  */
 public final class LiveStatus implements AutoCloseable {
@@ -16,8 +17,8 @@ public final class LiveStatus implements AutoCloseable {
   private static final String CLEAR_TO_END_OF_LINE = "\u001b[K";
 
   private final Terminal terminal;
-  private FlightStatus shown; // last one printed
-  private FlightStatus newest;
+  private RunStatus shown; // last one printed
+  private RunStatus newest;
   private int panelLines; // how far up the next redraw starts
 
   public LiveStatus(Terminal terminal) {
@@ -25,7 +26,7 @@ public final class LiveStatus implements AutoCloseable {
   }
 
   /** Takes a new moment; cheap when it is not yet time to show it. */
-  public void update(FlightStatus status) {
+  public void update(RunStatus status) {
     newest = status;
     if (isDue(status)) {
       show(status);
@@ -41,7 +42,7 @@ public final class LiveStatus implements AutoCloseable {
     panelLines = 0;
   }
 
-  private boolean isDue(FlightStatus status) {
+  private boolean isDue(RunStatus status) {
     if (shown == null) {
       return true;
     }
@@ -53,7 +54,7 @@ public final class LiveStatus implements AutoCloseable {
         || status.simulatedS() - shown.simulatedS() >= LINE_S;
   }
 
-  private void show(FlightStatus status) {
+  private void show(RunStatus status) {
     shown = status;
     if (terminal.redraws()) {
       redraw(panel(status));
@@ -79,39 +80,60 @@ public final class LiveStatus implements AutoCloseable {
     panelLines = lines.size();
   }
 
-  private static List<String> panel(FlightStatus s) {
+  private static List<String> panel(RunStatus s) {
     return List.of(
         format("%-10s %s %s", s.phase(), bar(s), target(s)),
-        format(
+        figures(
+            s.sample(),
             "altitude %6.0f m   speed %5.1f m/s   bank %+4.0f deg   off track %+5.0f m",
-            s.altitudeM(), s.airspeedMps(), Math.toDegrees(s.bankRad()), s.crossTrackM()),
+            "speed %5.2f m/s   heading %3.0f deg   off track %+6.2f m"),
         format("simulated %s   elapsed %s%s", clock(s.simulatedS()), clock(s.elapsedS()), rate(s)));
   }
 
-  private static String line(FlightStatus s) {
+  private static String line(RunStatus s) {
     return format(
-        "%s  %-10s %s  altitude %.0f m  speed %.1f m/s  bank %+.0f deg  off track %+.0f m  elapsed %s",
+        "%s  %-10s %s  %s  elapsed %s",
         clock(s.simulatedS()),
         s.phase(),
         target(s),
-        s.altitudeM(),
-        s.airspeedMps(),
-        Math.toDegrees(s.bankRad()),
-        s.crossTrackM(),
+        figures(
+            s.sample(),
+            "altitude %.0f m  speed %.1f m/s  bank %+.0f deg  off track %+.0f m",
+            "speed %.2f m/s  heading %.0f deg  off track %+.2f m"),
         clock(s.elapsedS()));
   }
 
-  private static String target(FlightStatus s) {
+  private static String figures(TrackSample sample, String inFlight, String onGround) {
+    if (sample.flight().isPresent()) {
+      TrackSample.Flight flight = sample.flight().get();
+      return format(
+          inFlight,
+          sample.altitudeM(),
+          flight.calibratedAirspeedMps(),
+          Math.toDegrees(flight.rollRad()),
+          sample.crossTrackM());
+    }
+    double heading = Math.toDegrees(sample.headingRad());
+    return format(
+        onGround,
+        sample.groundSpeedMps(),
+        heading - 360.0 * Math.floor(heading / 360.0),
+        sample.crossTrackM());
+  }
+
+  private static String target(RunStatus s) {
     if (s.waypoint() == 0) {
       return "no waypoint";
     }
     String name = s.waypointName().isEmpty() ? "" : " (" + s.waypointName() + ")";
-    return format(
-        "waypoint %d of %d%s, %.2f km to go",
-        s.waypoint(), s.waypoints(), name, s.distanceM() / 1000.0);
+    String distance =
+        s.sample().flight().isPresent()
+            ? format("%.2f km", s.distanceM() / 1000.0)
+            : format("%.1f m", s.distanceM());
+    return format("waypoint %d of %d%s, %s to go", s.waypoint(), s.waypoints(), name, distance);
   }
 
-  private static String bar(FlightStatus s) {
+  private static String bar(RunStatus s) {
     int done =
         s.waypoints() == 0
             ? 0
@@ -119,7 +141,7 @@ public final class LiveStatus implements AutoCloseable {
     return "[" + "#".repeat(done) + ".".repeat(BAR_WIDTH - done) + "]";
   }
 
-  private static String rate(FlightStatus s) {
+  private static String rate(RunStatus s) {
     return s.elapsedS() < 1.0
         ? ""
         : format("   (%.0f times real time)", s.simulatedS() / s.elapsedS());

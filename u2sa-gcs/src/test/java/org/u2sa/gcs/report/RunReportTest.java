@@ -83,9 +83,9 @@ class RunReportTest {
 
   @Test
   void write_flightThatNeverLeft_saysWhyNumbersAreAbsent() throws IOException {
-    FlightPlan plan = SyntheticFlight.tenWaypoints();
+    RunPlan plan = SyntheticFlight.tenWaypoints();
     RunFacts facts = new RunFacts("cessna", 1, "embedded", 0.0, OptionalInt.of(0));
-    RunReport.of(facts, plan, new FlightTrack(), FlightOutcome.clean()).write(directory);
+    RunReport.of(facts, plan, new Track(), RunOutcome.clean()).write(directory);
     JsonNode json = summary();
     assertThat(json.get("crossTrackRmsM").isNull()).isTrue();
     assertThat(json.get("absent").get("crossTrackRmsM").asText()).contains("no straight");
@@ -103,9 +103,9 @@ class RunReportTest {
             OptionalDouble.of(300.0),
             100.0,
             OptionalDouble.empty());
-    FlightPlan plan = new FlightPlan(Optional.empty(), List.of(odd));
+    RunPlan plan = new RunPlan(Domain.AIR, Optional.empty(), List.of(odd));
     RunFacts facts = new RunFacts("a<b", 1, "x & y", 1.0, OptionalInt.empty());
-    RunReport.of(facts, plan, new FlightTrack(), FlightOutcome.clean()).write(directory);
+    RunReport.of(facts, plan, new Track(), RunOutcome.clean()).write(directory);
     assertThat(
             parsed(directory.resolve("track.kml"))
                 .getElementsByTagName("Placemark")
@@ -165,39 +165,32 @@ class RunReportTest {
   @Test
   void write_trackCsv_isGolden() throws IOException {
     RunFacts facts = new RunFacts("cessna", 1, "embedded", 1.0, OptionalInt.empty());
-    FlightTrack track = new FlightTrack();
+    Track track = new Track();
     track.append(
-        new FlightSample(
+        new TrackSample(
             0.0,
             -157.92,
             21.32,
             4.0,
             Math.PI,
-            -0.1,
-            0.05,
-            0.0,
             0.0,
             -1.25,
             0,
-            true,
-            "TAKE-OFF, ROLL"));
+            "TAKE-OFF, ROLL",
+            Optional.of(new TrackSample.Flight(-0.1, 0.05, 0.0, true))));
     track.append(
-        new FlightSample(
+        new TrackSample(
             0.05,
             -157.9200001,
             21.32,
             4.0,
             Math.PI,
-            0.0,
-            0.0,
-            51.4444,
             50.0,
             0.0,
             1,
-            false,
-            "CLIMB"));
-    RunReport.of(facts, SyntheticFlight.twoWaypoints(), track, FlightOutcome.clean())
-        .write(directory);
+            "CLIMB",
+            Optional.of(new TrackSample.Flight(0.0, 0.0, 51.4444, false))));
+    RunReport.of(facts, SyntheticFlight.twoWaypoints(), track, RunOutcome.clean()).write(directory);
     assertThat(Files.readString(directory.resolve("track.csv")))
         .isEqualTo(
             "time_s,longitude_deg,latitude_deg,altitude_m,heading_deg,roll_deg,pitch_deg,calibrated_airspeed_mps,ground_speed_mps,"

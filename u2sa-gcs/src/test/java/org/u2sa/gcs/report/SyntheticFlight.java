@@ -24,11 +24,11 @@ final class SyntheticFlight {
         name, at.lon2, at.lat2, OptionalDouble.of(altitudeM), 100.0, OptionalDouble.of(50.0));
   }
 
-  static FlightSample sample(double timeS, double eastM, double northM, double altitudeM, int leg) {
+  static TrackSample sample(double timeS, double eastM, double northM, double altitudeM, int leg) {
     return sample(timeS, eastM, northM, altitudeM, leg, false, "CRUISE");
   }
 
-  static FlightSample sample(
+  static TrackSample sample(
       double timeS,
       double eastM,
       double northM,
@@ -37,20 +37,17 @@ final class SyntheticFlight {
       boolean onGround,
       String phase) {
     GeodesicData at = at(eastM, northM);
-    return new FlightSample(
+    return new TrackSample(
         timeS,
         at.lon2,
         at.lat2,
         altitudeM,
         0.5,
-        0.1,
-        0.05,
-        SPEED_MPS,
         SPEED_MPS + 2.0,
         1.5,
         leg,
-        onGround,
-        phase);
+        phase,
+        Optional.of(new TrackSample.Flight(0.1, 0.05, SPEED_MPS, onGround)));
   }
 
   private static GeodesicData at(double eastM, double northM) {
@@ -65,8 +62,9 @@ final class SyntheticFlight {
   /**
    * Two waypoints on the meridian of the origin, 4 km apart, the first 2 km north of it, at 500 m.
    */
-  static FlightPlan twoWaypoints() {
-    return new FlightPlan(
+  static RunPlan twoWaypoints() {
+    return new RunPlan(
+        Domain.AIR,
         Optional.empty(),
         List.of(waypoint("A", 0.0, 2000.0, 500.0), waypoint("B", 0.0, 6000.0, 500.0)));
   }
@@ -75,8 +73,8 @@ final class SyntheticFlight {
    * North along the meridian at 50 m/s, 10 samples a second, past both of {@link #twoWaypoints()},
    * off by so much.
    */
-  static List<FlightSample> northward(double eastM, double tooHighM) {
-    List<FlightSample> track = new ArrayList<>();
+  static List<TrackSample> northward(double eastM, double tooHighM) {
+    List<TrackSample> track = new ArrayList<>();
     for (int i = 0; i <= 1300; i++) {
       double north = i * 5.0;
       int leg = north < 2000.0 ? 0 : north < 6000.0 ? 1 : 2;
@@ -89,7 +87,7 @@ final class SyntheticFlight {
    * A flight of ten waypoints from a runway, with turns, climbs and descents; waypoint 8 is missed
    * when {@code missOne}.
    */
-  static FlightPlan tenWaypoints() {
+  static RunPlan tenWaypoints() {
     double[][] places = {
       {1500, 900, 300},
       {4200, 2600, 600},
@@ -118,7 +116,8 @@ final class SyntheticFlight {
     for (int i = 0; i < places.length; i++) {
       waypoints.add(waypoint(names[i], places[i][0], places[i][1], places[i][2]));
     }
-    return new FlightPlan(
+    return new RunPlan(
+        Domain.AIR,
         Optional.of(
             new Home(LONGITUDE, LATITUDE, 4.0, Math.toRadians(60.0), OptionalDouble.of(1200.0))),
         waypoints);
@@ -129,8 +128,8 @@ final class SyntheticFlight {
    *
    * @param flownLegs how many legs it flies before the flight ends
    */
-  static FlightTrack pursuit(FlightPlan plan, int flownLegs) {
-    FlightTrack track = new FlightTrack();
+  static Track pursuit(RunPlan plan, int flownLegs) {
+    Track track = new Track();
     LocalPlane plane = new LocalPlane(LONGITUDE, LATITUDE);
     double east = 0.0;
     double north = 0.0;
@@ -163,9 +162,9 @@ final class SyntheticFlight {
   }
 
   static RunReport report(int flownLegs) {
-    FlightPlan plan = tenWaypoints();
+    RunPlan plan = tenWaypoints();
     RunFacts facts =
         new RunFacts("cessna", 7, "embedded C172", 12.5, java.util.OptionalInt.empty());
-    return RunReport.of(facts, plan, pursuit(plan, flownLegs), FlightOutcome.clean());
+    return RunReport.of(facts, plan, pursuit(plan, flownLegs), RunOutcome.clean());
   }
 }

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.u2sa.gcs.report.TrackSample;
 
 class TerminalOutputTest {
 
@@ -14,20 +16,21 @@ class TerminalOutputTest {
   private final StringWriter text = new StringWriter();
   private final PrintWriter out = new PrintWriter(text);
 
-  private static FlightStatus status(
-      String phase, int waypoint, double simulatedS, double elapsedS) {
-    return new FlightStatus(
-        phase,
-        waypoint,
-        10,
-        "Ridge",
-        2310.0,
-        914.4,
-        51.4,
-        Math.toRadians(-12.0),
-        14.2,
-        simulatedS,
-        elapsedS);
+  private static RunStatus status(String phase, int waypoint, double simulatedS, double elapsedS) {
+    TrackSample.Flight flight = new TrackSample.Flight(Math.toRadians(-12.0), 0.0, 51.4, false);
+    TrackSample sample =
+        new TrackSample(
+            simulatedS,
+            -157.9,
+            21.3,
+            914.4,
+            0.0,
+            50.0,
+            14.2,
+            waypoint - 1,
+            phase,
+            Optional.of(flight));
+    return new RunStatus(sample, waypoint, 10, "Ridge", 2310.0, elapsedS);
   }
 
   private Terminal interactive(int columns) {

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
-import org.u2sa.gcs.report.FlightOutcome;
-import org.u2sa.gcs.report.FlightScore;
+import org.u2sa.gcs.report.FlightFigures;
 import org.u2sa.gcs.report.PlannedWaypoint;
+import org.u2sa.gcs.report.RunOutcome;
+import org.u2sa.gcs.report.RunScore;
 import org.u2sa.gcs.report.WaypointResult;
 
 class WaypointTableTest {
@@ -29,8 +31,8 @@ class WaypointTableTest {
         captured);
   }
 
-  private static FlightScore score() {
-    return new FlightScore(
+  private static RunScore score() {
+    return new RunScore(
         List.of(
             result(
                 "Ridge",
@@ -46,12 +48,14 @@ class WaypointTableTest {
                 false)),
         OptionalDouble.of(8.25),
         OptionalDouble.of(31.0),
-        OptionalDouble.empty(),
-        OptionalDouble.empty(),
-        OptionalDouble.of(Math.toRadians(27.5)),
-        OptionalDouble.of(33.3),
-        true,
-        new FlightOutcome(false, false, List.of("geofence left at 12.0 s")),
+        Optional.of(
+            new FlightFigures(
+                OptionalDouble.empty(),
+                OptionalDouble.empty(),
+                OptionalDouble.of(Math.toRadians(27.5)),
+                OptionalDouble.of(33.3),
+                true)),
+        new RunOutcome(0, false, List.of("geofence left at 12.0 s")),
         600.0);
   }
 

@@ -1,4 +1,4 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -17,10 +17,10 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * Where the broker of a flight listens for other MQTT clients. A flight needs none of them, so a
- * port that another program has does not hinder it, unless it was asked for.
+ * Where the broker of a run listens for other MQTT clients. A run needs none of them, so a port
+ * that another program has does not hinder it, unless it was asked for.
  */
-final class BrokerPort {
+public final class BrokerPort {
   private static final String MANAGER = "CommunicationManager";
   private static final int HIGHEST_PORT = 65_535;
 
@@ -43,7 +43,7 @@ final class BrokerPort {
   }
 
   /** Sets the Communication Manager's port for a run, and says so where it is not as configured. */
-  void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
+  public void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
     if (asked == null) {
       evadeTakenPort(system, launch, terminal);
     } else if (asked == 0) {

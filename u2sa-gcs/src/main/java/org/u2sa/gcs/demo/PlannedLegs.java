@@ -1,17 +1,17 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.util.List;
-import org.u2sa.gcs.report.FlightPlan;
 import org.u2sa.gcs.report.PlannedWaypoint;
+import org.u2sa.gcs.report.RunPlan;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
 /** The straights between the waypoints of a plan, the first from home. */
 final class PlannedLegs {
   private final List<PlannedWaypoint> waypoints;
-  private final FlightPlan plan;
+  private final RunPlan plan;
 
-  PlannedLegs(FlightPlan plan) {
+  PlannedLegs(RunPlan plan) {
     this.plan = plan;
     waypoints = plan.waypoints();
   }

@@ -1,19 +1,19 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.gcs.RunFailedException;
 
 /**
- * Ctrl-C or TERM during a flight: the flight ends in good order, controls neutral, and its report
- * is written, before the virtual machine does. Its exit code is the system's, 130 or 143.
+ * Ctrl-C or TERM during a run: the run ends in good order, actuators neutral, and its report is
+ * written, before the virtual machine does. Its exit code is the system's, 130 or 143.
  */
-final class Interruption implements AutoCloseable {
+public final class Interruption implements AutoCloseable {
   private static final long END_WITHIN_S = 15;
 
   private final CountDownLatch ended = new CountDownLatch(1);
-  private final Thread flying = Thread.currentThread();
-  private final Thread hook = new Thread(this::endFlight, "u2sa-interruption");
+  private final Thread running = Thread.currentThread();
+  private final Thread hook = new Thread(this::endRun, "u2sa-interruption");
   private volatile boolean asked;
   private volatile boolean waitingForOthers;
 
@@ -45,7 +45,7 @@ final class Interruption implements AutoCloseable {
       }
     } catch (InterruptedException e) {
       if (asked) {
-        throw new RunFailedException("interrupted before the flight began", e);
+        throw new RunFailedException("interrupted before the run began", e);
       }
       throw e;
     } finally {
@@ -53,10 +53,10 @@ final class Interruption implements AutoCloseable {
     }
   }
 
-  private void endFlight() {
+  private void endRun() {
     asked = true;
     if (waitingForOthers) {
-      flying.interrupt();
+      running.interrupt();
     }
     try {
       ended.await(END_WITHIN_S, TimeUnit.SECONDS);

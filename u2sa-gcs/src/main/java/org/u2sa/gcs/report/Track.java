@@ -10,7 +10,7 @@ import java.util.List;
  * even track. Samples at which leg or phase changes outlive the first thinnings. Not for use by
  * several threads at once.
  */
-public final class FlightTrack {
+public final class Track {
 
   /** Room for two hours at 20 samples a second, some 20 MB. */
   public static final int DEFAULT_CAPACITY = 150_000;
@@ -19,11 +19,11 @@ public final class FlightTrack {
   private static final long LARGEST_STRIDE = 1L << 40; // a flight made of changes thins without end
 
   private final int capacity;
-  private final List<FlightSample> samples = new ArrayList<>();
+  private final List<TrackSample> samples = new ArrayList<>();
   private long appended;
   private long stride = 1;
 
-  public FlightTrack() {
+  public Track() {
     this(DEFAULT_CAPACITY);
   }
 
@@ -31,7 +31,7 @@ public final class FlightTrack {
    * @param capacity most samples to keep
    * @throws IllegalArgumentException if less than 4
    */
-  public FlightTrack(int capacity) {
+  public Track(int capacity) {
     if (capacity < LEAST_CAPACITY) {
       throw new IllegalArgumentException(
           "capacity: " + capacity + ", expected " + LEAST_CAPACITY + " or more");
@@ -44,8 +44,8 @@ public final class FlightTrack {
    *
    * @throws IllegalArgumentException if it is not later than the last one
    */
-  public void append(FlightSample sample) {
-    FlightSample last = samples.isEmpty() ? null : samples.get(samples.size() - 1);
+  public void append(TrackSample sample) {
+    TrackSample last = samples.isEmpty() ? null : samples.get(samples.size() - 1);
     if (last != null && sample.timeS() <= last.timeS()) {
       throw new IllegalArgumentException(
           "timeS: " + sample.timeS() + " does not come after " + last.timeS());
@@ -62,7 +62,7 @@ public final class FlightTrack {
   }
 
   /** The samples kept, oldest first; a view that must not be used while appending. */
-  public List<FlightSample> samples() {
+  public List<TrackSample> samples() {
     return Collections.unmodifiableList(samples);
   }
 
@@ -74,7 +74,7 @@ public final class FlightTrack {
   }
 
   private int keepEveryOther(boolean keepChanges) {
-    List<FlightSample> kept = new ArrayList<>(capacity);
+    List<TrackSample> kept = new ArrayList<>(capacity);
     for (int i = 0; i < samples.size(); i++) {
       if (i % 2 == 0 || keepChanges && changes(samples.get(i - 1), samples.get(i))) {
         kept.add(samples.get(i));
@@ -85,7 +85,7 @@ public final class FlightTrack {
     return samples.size();
   }
 
-  private static boolean changes(FlightSample before, FlightSample sample) {
+  private static boolean changes(TrackSample before, TrackSample sample) {
     return before != null
         && (before.leg() != sample.leg() || !before.phase().equals(sample.phase()));
   }

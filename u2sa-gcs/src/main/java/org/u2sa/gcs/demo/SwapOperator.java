@@ -1,4 +1,4 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.util.ArrayDeque;
 import java.util.Comparator;
@@ -17,7 +17,7 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /** Orders the swaps that a user planned, each at its time. In and out: service-orders. */
-final class SwapOperator extends PeriodicService {
+public final class SwapOperator extends PeriodicService {
   private static final double LOOKS_PER_S = 10.0;
   private static final String NAME = "SwapOperator";
 
@@ -26,7 +26,10 @@ final class SwapOperator extends PeriodicService {
   private final double beganS;
   private volatile Optional<String> refusal = Optional.empty();
 
-  SwapOperator(ServiceContext context, List<PlannedSwap> swaps, Consumer<String> console) {
+  /**
+   * @param console is told what became of each, a line each
+   */
+  public SwapOperator(ServiceContext context, List<PlannedSwap> swaps, Consumer<String> console) {
     super(context, ServiceRole.OBSERVER, NAME, LOOKS_PER_S);
     this.console = console;
     beganS = nowS();
@@ -68,7 +71,7 @@ final class SwapOperator extends PeriodicService {
   }
 
   /** The last swap that was refused, and why. */
-  Optional<String> refusal() {
+  public Optional<String> refusal() {
     return refusal;
   }
 }

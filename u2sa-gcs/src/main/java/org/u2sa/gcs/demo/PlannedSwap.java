@@ -1,16 +1,16 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A service that is to be swapped in a flight.
+ * A service that is to be swapped in a run.
  *
  * @param atS time since the services were started [s]
  * @param service its name
  * @param className full name of the class that takes its place
  */
-record PlannedSwap(double atS, String service, String className) {
+public record PlannedSwap(double atS, String service, String className) {
   private static final Pattern FORM = Pattern.compile("([0-9]+(?:\\.[0-9]+)?):([^=]+)=(\\S+)");
 
   /**
@@ -18,7 +18,7 @@ record PlannedSwap(double atS, String service, String className) {
    *
    * @throws IllegalArgumentException if the text is not of that form
    */
-  static PlannedSwap parse(String text) {
+  public static PlannedSwap parse(String text) {
     Matcher form = FORM.matcher(text);
     if (!form.matches()) {
       throw new IllegalArgumentException(

@@ -2,20 +2,14 @@ package org.u2sa.gcs.report;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Scores a flight against its plan by truth alone. Between samples the vehicle is taken to fly
+ * Scores a run against its plan by truth alone. Between samples the vehicle is taken to go
  * straight.
  */
-public final class FlightScorer {
-
-  /**
-   * How far beyond the last waypoint a leg counts as turn [m]: a vehicle that flies over a waypoint
-   * cannot be on the next straight at once. One radius of a coordinated turn, r = V² / (g tan φ) =
-   * 636 m at 60 m/s and 30° of bank, and some 360 m for rolling in and out (3 s each).
-   */
-  public static final double SETTLING_DISTANCE_M = 1000.0;
+public final class RunScorer {
 
   /**
    * Height above the start at which an aircraft has taken off [m]: the screen height of 50 ft (CS
@@ -27,43 +21,51 @@ public final class FlightScorer {
       1.0; // altitudes of a level leg's ends differ no more
   private static final double SHORTEST_LEG_M = 1.0; // a shorter leg has no direction
 
-  private FlightScorer() {}
+  private RunScorer() {}
 
-  /** The score of the flight {@code track} of {@code plan}. */
-  public static FlightScore score(
-      FlightPlan plan, List<FlightSample> track, FlightOutcome outcome) {
+  /** The score of the run {@code track} of {@code plan}. */
+  public static RunScore score(RunPlan plan, List<TrackSample> track, RunOutcome outcome) {
     List<WaypointResult> results = new ArrayList<>();
     for (int leg = 0; leg < plan.waypoints().size(); leg++) {
       results.add(WaypointApproach.measure(plan.waypoints().get(leg), leg, track));
     }
     RootMeanSquare straights = new RootMeanSquare();
     RootMeanSquare wholeLegs = new RootMeanSquare();
-    RootMeanSquare altitude = new RootMeanSquare();
+    double settlingM = plan.domain().settlingDistanceM();
     for (int leg = 1; leg < plan.waypoints().size(); leg++) {
       PlannedWaypoint from = plan.waypoints().get(leg - 1);
       PlannedWaypoint to = plan.waypoints().get(leg);
-      scoreCrossTrack(from, to, leg, track, straights, wholeLegs);
-      scoreAltitude(from, to, leg, track, altitude);
+      scoreCrossTrack(from, to, leg, track, settlingM, straights, wholeLegs);
     }
-    Airborne air = Airborne.of(plan, track);
-    return new FlightScore(
+    return new RunScore(
         results,
         straights.value(),
         wholeLegs.value(),
+        plan.domain() == Domain.AIR ? Optional.of(flight(plan, track)) : Optional.empty(),
+        outcome,
+        track.isEmpty() ? 0.0 : track.get(track.size() - 1).timeS() - track.get(0).timeS());
+  }
+
+  private static FlightFigures flight(RunPlan plan, List<TrackSample> track) {
+    RootMeanSquare altitude = new RootMeanSquare();
+    for (int leg = 1; leg < plan.waypoints().size(); leg++) {
+      scoreAltitude(plan.waypoints().get(leg - 1), plan.waypoints().get(leg), leg, track, altitude);
+    }
+    Airborne air = Airborne.of(plan, track);
+    return new FlightFigures(
         altitude.value(),
         altitude.largest(),
         air.maxBankRad(),
         air.minAirspeedMps(),
-        air.tookOff(),
-        outcome,
-        track.isEmpty() ? 0.0 : track.get(track.size() - 1).timeS() - track.get(0).timeS());
+        air.tookOff());
   }
 
   private static void scoreCrossTrack(
       PlannedWaypoint from,
       PlannedWaypoint to,
       int leg,
-      List<FlightSample> track,
+      List<TrackSample> track,
+      double settlingM,
       RootMeanSquare straights,
       RootMeanSquare wholeLegs) {
     LocalPlane plane = new LocalPlane(from);
@@ -84,7 +86,7 @@ public final class FlightScorer {
       double crossB = b.eastM() * cos - b.northM() * sin;
       wholeLegs.add(duration, crossA, crossB);
       double alongA = a.eastM() * sin + a.northM() * cos;
-      if (alongA >= SETTLING_DISTANCE_M) {
+      if (alongA >= settlingM) {
         straights.add(duration, crossA, crossB);
       }
     }
@@ -94,16 +96,16 @@ public final class FlightScorer {
       PlannedWaypoint from,
       PlannedWaypoint to,
       int leg,
-      List<FlightSample> track,
+      List<TrackSample> track,
       RootMeanSquare altitude) {
     if (!isLevel(from, to)) {
       return;
     }
     double planned = to.altitudeM().getAsDouble();
     for (int i = 0; i + 1 < track.size(); i++) {
-      FlightSample a = track.get(i);
+      TrackSample a = track.get(i);
       if (a.leg() == leg) {
-        FlightSample b = track.get(i + 1);
+        TrackSample b = track.get(i + 1);
         altitude.add(b.timeS() - a.timeS(), a.altitudeM() - planned, b.altitudeM() - planned);
       }
     }

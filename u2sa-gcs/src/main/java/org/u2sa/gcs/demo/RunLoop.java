@@ -1,4 +1,4 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -13,13 +13,13 @@ import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.gcs.terminal.WaypointTable;
 import org.u2sa.interfaces.SystemClock;
 
-/** One flight, or several with seeds counting up, and what is said and written of them. */
-final class FlightSeries {
-  /** One flight. */
+/** One run, or several with seeds counting up, and what is said and written of them. */
+public final class RunLoop {
+  /** One run. */
   @FunctionalInterface
-  interface Flight {
-    /** Flies, with logs in the directory, until it is over or interrupted. */
-    RunReport fly(Path directory, long seed, Interruption interruption) throws InterruptedException;
+  public interface Once {
+    /** Runs, with logs in the directory, until it is over or interrupted. */
+    RunReport run(Path directory, long seed, Interruption interruption) throws InterruptedException;
   }
 
   private final DemoOptions options;
@@ -29,31 +29,35 @@ final class FlightSeries {
   /**
    * @param out takes {@code --json}, and nothing else
    */
-  FlightSeries(DemoOptions options, PrintWriter out) {
+  public RunLoop(DemoOptions options, PrintWriter out) {
     this.options = options;
     this.out = out;
     terminal = options.terminal();
   }
 
-  /** Flies as often as was asked for, and returns the exit code. */
-  Integer fly(String name, Flight flight) throws InterruptedException, IOException {
+  /**
+   * Runs as often as was asked for, and returns the exit code.
+   *
+   * @param name of the demo, for the name of its directory
+   */
+  public Integer run(String name, Once once) throws InterruptedException, IOException {
     try (Interruption interruption = new Interruption()) {
-      return fly(name, flight, interruption);
+      return run(name, once, interruption);
     }
   }
 
-  private Integer fly(String name, Flight flight, Interruption interruption)
+  private Integer run(String name, Once once, Interruption interruption)
       throws InterruptedException, IOException {
     Path directory = options.outDirectory(name, new SystemClock().micros());
     List<RunReport> reports = new ArrayList<>();
     for (int k = 0; k < options.runs() && (k == 0 || !interruption.isAsked()); k++) {
       Path runDirectory = options.runDirectory(directory, k);
       RunReport.prepare(runDirectory);
-      RunReport report = flight.fly(runDirectory, options.seed() + k, interruption);
+      RunReport report = once.run(runDirectory, options.seed() + k, interruption);
       report.write(runDirectory).ifPresent(terminal.out()::println);
       WaypointTable.print(terminal, report.score());
       say("Files of the run: " + runDirectory);
-      reports.add(withoutTrack(report)); // tracks of many flights would fill the memory
+      reports.add(withoutTrack(report)); // tracks of many runs would fill the memory
     }
     RunSeries series = new RunSeries(reports);
     if (reports.size() > 1) {

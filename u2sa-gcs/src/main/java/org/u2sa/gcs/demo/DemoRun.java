@@ -1,4 +1,4 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -9,12 +9,10 @@ import java.util.OptionalInt;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.mission.Mission;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.RunFailedException;
-import org.u2sa.gcs.report.FlightOutcome;
-import org.u2sa.gcs.report.FlightPlan;
 import org.u2sa.gcs.report.RunFacts;
+import org.u2sa.gcs.report.RunPlan;
 import org.u2sa.gcs.report.RunReport;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.interfaces.Clock;
@@ -23,19 +21,15 @@ import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.service.U2SAService;
 
-/** One flight of a mission by the services of a system file, from start-up to report. */
-final class FlightRun {
-  /**
-   * A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready: who takes longer
-   * never arrives.
-   */
-  private static final double SLOWEST_MPS = 25.0;
-
-  private static final double READY_WITHIN_S = 600.0;
+/** One run of a mission by the services of a system file, from start-up to report. */
+public final class DemoRun {
   private static final long LOOK_EVERY_MICROS = 50_000;
 
   private final SystemFile system;
-  private final Mission mission;
+  private final String demo;
+  private final RunPlan plan;
+  private final Pace pace;
+  private final RunObserver.Maker maker;
   private final Path directory;
   private final Terminal terminal;
   private final Interruption interruption;
@@ -43,34 +37,43 @@ final class FlightRun {
   private List<PlannedSwap> swaps = List.of();
 
   /**
-   * @param system the services that fly
+   * @param demo its name in reports
+   * @param system the services that run
+   * @param plan what they are to do
+   * @param maker of the observer of the truth
    * @param directory where logs and report go
-   * @param interruption ends the flight early
+   * @param interruption ends the run early
    */
-  FlightRun(
+  public DemoRun(
+      String demo,
       SystemFile system,
-      Mission mission,
+      RunPlan plan,
+      Pace pace,
+      RunObserver.Maker maker,
       Path directory,
       Terminal terminal,
       Interruption interruption) {
+    this.demo = demo;
     this.system = system;
-    this.mission = mission;
+    this.plan = plan;
+    this.pace = pace;
+    this.maker = maker;
     this.directory = directory;
     this.terminal = terminal;
     this.interruption = interruption;
   }
 
   /** Sets which services are swapped on the way. */
-  FlightRun swapping(List<PlannedSwap> planned) {
+  public DemoRun swapping(List<PlannedSwap> planned) {
     swaps = List.copyOf(planned);
     return this;
   }
 
-  /** Flies as fast as the machine allows, repeatable from the seed. */
-  RunReport inLockstep(LaunchOptions options, long seed, Simulation simulation)
+  /** Runs as fast as the machine allows, repeatable from the seed. */
+  public RunReport inLockstep(LaunchOptions options, long seed, Simulation simulation)
       throws InterruptedException {
     LockstepClock clock = new LockstepClock();
-    return fly(
+    return run(
         options.clock(clock),
         clock,
         seed,
@@ -80,43 +83,43 @@ final class FlightRun {
   }
 
   /**
-   * Flies in real time.
+   * Runs in real time.
    *
    * @param simulation started once the services listen, ended after them
-   * @param patience how long the aircraft may be silent [s]; empty: the default
-   * @throws RunFailedException if nothing was heard of the aircraft
+   * @param patience how long the vehicle may be silent [s]; empty: the default
+   * @throws RunFailedException if nothing was heard of the vehicle
    */
-  RunReport inRealTime(
+  public RunReport inRealTime(
       LaunchOptions options, long seed, Simulation simulation, OptionalDouble patience)
       throws InterruptedException {
     SystemClock clock = new SystemClock();
-    return fly(
+    return run(
         options.clock(clock),
         clock,
         seed,
         simulation,
         observer -> {
-          Clock.Waiter waiter = clock.newWaiter("flight");
-          LinkWatch link = new LinkWatch(clock, patience, this::say);
+          Clock.Waiter waiter = clock.newWaiter("run");
+          ReadingsWatch link = new ReadingsWatch(clock, simulation.vehicle(), patience, this::say);
           long limit = clock.micros() + Clock.micros(limitS());
           while (!isOver(observer)
               && clock.micros() < limit
-              && !link.isHopeless(observer.readings())) {
+              && !link.isHopeless(observer.record().readings())) {
             waiter.await(clock.micros() + LOOK_EVERY_MICROS);
           }
-          if (observer.readings() == 0 && !interruption.isAsked()) {
+          if (observer.record().readings() == 0 && !interruption.isAsked()) {
             throw new RunFailedException(
-                "no reading from the aircraft: " + simulation.name() + " did not appear");
+                "no reading from the "
+                    + simulation.vehicle()
+                    + ": "
+                    + simulation.name()
+                    + " did not appear");
           }
         });
   }
 
-  private boolean isOver(FlightObserver observer) {
-    return observer.isMissionOver()
-        || observer.isCrashed()
-        || observer.isLanded()
-        || !observer.isRunning()
-        || interruption.isAsked();
+  private boolean isOver(RunObserver observer) {
+    return observer.isOver() || !observer.service().isRunning() || interruption.isAsked();
   }
 
   private void say(String line) {
@@ -124,53 +127,49 @@ final class FlightRun {
     terminal.out().flush();
   }
 
-  /** Waits until a flight is over. */
+  /** Waits until a run is over. */
   @FunctionalInterface
   private interface Wait {
-    void until(FlightObserver observer) throws InterruptedException;
+    void until(RunObserver observer) throws InterruptedException;
   }
 
-  private RunReport fly(
+  private RunReport run(
       LaunchOptions options, Clock clock, long seed, Simulation simulation, Wait wait)
       throws InterruptedException {
-    FlightPlan plan = FlightPlans.of(mission);
     options.seed(seed).logDirectory(directory.resolve("logs"));
     long began = stopwatch.micros();
-    try (FlightScreen screen = new FlightScreen(plan, terminal, stopwatch);
-        Simulation simulated =
-            simulation; // ended last, so that the neutral controls still reach it
+    try (RunScreen screen = new RunScreen(plan, terminal, stopwatch);
+        Simulation simulated = simulation; // ended last, so that neutral commands still reach it
         RunningSystem running = RunningSystem.start(system, options)) {
-      FlightObserver observer =
-          new FlightObserver(
-              running.contextFor(XmlConfiguration.inMemory("FlightObserver", Map.of())),
-              plan,
-              screen);
-      observer.start();
+      RunObserver observer =
+          maker.make(
+              running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);
+      observer.service().start();
       Optional<SwapOperator> operator = startOperator(running);
       interruption.breakingOff(simulated::start);
       try {
         wait.until(observer);
       } finally {
         operator.ifPresent(SwapOperator::kill);
-        observer.kill();
+        observer.service().kill();
       }
       refuseFailed(running);
       refuseUnswapped(operator);
       double wallS = Clock.seconds(stopwatch.micros() - began);
       return RunReport.of(
           new RunFacts(
-              "cessna", seed, simulated.name(), wallS, OptionalInt.of(observer.completed())),
+              demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
           plan.within(fence(running)),
-          observer.track(),
-          new FlightOutcome(observer.isCrashed(), observer.isStalled(), List.of()));
+          observer.record().track(),
+          observer.outcome());
     }
   }
 
-  private static List<FlightPlan.Corner> fence(RunningSystem running) {
+  private static List<RunPlan.Corner> fence(RunningSystem running) {
     return running.services().stream()
         .filter(SafetyManager.class::isInstance)
         .flatMap(manager -> ((SafetyManager) manager).fenceCorners().stream())
-        .map(place -> new FlightPlan.Corner(place.longitudeDeg(), place.latitudeDeg()))
+        .map(place -> new RunPlan.Corner(place.longitudeDeg(), place.latitudeDeg()))
         .toList();
   }
 
@@ -201,12 +200,12 @@ final class FlightRun {
       throw new RunFailedException(
           "service "
               + service.getServiceName()
-              + " failed in flight; its log is "
+              + " failed in the run; its log is "
               + directory.resolve("logs").resolve(service.getServiceName() + ".log"));
     }
   }
 
   private double limitS() {
-    return READY_WITHIN_S + FlightPlans.lengthM(FlightPlans.of(mission)) / SLOWEST_MPS;
+    return pace.limitS(RunPlans.lengthM(plan));
   }
 }

@@ -9,19 +9,19 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 
-class FlightScorerTest {
+class RunScorerTest {
 
-  private static FlightScore score(List<FlightSample> track) {
-    return FlightScorer.score(SyntheticFlight.twoWaypoints(), track, FlightOutcome.clean());
+  private static RunScore score(List<TrackSample> track) {
+    return RunScorer.score(SyntheticFlight.twoWaypoints(), track, RunOutcome.clean());
   }
 
   @Test
   void score_flightAlongTheLine_meetsBothWaypoints() {
-    FlightScore score = score(SyntheticFlight.northward(0.0, 0.0));
+    RunScore score = score(SyntheticFlight.northward(0.0, 0.0));
     assertThat(score.captured()).isEqualTo(2);
     assertThat(score.success()).isTrue();
     assertThat(score.crossTrackRmsM().getAsDouble()).isLessThan(0.001);
-    assertThat(score.altitudeRmsM().getAsDouble()).isLessThan(1e-9);
+    assertThat(score.flight().orElseThrow().altitudeRmsM().getAsDouble()).isLessThan(1e-9);
     WaypointResult first = score.waypoints().get(0);
     assertThat(first.missM().getAsDouble()).isLessThan(0.001);
     assertThat(first.timeS().getAsDouble()).isCloseTo(40.0, within(1e-3));
@@ -29,7 +29,7 @@ class FlightScorerTest {
 
   @Test
   void score_flight20MetresBeside_has20MetresOfCrossTrackAndMiss() {
-    FlightScore score = score(SyntheticFlight.northward(20.0, 0.0));
+    RunScore score = score(SyntheticFlight.northward(20.0, 0.0));
     assertThat(score.crossTrackRmsM().getAsDouble()).isCloseTo(20.0, within(0.01));
     assertThat(score.crossTrackRmsWholeLegsM().getAsDouble()).isCloseTo(20.0, within(0.01));
     assertThat(score.waypoints())
@@ -38,7 +38,7 @@ class FlightScorerTest {
 
   @Test
   void score_sparseSamples_interpolatesTheNearestPoint() {
-    List<FlightSample> track =
+    List<TrackSample> track =
         List.of(
             SyntheticFlight.sample(0.0, 30.0, 1000.0, 480.0, 0),
             SyntheticFlight.sample(40.0, 30.0, 3000.0, 520.0, 1),
@@ -51,22 +51,24 @@ class FlightScorerTest {
 
   @Test
   void score_turnOntoTheLeg_isLeftOutOfStraightsOnly() {
-    List<FlightSample> track = new ArrayList<>();
-    for (FlightSample s : SyntheticFlight.northward(0.0, 0.0)) {
+    List<TrackSample> track = new ArrayList<>();
+    for (TrackSample s : SyntheticFlight.northward(0.0, 0.0)) {
       double north = s.timeS() * 50.0;
       double east = s.leg() == 1 && north < 2900.0 ? 200.0 : 10.0;
       track.add(SyntheticFlight.sample(s.timeS(), east, north, 500.0, s.leg()));
     }
-    FlightScore score = score(track);
+    RunScore score = score(track);
     assertThat(score.crossTrackRmsM().getAsDouble()).isCloseTo(10.0, within(0.01));
     assertThat(score.crossTrackRmsWholeLegsM().getAsDouble()).isBetween(90.0, 110.0);
   }
 
   @Test
   void score_flightTooHigh_tellsAltitudeErrors() {
-    FlightScore score = score(SyntheticFlight.northward(0.0, 12.0));
-    assertThat(score.altitudeRmsM().getAsDouble()).isCloseTo(12.0, within(1e-9));
-    assertThat(score.altitudeMaxErrorM().getAsDouble()).isCloseTo(12.0, within(1e-9));
+    RunScore score = score(SyntheticFlight.northward(0.0, 12.0));
+    assertThat(score.flight().orElseThrow().altitudeRmsM().getAsDouble())
+        .isCloseTo(12.0, within(1e-9));
+    assertThat(score.flight().orElseThrow().altitudeMaxErrorM().getAsDouble())
+        .isCloseTo(12.0, within(1e-9));
     assertThat(score.waypoints().get(1).altitudeErrorM().getAsDouble())
         .isCloseTo(12.0, within(1e-9));
   }
@@ -86,14 +88,14 @@ class FlightScorerTest {
 
   @Test
   void score_climbThroughTheThresholdWithinTheCircle_isCaptured() {
-    List<FlightSample> track =
+    List<TrackSample> track =
         List.of(
             SyntheticFlight.sample(
                 0.0, 0.0, 1000.0, 300.0,
                 0), // 445 m over the waypoint, 455 m when leaving the circle
             SyntheticFlight.sample(40.0, 0.0, 3000.0, 590.0, 1));
     assertThat(score(track).waypoints().get(0).captured()).isTrue();
-    List<FlightSample> lower =
+    List<TrackSample> lower =
         List.of(
             SyntheticFlight.sample(0.0, 0.0, 1000.0, 270.0, 0),
             SyntheticFlight.sample(40.0, 0.0, 3000.0, 590.0, 1));
@@ -102,7 +104,7 @@ class FlightScorerTest {
 
   @Test
   void score_waypointNeverTargeted_hasNoNumbers() {
-    FlightScore score = score(SyntheticFlight.northward(0.0, 0.0).subList(0, 300));
+    RunScore score = score(SyntheticFlight.northward(0.0, 0.0).subList(0, 300));
     WaypointResult second = score.waypoints().get(1);
     assertThat(second.missM()).isEmpty();
     assertThat(second.captured()).isFalse();
@@ -115,13 +117,23 @@ class FlightScorerTest {
     PlannedWaypoint waypoint =
         new PlannedWaypoint(
             "date line", 179.9999, 0.0, OptionalDouble.empty(), 100.0, OptionalDouble.empty());
-    FlightSample sample =
-        new FlightSample(0.0, -179.9999, 0.0, 500.0, 0, 0, 0, 50, 50, 0, 0, false, "CRUISE");
+    TrackSample sample =
+        new TrackSample(
+            0.0,
+            -179.9999,
+            0.0,
+            500.0,
+            0,
+            50,
+            0,
+            0,
+            "CRUISE",
+            Optional.of(new TrackSample.Flight(0, 0, 50, false)));
     WaypointResult result =
-        FlightScorer.score(
-                new FlightPlan(Optional.empty(), List.of(waypoint)),
+        RunScorer.score(
+                new RunPlan(Domain.AIR, Optional.empty(), List.of(waypoint)),
                 List.of(sample),
-                FlightOutcome.clean())
+                RunOutcome.clean())
             .waypoints()
             .get(0);
     assertThat(result.missM().getAsDouble())
@@ -138,29 +150,60 @@ class FlightScorerTest {
             100.0,
             0.0,
             OptionalDouble.empty());
-    FlightPlan plan = new FlightPlan(Optional.of(home), SyntheticFlight.twoWaypoints().waypoints());
-    FlightSample roll =
-        new FlightSample(0.0, -157.9, 21.3, 100.0, 0, 0.9, 0, 5.0, 5.0, 0, 0, true, "ROLL");
-    FlightSample low =
-        new FlightSample(1.0, -157.9, 21.3, 110.0, 0, 0.8, 0, 30.0, 30.0, 0, 0, false, "CLIMB");
-    FlightSample high =
-        new FlightSample(2.0, -157.9, 21.3, 116.0, 0, -0.3, 0, 35.0, 35.0, 0, 0, false, "CLIMB");
-    FlightScore before = FlightScorer.score(plan, List.of(roll, low), FlightOutcome.clean());
-    assertThat(before.tookOff()).isFalse();
-    assertThat(before.maxBankRad()).isEmpty();
-    FlightScore after = FlightScorer.score(plan, List.of(roll, low, high), FlightOutcome.clean());
-    assertThat(after.tookOff()).isTrue();
-    assertThat(after.maxBankRad().getAsDouble()).isEqualTo(0.3);
-    assertThat(after.minAirspeedMps().getAsDouble()).isEqualTo(35.0);
+    RunPlan plan =
+        new RunPlan(Domain.AIR, Optional.of(home), SyntheticFlight.twoWaypoints().waypoints());
+    TrackSample roll =
+        new TrackSample(
+            0.0,
+            -157.9,
+            21.3,
+            100.0,
+            0,
+            5.0,
+            0,
+            0,
+            "ROLL",
+            Optional.of(new TrackSample.Flight(0.9, 0, 5.0, true)));
+    TrackSample low =
+        new TrackSample(
+            1.0,
+            -157.9,
+            21.3,
+            110.0,
+            0,
+            30.0,
+            0,
+            0,
+            "CLIMB",
+            Optional.of(new TrackSample.Flight(0.8, 0, 30.0, false)));
+    TrackSample high =
+        new TrackSample(
+            2.0,
+            -157.9,
+            21.3,
+            116.0,
+            0,
+            35.0,
+            0,
+            0,
+            "CLIMB",
+            Optional.of(new TrackSample.Flight(-0.3, 0, 35.0, false)));
+    RunScore before = RunScorer.score(plan, List.of(roll, low), RunOutcome.clean());
+    assertThat(before.flight().orElseThrow().tookOff()).isFalse();
+    assertThat(before.flight().orElseThrow().maxBankRad()).isEmpty();
+    RunScore after = RunScorer.score(plan, List.of(roll, low, high), RunOutcome.clean());
+    assertThat(after.flight().orElseThrow().tookOff()).isTrue();
+    assertThat(after.flight().orElseThrow().maxBankRad().getAsDouble()).isEqualTo(0.3);
+    assertThat(after.flight().orElseThrow().minAirspeedMps().getAsDouble()).isEqualTo(35.0);
   }
 
   @Test
   void success_crashAfterTheLastWaypoint_isNone() {
-    FlightScore score =
-        FlightScorer.score(
+    RunScore score =
+        RunScorer.score(
             SyntheticFlight.twoWaypoints(),
             SyntheticFlight.northward(0, 0),
-            new FlightOutcome(true, false, List.of()));
+            new RunOutcome(1, false, List.of()));
     assertThat(score.captured()).isEqualTo(2);
     assertThat(score.success()).isFalse();
   }

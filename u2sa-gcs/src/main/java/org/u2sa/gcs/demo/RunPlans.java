@@ -1,33 +1,27 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.u2sa.core.mission.Mission;
-import org.u2sa.flightgear.link.EmbeddedStart;
-import org.u2sa.gcs.report.FlightPlan;
+import org.u2sa.gcs.report.Domain;
 import org.u2sa.gcs.report.Home;
 import org.u2sa.gcs.report.PlannedWaypoint;
+import org.u2sa.gcs.report.RunPlan;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 
 /** A mission as reports and screens see it. */
-final class FlightPlans {
-  private FlightPlans() {}
+public final class RunPlans {
+  private RunPlans() {}
 
-  static FlightPlan of(Mission mission) {
-    Optional<Home> home =
-        Optional.of(EmbeddedStart.of(mission))
-            .map(
-                start ->
-                    new Home(
-                        start.longitudeDeg(),
-                        start.latitudeDeg(),
-                        start.elevationM(),
-                        start.headingRad(),
-                        OptionalDouble.empty()));
+  /**
+   * The plan of a mission on the earth.
+   *
+   * @param home where the vehicle starts
+   */
+  public static RunPlan of(Domain domain, Mission mission, Optional<Home> home) {
     List<PlannedWaypoint> waypoints = new ArrayList<>();
     for (GoalInformation goal : mission.goals()) {
       if (goal instanceof Waypoint waypoint) {
@@ -41,11 +35,11 @@ final class FlightPlans {
                 waypoint.verticalThreshold()));
       }
     }
-    return new FlightPlan(home, waypoints);
+    return new RunPlan(domain, home, waypoints);
   }
 
   /** The way from home past all waypoints [m]. */
-  static double lengthM(FlightPlan plan) {
+  static double lengthM(RunPlan plan) {
     double length = 0.0;
     Optional<Geodetic> from =
         plan.home().map(home -> new Geodetic(home.longitudeDeg(), home.latitudeDeg(), 0.0));

@@ -9,27 +9,30 @@ import org.u2sa.gcs.draw.ColourScale;
 import org.u2sa.gcs.draw.Stroke;
 
 /**
- * The flown track as a line on a panel, coloured by altitude, with only as many points as the eye
- * can tell apart.
+ * The track as a line on a panel, coloured by a quantity, with only as many points as the eye can
+ * tell apart.
  */
-final class FlownLine {
+final class TrackLine {
 
   private static final double POINT_SPACING = 1.0; // least distance of neighbouring points [px]
 
-  private record Point(Pixel pixel, double altitudeM) {}
+  private record Point(Pixel pixel, double value) {}
 
   private final List<Point> points = new ArrayList<>();
+  private final Quantity quantity;
 
   /**
+   * @param quantity what colours it
    * @param position where on the panel a sample stands
    */
-  FlownLine(List<FlightSample> track, Function<FlightSample, Pixel> position) {
+  TrackLine(List<TrackSample> track, Quantity quantity, Function<TrackSample, Pixel> position) {
+    this.quantity = quantity;
     for (int i = 0; i < track.size(); i++) {
       Pixel pixel = position.apply(track.get(i));
       if (points.isEmpty()
           || i == track.size() - 1
           || distance(points.get(points.size() - 1).pixel(), pixel) >= POINT_SPACING) {
-        points.add(new Point(pixel, track.get(i).altitudeM()));
+        points.add(new Point(pixel, quantity.of().applyAsDouble(track.get(i))));
       }
     }
   }
@@ -38,12 +41,12 @@ final class FlownLine {
     return points.stream().map(Point::pixel).toList();
   }
 
-  /** Draws the line; altitudes from {@code lowM} to {@code highM} span the colours. */
-  void draw(Canvas canvas, double lowM, double highM, double width) {
+  /** Draws the line; the quantity's range spans the colours. */
+  void draw(Canvas canvas, double width) {
     List<Pixel> run = new ArrayList<>();
     int step = -1;
     for (Point point : points) {
-      int here = ColourScale.step(point.altitudeM(), lowM, highM);
+      int here = ColourScale.step(point.value(), quantity.low(), quantity.high());
       run.add(point.pixel());
       if (here != step) {
         flush(canvas, run, step, width);

@@ -1,4 +1,4 @@
-package org.u2sa.flightgear.demo;
+package org.u2sa.gcs.demo;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
@@ -6,15 +6,16 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.Clock;
 
 /**
- * Watches in real time whether the aircraft still sends readings: says when they stop and come
- * back, and when to give up. For one thread.
+ * Watches in real time whether the vehicle still sends readings: says when they stop and come back,
+ * and when to give up. For one thread.
  */
-final class LinkWatch {
+final class ReadingsWatch {
   private static final long SILENCE_MICROS = 2 * Clock.MICROS_PER_SECOND;
   private static final double APPEARS_WITHIN_S = 300.0;
   private static final double RETURNS_WITHIN_S = 60.0;
 
   private final Clock clock;
+  private final String vehicle;
   private final Consumer<String> console;
   private final double appearsWithinS;
   private final double returnsWithinS;
@@ -24,12 +25,14 @@ final class LinkWatch {
   private boolean silent;
 
   /**
+   * @param vehicle what it is called in words, e.g. {@code aircraft}
    * @param patience how long to wait, first and after a loss [s]; empty: 300 s for the first
-   *     reading, 60 s in flight
+   *     reading, 60 s after a loss
    * @param console is told what happens to the link
    */
-  LinkWatch(Clock clock, OptionalDouble patience, Consumer<String> console) {
+  ReadingsWatch(Clock clock, String vehicle, OptionalDouble patience, Consumer<String> console) {
     this.clock = clock;
+    this.vehicle = vehicle;
     this.console = console;
     appearsWithinS = patience.orElse(APPEARS_WITHIN_S);
     returnsWithinS = patience.orElse(RETURNS_WITHIN_S);
@@ -56,12 +59,12 @@ final class LinkWatch {
     double silenceS = Clock.seconds(now - seenMicros);
     if (seen > 0 && !silent && now - seenMicros >= SILENCE_MICROS) {
       silent = true;
-      say("No readings from the aircraft for %.1f s; waiting for them.", now - seenMicros);
+      say("No readings from the " + vehicle + " for %.1f s; waiting for them.", now - seenMicros);
     }
     if (silenceS < (seen > 0 ? returnsWithinS : appearsWithinS)) {
       return false;
     }
-    say("No readings from the aircraft for %.1f s: giving up.", now - seenMicros);
+    say("No readings from the " + vehicle + " for %.1f s: giving up.", now - seenMicros);
     return true;
   }
 
