@@ -19,6 +19,7 @@ public final class MemoryLink implements ByteLink {
   private final Deque<Byte> toRead = new ArrayDeque<>();
   private final ByteArrayOutputStream written = new ByteArrayOutputStream();
   private Device device = bytes -> {};
+  private Runnable producer = () -> {};
   private boolean connected = true;
   private int connections = 1;
   private int told = 1; // the number of the connection that the reader knows of
@@ -27,6 +28,12 @@ public final class MemoryLink implements ByteLink {
   /** Puts a simulated device at the other end. */
   public synchronized MemoryLink with(Device newDevice) {
     device = newDevice;
+    return this;
+  }
+
+  /** Called before each reading: a device that speaks by itself says what is due by now. */
+  public synchronized MemoryLink producing(Runnable newProducer) {
+    producer = newProducer;
     return this;
   }
 
@@ -71,6 +78,7 @@ public final class MemoryLink implements ByteLink {
       told = connections;
       return 0;
     }
+    producer.run();
     int count = 0;
     while (count < buffer.length && !toRead.isEmpty()) {
       buffer[count++] = toRead.remove();

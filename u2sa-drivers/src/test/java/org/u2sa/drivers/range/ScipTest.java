@@ -1,0 +1,161 @@
+package org.u2sa.drivers.range;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Point;
+
+/** SCIP 2 against Hokuyo's own examples and what a real URG-04LX-UG01 said. */
+class ScipTest {
+  /** Answer to PP of a URG-04LX, from sourceforge.net/p/urgnetwork/wiki/scip_status_en. */
+  private static final List<String> PP =
+      List.of(
+          "MODL:URG-04LX(Hokuyo Automatic Co.,Ltd.);N",
+          "DMIN:20;4",
+          "DMAX:5600;_",
+          "ARES:1024;\\",
+          "AMIN:44;7",
+          "AMAX:725;o",
+          "AFRT:384;6",
+          "SCAN:600;e");
+
+  private static byte[] capture() throws IOException {
+    try (InputStream stream = ScipTest.class.getResourceAsStream("urg-04lx-ug01.scip")) {
+      return stream.readAllBytes();
+    }
+  }
+
+  private static List<String> captured() throws IOException {
+    ScipReader reader = new ScipReader();
+    byte[] bytes = capture();
+    reader.accept(bytes, bytes.length);
+    return reader.take().orElseThrow();
+  }
+
+  @Test
+  void decode_examplesOfTheSpecification_agree() {
+    assertThat(Scip.decode("CB", 0, 2)).isEqualTo(1234);
+    assertThat(Scip.decode("1Dh", 0, 3)).isEqualTo(5432);
+    assertThat(Scip.decode("m2@0", 0, 4)).isEqualTo(16_000_000);
+    assertThat(Scip.decode("1 h", 0, 3)).as("a blank stands for nothing").isEqualTo(-1);
+  }
+
+  @Test
+  void sum_linesOfRealSensors_agree() {
+    assertThat(Scip.isChecked("00P")).isTrue();
+    assertThat(Scip.isChecked("99b")).isTrue();
+    assertThat(Scip.isChecked("99c")).isFalse();
+    assertThat(Scip.isChecked("")).isFalse();
+    assertThat(Scip.sum("SERI:H0614967")).isEqualTo('V');
+  }
+
+  @Test
+  void parameters_answerOfARealSensor_areItsOwn() {
+    ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
+    assertThat(sensor).isEqualTo(new ScipParameters(20, 5600, 1024, 44, 725, 384));
+    assertThat(sensor.azimuth(384)).isZero();
+    assertThat(Math.toDegrees(sensor.azimuth(384 + 256))).as("left").isCloseTo(90.0, within(1e-9));
+  }
+
+  @Test
+  void parameters_wrongSumMissingOrSenseless_areRefused() {
+    List<String> wrong = new ArrayList<>(PP);
+    wrong.set(1, "DMIN:21;4");
+    assertThat(ScipParameters.of(wrong)).isEmpty();
+    assertThat(ScipParameters.of(PP.subList(0, 5))).isEmpty();
+    wrong.set(1, "DMIN:xx;" + Scip.sum("DMIN:xx"));
+    assertThat(ScipParameters.of(wrong)).isEmpty();
+    wrong.set(1, PP.get(1));
+    wrong.set(3, "ARES:0;" + Scip.sum("ARES:0"));
+    assertThat(ScipParameters.of(wrong)).isEmpty();
+    wrong.set(3, ";");
+    assertThat(ScipParameters.of(wrong)).isEmpty();
+  }
+
+  @Test
+  void points_captureOfARealSensor_areWhatItSaw() throws IOException {
+    List<String> answer = captured();
+    assertThat(answer.get(0)).isEqualTo("GD0044072501");
+    assertThat(answer.get(1)).isEqualTo("00P");
+    List<Point> points =
+        ScipScan.points(answer.subList(2, answer.size()), ScipParameters.of(PP).orElseThrow())
+            .orElseThrow();
+    // Counted in the capture by another program: 597 of 682 distances are 20…5600 mm.
+    assertThat(points).hasSize(597);
+    assertThat(points.stream().mapToDouble(Point::distance).min().orElseThrow())
+        .isCloseTo(0.09, within(1.0e-9));
+    assertThat(points.stream().mapToDouble(Point::distance).max().orElseThrow())
+        .isCloseTo(5.461, within(1.0e-9));
+    assertThat(points)
+        .as("step 384 is straight ahead, 293 mm")
+        .anySatisfy(
+            point -> assertThat(point.distanceTo(Point.of(0.293, 0.0, 0.0))).isLessThan(1.0e-9));
+    assertThat(points.get(0).azimuth()).as("it begins at the right").isNegative();
+  }
+
+  @Test
+  void points_anyCharacterOfTheCaptureTurned_isRefusedOrAnotherAnswer() throws IOException {
+    byte[] whole = capture();
+    ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
+    for (int at = 17; at < whole.length - 2; at += 7) { // after echo and status
+      byte[] turned = whole.clone();
+      turned[at] ^= 0x01;
+      ScipReader reader = new ScipReader();
+      reader.accept(turned, turned.length);
+      Optional<List<Point>> points =
+          reader
+              .take()
+              .filter(lines -> lines.size() > 2)
+              .flatMap(lines -> ScipScan.points(lines.subList(2, lines.size()), sensor));
+      assertThat(points).as("byte " + at).isEmpty();
+    }
+  }
+
+  @Property(tries = 200)
+  void reader_captureInAnyPieces_isTheSameAnswer(@ForAll @IntRange(min = 1, max = 300) int piece)
+      throws IOException {
+    ScipReader reader = new ScipReader();
+    byte[] whole = capture();
+    for (int from = 0; from < whole.length; from += piece) {
+      byte[] part = Arrays.copyOfRange(whole, from, Math.min(from + piece, whole.length));
+      reader.accept(part, part.length);
+    }
+    assertThat(reader.take()).hasValue(captured());
+  }
+
+  @Property(tries = 200)
+  void reader_anyBytes_readsTheNextAnswer(@ForAll byte[] noise) {
+    ScipReader reader = new ScipReader();
+    reader.accept(noise, noise.length);
+    byte[] answer = "\n\nQT\n00P\n\n".getBytes(US_ASCII);
+    reader.accept(answer, answer.length);
+    Optional<List<String>> last = Optional.empty();
+    Optional<List<String>> next;
+    while ((next = reader.take()).isPresent()) {
+      last = next;
+    }
+    assertThat(last).hasValue(List.of("QT", "00P"));
+  }
+
+  @Test
+  void reader_endlessLine_isDroppedAndCounted() {
+    ScipReader reader = new ScipReader();
+    byte[] endless = "x".repeat(5000).getBytes(US_ASCII);
+    reader.accept(endless, endless.length);
+    byte[] rest = "\nrest\n\nBM\n02R\n\n".getBytes(US_ASCII);
+    reader.accept(rest, rest.length);
+    assertThat(reader.malformed()).isEqualTo(1);
+    assertThat(reader.take()).hasValue(List.of("BM", "02R"));
+  }
+}

@@ -1,0 +1,61 @@
+package org.u2sa.drivers.range;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.OptionalDouble;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+
+/** MaxBotix's lines: R, digits, carriage return. */
+class SonarParserTest {
+  private final SonarParser parser = new SonarParser(SonarModel.LV);
+
+  private void say(SonarParser to, String text, long nowMicros) {
+    to.accept(text.getBytes(US_ASCII), text.length(), nowMicros);
+  }
+
+  @Test
+  void accept_line_isMetres() {
+    say(parser, "R0", 1);
+    say(parser, "50\r", 2);
+    assertThat(parser.latest().measuredAtMicros()).isEqualTo(2);
+    assertThat(parser.latest().rangeM().getAsDouble()).isCloseTo(1.27, within(1.0e-9));
+    say(parser, "R004\r", 3);
+    assertThat(parser.latest().rangeM().getAsDouble()).isCloseTo(0.1524, within(1.0e-9));
+    say(parser, "R255\r", 4);
+    assertThat(parser.latest()).isEqualTo(new RangeFinder.Reading(4, OptionalDouble.empty()));
+    assertThat(parser.malformed()).isZero();
+  }
+
+  @Test
+  void accept_otherFamilies_haveTheirUnits() {
+    SonarParser xl = new SonarParser(SonarModel.XL);
+    say(xl, "R123\r", 1);
+    assertThat(xl.latest().rangeM().getAsDouble()).isCloseTo(1.23, within(1.0e-9));
+    SonarParser hr = new SonarParser(SonarModel.HR);
+    say(hr, "R1234\r", 1);
+    assertThat(hr.latest().rangeM().getAsDouble()).isCloseTo(1.234, within(1.0e-9));
+    say(hr, "R5000\r", 2);
+    assertThat(hr.latest().rangeM()).isEmpty();
+  }
+
+  @Test
+  void accept_startUpTextTruncatedAndGarbage_goesOnWithTheNextLine() {
+    say(parser, "PRINT LV-MaxSonar\rTempI\r\rR0R12\rR1234\rRx\u00ff\r", 1);
+    assertThat(parser.latest()).isEqualTo(RangeFinder.NONE);
+    assertThat(parser.malformed()).isPositive();
+    say(parser, "R100\r", 2);
+    assertThat(parser.latest().rangeM().getAsDouble()).isCloseTo(2.54, within(1.0e-9));
+  }
+
+  @Property
+  void accept_anyBytes_readsTheNextLineWhole(@ForAll byte[] noise) {
+    SonarParser any = new SonarParser(SonarModel.LV);
+    any.accept(noise, noise.length, 1);
+    say(any, "\rR100\r", 2);
+    assertThat(any.latest().rangeM().getAsDouble()).isCloseTo(2.54, within(1.0e-9));
+  }
+}
