@@ -38,6 +38,7 @@ public interface ByteLink extends AutoCloseable {
   /** What is wrong, for the log and the health report; empty if nothing. */
   String trouble();
 
+  /** Ends the link; what was handed over for sending before is still sent if that goes at once. */
   @Override
   void close();
 }

@@ -34,7 +34,8 @@ public final class ByteLinks {
    * Opens a link. Returns at once: the device need not be there yet.
    *
    * <ul>
-   *   <li>{@code serial:PATH?baud=9600&parity=none&stop=1}: 8 data bits; parity none, even or odd
+   *   <li>{@code serial:PATH?baud=9600&parity=none&stop=1}: 8 data bits; parity none, even or odd;
+   *       {@code &dtr=off} drops the line Data Terminal Ready, which stops some devices
    *   <li>{@code tcp:HOST:PORT?silence=5}: a device server, as client; after so many seconds
    *       without a byte the connection counts as lost and is made anew; 0: never
    *   <li>{@code udp:PORT?silence=2}: datagrams to that port, from anyone; answers go to who spoke
@@ -66,14 +67,15 @@ public final class ByteLinks {
   private static ByteLink open(LinkAddress address, Clock clock, UnaryOperator<Path> files) {
     switch (address.kind()) {
       case "serial":
-        address.onlyOptions(Set.of("baud", "parity", "stop", "record"));
+        address.onlyOptions(Set.of("baud", "parity", "stop", "dtr", "record"));
         return new ReconnectingLink(
             address.toString(),
             new SerialOpener(
                 address.target(),
                 address.option("baud", USUAL_BAUD, 1, FASTEST_BAUD),
                 SerialParity.of(address),
-                address.option("stop", 1, 1, 2)),
+                address.option("stop", 1, 1, 2),
+                address.flag("dtr", true)),
             0.0);
       case "tcp":
         address.onlyOptions(Set.of("silence", "record"));

@@ -92,6 +92,15 @@ final class LinkAddress {
     throw refused("option \"" + name + "\": " + value + " is outside " + lowest + "…" + highest);
   }
 
+  /** An option that is on or off. */
+  boolean flag(String name, boolean ifAbsent) {
+    String value = options.getOrDefault(name, ifAbsent ? "on" : "off");
+    if (!value.equals("on") && !value.equals("off")) {
+      throw refused("option \"" + name + "\": \"" + value + "\" is neither on nor off");
+    }
+    return value.equals("on");
+  }
+
   /** An option that is text; empty if absent. */
   String option(String name) {
     return options.getOrDefault(name, "");

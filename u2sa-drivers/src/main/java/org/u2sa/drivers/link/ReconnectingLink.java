@@ -17,6 +17,7 @@ final class ReconnectingLink implements ByteLink {
   private static final int UNREAD_BYTES = 65_536;
   private static final int UNSENT_BYTES = 65_536;
   private static final int END_WITHIN_MS = 2_000;
+  private static final int SENT_WITHIN_MS = 300;
   private static final int BUFFER_BYTES = 4_096;
 
   private final Port.Opener opener;
@@ -34,6 +35,7 @@ final class ReconnectingLink implements ByteLink {
   private int found;
   private int told; // the number of the connection that the owner knows of
   private String trouble = "not found yet";
+  private boolean closing; // takes no more, but sends what it has: such as that a motor is to stop
   private boolean closed;
 
   /**
@@ -155,10 +157,10 @@ final class ReconnectingLink implements ByteLink {
         byte[] next;
         Port to;
         synchronized (this) {
-          while (!closed && (unsent.isEmpty() || port == null)) {
+          while (!closing && (unsent.isEmpty() || port == null)) {
             wait();
           }
-          if (closed) {
+          if (unsent.isEmpty() || port == null) {
             return;
           }
           next = unsent.remove();
@@ -204,7 +206,10 @@ final class ReconnectingLink implements ByteLink {
 
   @Override
   public synchronized boolean write(byte[] bytes) {
-    if (closed || port == null || !port.isWritable() || unsentBytes + bytes.length > UNSENT_BYTES) {
+    if (closing
+        || port == null
+        || !port.isWritable()
+        || unsentBytes + bytes.length > UNSENT_BYTES) {
       return false;
     }
     unsent.add(bytes.clone());
@@ -233,6 +238,12 @@ final class ReconnectingLink implements ByteLink {
   public void close() {
     Port open;
     synchronized (this) {
+      closing = true;
+      notifyAll();
+    }
+    boolean interrupted = Thread.interrupted();
+    interrupted |= !ended(writer, SENT_WITHIN_MS);
+    synchronized (this) {
       closed = true;
       connected = false;
       trouble = "closed";
@@ -242,18 +253,17 @@ final class ReconnectingLink implements ByteLink {
     if (open != null) {
       close(open);
     }
-    boolean interrupted = Thread.interrupted();
-    interrupted |= !ended(reader);
-    interrupted |= !ended(writer);
+    interrupted |= !ended(reader, END_WITHIN_MS);
+    interrupted |= !ended(writer, END_WITHIN_MS);
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
   }
 
   /** Waits for a thread's end; false if this thread was interrupted. */
-  private static boolean ended(Thread thread) {
+  private static boolean ended(Thread thread, int withinMs) {
     try {
-      thread.join(END_WITHIN_MS);
+      thread.join(withinMs);
       return true;
     } catch (InterruptedException e) {
       thread.interrupt();

@@ -16,12 +16,14 @@ final class SerialOpener implements Port.Opener {
   private final int baud;
   private final SerialParity parity;
   private final int stopBits;
+  private final boolean dtr;
 
-  SerialOpener(String path, int baud, SerialParity parity, int stopBits) {
+  SerialOpener(String path, int baud, SerialParity parity, int stopBits, boolean dtr) {
     this.path = path;
     this.baud = baud;
     this.parity = parity;
     this.stopBits = stopBits;
+    this.dtr = dtr;
   }
 
   @Override
@@ -41,6 +43,9 @@ final class SerialOpener implements Port.Opener {
       if (!port.openPort(0)) {
         throw new IOException(
             path + " cannot be opened (" + errorText(port.getLastErrorCode()) + ")");
+      }
+      if (!dtr) {
+        port.clearDTR();
       }
       return new Opened(path, port);
     } catch (SerialPortInvalidPortException e) {

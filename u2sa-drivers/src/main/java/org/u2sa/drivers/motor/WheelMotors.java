@@ -1,8 +1,10 @@
 package org.u2sa.drivers.motor;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
@@ -48,8 +50,17 @@ public final class WheelMotors extends PeriodicService {
   private double announceDueS;
   private double batteryDueS;
 
-  /** For controllers whose link the host makes. */
+  /** Called by the launcher: opens the link that CONNECTION names. */
+  public WheelMotors(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** Over a link that the host made, whatever CONNECTION says. */
   public WheelMotors(ServiceContext context, ByteLink link) {
+    this(context, Optional.of(link));
+  }
+
+  private WheelMotors(ServiceContext context, Optional<ByteLink> given) {
     super(context, ServiceRole.ACTUATOR, "WheelMotors", STEPS_PER_S);
     leftName = getVariable(WheelVariables.LEFT_NAME);
     rightName = getVariable(WheelVariables.RIGHT_NAME);
@@ -64,6 +75,14 @@ public final class WheelMotors extends PeriodicService {
     stateEveryMicros = Clock.micros(1.0 / getVariable(WheelVariables.STATE_RATE));
     registerPublisher(Channels.SENSED_STATE);
     registerPublisher(Channels.POWER);
+    String address = getVariable(WheelVariables.CONNECTION);
+    ByteLink link =
+        given.orElseGet(
+            () ->
+                ByteLinks.open(
+                    address,
+                    context.clock(),
+                    path -> context.configuration().resolve(path.toString())));
     watch = new LinkWatch(this, "the motor controller", link, SILENT_AFTER_S);
     controller =
         new RoboClaw(

@@ -2,7 +2,9 @@ package org.u2sa.drivers.range;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
@@ -61,13 +63,30 @@ public final class LidarSensor extends ExteroceptiveSensor {
   private long scannedMicros = Scanner.NONE.measuredAtMicros();
   private long scans;
 
-  /** For lasers whose link the host makes. */
+  /** Called by the launcher: opens the link that CONNECTION names. */
+  public LidarSensor(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** Over a link that the host made, whatever CONNECTION says. */
   public LidarSensor(ServiceContext context, ByteLink link) {
+    this(context, Optional.of(link));
+  }
+
+  private LidarSensor(ServiceContext context, Optional<ByteLink> given) {
     super(context, "LidarSensor", STEPS_PER_S);
     mounted = MountingPose.read(this).turn();
     publishEvery = getVariable(PUBLISH_EVERY);
     nearestM = getVariable(NEAREST);
     farthestM = getVariable(FARTHEST);
+    String address = getVariable(CONNECTION);
+    ByteLink link =
+        given.orElseGet(
+            () ->
+                ByteLinks.open(
+                    address,
+                    context.clock(),
+                    path -> context.configuration().resolve(path.toString())));
     watch = new LinkWatch(this, "the laser", link, SILENT_AFTER_S);
     scanner = getVariable(LIDAR).equals(HOKUYO) ? new Hokuyo(link) : new Rplidar(link);
   }

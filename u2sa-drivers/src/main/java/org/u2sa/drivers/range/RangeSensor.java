@@ -1,6 +1,8 @@
 package org.u2sa.drivers.range;
 
+import java.util.Optional;
 import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
@@ -34,10 +36,27 @@ public final class RangeSensor extends ExteroceptiveSensor {
   private final MountingPose.Turn mounted;
   private long publishedMicros = RangeFinder.NONE.measuredAtMicros();
 
-  /** For range finders whose link the host makes. */
+  /** Called by the launcher: opens the link that CONNECTION names. */
+  public RangeSensor(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** Over a link that the host made, whatever CONNECTION says. */
   public RangeSensor(ServiceContext context, ByteLink link) {
+    this(context, Optional.of(link));
+  }
+
+  private RangeSensor(ServiceContext context, Optional<ByteLink> given) {
     super(context, "RangeSensor", STEPS_PER_S);
     mounted = MountingPose.read(this).turn();
+    String address = getVariable(CONNECTION);
+    ByteLink link =
+        given.orElseGet(
+            () ->
+                ByteLinks.open(
+                    address,
+                    context.clock(),
+                    path -> context.configuration().resolve(path.toString())));
     watch = new LinkWatch(this, "the range finder", link, SILENT_AFTER_S);
     finder = new SerialSonar(link, SonarModel.valueOf(getVariable(MODEL)));
   }

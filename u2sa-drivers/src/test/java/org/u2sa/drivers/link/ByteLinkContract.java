@@ -181,6 +181,19 @@ abstract class ByteLinkContract {
   }
 
   @Test
+  void close_somethingWasWrittenBefore_deviceIsStillToldIt() throws Exception {
+    greet();
+    device.says("that was all\n");
+    untilHeard("that was all\n");
+    link.write("stop the motors".getBytes(US_ASCII));
+    link.close();
+
+    if (device.listens()) {
+      soon().until(() -> device.wasTold().endsWith("stop the motors"));
+    }
+  }
+
+  @Test
   void close_deviceIsThere_linkIsDead() throws Exception {
     greet();
     link.close();
