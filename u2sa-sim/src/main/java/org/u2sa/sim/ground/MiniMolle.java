@@ -1,0 +1,170 @@
+package org.u2sa.sim.ground;
+
+import java.util.List;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.sim.ioio.Pins;
+import org.u2sa.sim.ioio.PulseTrain;
+import org.u2sa.sim.sensor.LocalPlane;
+import org.u2sa.sim.sensor.SpartonCompass;
+import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.sensor.UartTransmitter;
+import org.u2sa.sim.sensor.UbloxReceiver;
+import org.u2sa.sim.sensor.VoltmeterModel;
+
+/**
+ * The hardware of thesis 4.6.3 behind the pins of an IOIO: a vehicle, its motor controllers, a
+ * u-blox GPS, a Sparton compass, a battery, and a radio receiver whose switch decides by a
+ * multiplexer who drives, the transmitter's sticks or the IOIO.
+ *
+ * <p>Its time is that of {@link #advance} and begins with the first call. What it tells of the
+ * truth may be asked for on any thread.
+ */
+public final class MiniMolle implements Pins {
+  private static final long TICK_US = 1_000_000L / GroundVehicle.TICKS_PER_SECOND;
+  private static final double TICK_S = 1.0 / GroundVehicle.TICKS_PER_SECOND;
+  private static final double US_PER_S = 1e6;
+  private static final PulseTrain AUTOMATIC = new PulseTrain(1.9e-3, 0.02);
+  private static final PulseTrain BY_HAND = new PulseTrain(1.1e-3, 0.02);
+
+  private final MiniMolleWiring wiring;
+  private final GroundVehicle vehicle;
+  private final LocalPlane plane;
+  private final UbloxReceiver gps;
+  private final SpartonCompass compass;
+  private final VoltmeterModel voltmeter;
+  private final HazardPlay hazards;
+  private final EscInput first = new EscInput();
+  private final EscInput second = new EscInput();
+  private long beginUs = -1; // not yet; other times count from it
+  private long tickUs;
+  private long nowUs;
+  private volatile GroundState state;
+  private volatile DriveCommand command = DriveCommand.none();
+
+  MiniMolle(MiniMolleBuilder parts) {
+    wiring = parts.wiring;
+    vehicle = parts.vehicle;
+    plane = parts.plane;
+    gps = parts.gps();
+    compass = parts.compass();
+    voltmeter = parts.voltmeter();
+    hazards = new HazardPlay(parts.hazards, vehicle, parts.surface);
+    state = vehicle.state();
+  }
+
+  /** Builds one that stands on this plane. */
+  public static MiniMolleBuilder on(LocalPlane plane) {
+    return new MiniMolleBuilder(plane);
+  }
+
+  @Override
+  public void advance(long nowMicros) {
+    if (beginUs < 0) {
+      beginUs = nowMicros;
+      sense(0);
+    }
+    gps.line().forget(nowUs);
+    compass.line().forget(nowUs);
+    nowUs = nowMicros - beginUs;
+    while (nowUs - tickUs >= TICK_US) {
+      tickUs += TICK_US;
+      tick(tickUs);
+    }
+  }
+
+  private void tick(long micros) {
+    double timeS = micros / US_PER_S;
+    double a = first.command(micros);
+    double b = second.command(micros);
+    DriveCommand told = hazards.master(timeS, a, b);
+    hazards.act(timeS);
+    vehicle.step(told, TICK_S);
+    command = told;
+    state = vehicle.state();
+    if (micros >= gps.nextUs() || micros >= compass.nextUs()) {
+      sense(micros);
+    }
+  }
+
+  private void sense(long micros) {
+    GroundState s = state;
+    TrueMotion truth =
+        new TrueMotion(s.eastM(), s.northM(), 0.0, s.eastMps(), s.northMps(), 0.0, s.headingRad());
+    gps.advance(micros, truth, hazards.gpsBlocked(micros / US_PER_S));
+    compass.advance(
+        micros, truth, hazards.field(s.eastM(), s.northM(), s.leftMotorA(), s.rightMotorA()));
+  }
+
+  @Override
+  public void driven(int pin, PulseTrain pulses) {
+    if (pin == wiring.first()) {
+      first.take(pulses, nowUs);
+    } else if (pin == wiring.second()) {
+      second.take(pulses, nowUs);
+    }
+  }
+
+  @Override
+  public void released(int pin) {
+    driven(pin, PulseTrain.NONE);
+  }
+
+  @Override
+  public void transmitted(int pin, int baud, byte[] bytes, int length) {
+    if (pin == wiring.gpsTransmit()) {
+      gps.accept(nowUs, baud, bytes, length);
+    } else if (pin == wiring.compassTransmit()) {
+      compass.accept(nowUs, baud, bytes, length);
+    }
+  }
+
+  @Override
+  public int received(int pin, int baud, byte[] buffer) {
+    if (pin == wiring.gpsReceive()) {
+      return take(gps.line(), baud, buffer);
+    }
+    return pin == wiring.compassReceive() ? take(compass.line(), baud, buffer) : 0;
+  }
+
+  private int take(UartTransmitter line, int baud, byte[] buffer) {
+    return line.take(nowUs, baud, buffer);
+  }
+
+  @Override
+  public double volts(int pin) {
+    return pin == wiring.battery() ? voltmeter.sample(state.batteryV()) : 0.0;
+  }
+
+  @Override
+  public PulseTrain pulses(int pin) {
+    if (pin != wiring.radioSwitch()) {
+      return PulseTrain.NONE;
+    }
+    double timeS = state.timeS();
+    if (hazards.radioSilent(timeS)) {
+      return PulseTrain.NONE;
+    }
+    return hazards.sticks(timeS).isPresent() ? BY_HAND : AUTOMATIC;
+  }
+
+  /** The truth of the last tick. */
+  public GroundState state() {
+    return state;
+  }
+
+  /** Where the vehicle truly is on earth. */
+  public Geodetic place() {
+    GroundState s = state;
+    return plane.at(s.eastM(), s.northM(), 0.0);
+  }
+
+  /** What reached the motors in the last tick, from whoever drives. */
+  public DriveCommand command() {
+    return command;
+  }
+
+  /** What the run has in store. */
+  public List<Hazard> hazards() {
+    return hazards.all();
+  }
+}

@@ -1,0 +1,107 @@
+package org.u2sa.sim.ground;
+
+import java.time.Instant;
+import java.util.Objects;
+import org.u2sa.sim.sensor.CompassParameters;
+import org.u2sa.sim.sensor.GpsParameters;
+import org.u2sa.sim.sensor.LocalPlane;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.sensor.SpartonCompass;
+import org.u2sa.sim.sensor.UbloxReceiver;
+import org.u2sa.sim.sensor.UbloxSettings;
+import org.u2sa.sim.sensor.UtcTime;
+import org.u2sa.sim.sensor.VoltmeterModel;
+
+/**
+ * Puts a {@link MiniMolle} together. Without more it is the differential vehicle at the plane's
+ * origin, facing north on a lawn, with a survey receiver that sends POSLLH and VELNED ten times a
+ * second at 9600 baud, a calibrated compass at 9600 baud, no hazards and seed 1.
+ */
+public final class MiniMolleBuilder {
+  private static final int BAUD = 9600;
+  private static final double SURVEY_HZ = 10.0;
+  private static final double VOLTMETER_NOISE_V = 0.005;
+
+  final LocalPlane plane;
+  MiniMolleWiring wiring = MiniMolleWiring.standard();
+  GroundVehicle vehicle = new DifferentialVehicle(DifferentialParameters.miniMolle());
+  Surface surface = Surface.lawn();
+  Hazards hazards = Hazards.none();
+  private GpsParameters gps = GpsParameters.survey();
+  private UbloxSettings gpsSettings = UbloxSettings.binary(BAUD, SURVEY_HZ);
+  private CompassParameters compass = CompassParameters.calibrated(0.0);
+  private int compassBaud = BAUD;
+  private UtcTime utc = new UtcTime(Instant.parse("2026-06-01T12:00:00Z"));
+  private NoiseStreams streams = new NoiseStreams(1L);
+
+  MiniMolleBuilder(LocalPlane plane) {
+    this.plane = Objects.requireNonNull(plane, "plane");
+  }
+
+  /** Another vehicle. Its place and its ground are its own, the latter until it is built in. */
+  public MiniMolleBuilder vehicle(GroundVehicle newVehicle) {
+    vehicle = Objects.requireNonNull(newVehicle, "vehicle");
+    return this;
+  }
+
+  /** Other ground. */
+  public MiniMolleBuilder surface(Surface newSurface) {
+    surface = Objects.requireNonNull(newSurface, "surface");
+    return this;
+  }
+
+  /** Another receiver, and what it sends until it is told otherwise. */
+  public MiniMolleBuilder gps(GpsParameters parameters, UbloxSettings settings) {
+    gps = Objects.requireNonNull(parameters, "parameters");
+    gpsSettings = Objects.requireNonNull(settings, "settings");
+    return this;
+  }
+
+  /** Another compass, and the declination of the place with it. */
+  public MiniMolleBuilder compass(CompassParameters parameters, int baud) {
+    compass = Objects.requireNonNull(parameters, "parameters");
+    compassBaud = baud;
+    return this;
+  }
+
+  /** Other pins. */
+  public MiniMolleBuilder wiring(MiniMolleWiring newWiring) {
+    wiring = Objects.requireNonNull(newWiring, "wiring");
+    return this;
+  }
+
+  /** What goes wrong. */
+  public MiniMolleBuilder hazards(Hazards newHazards) {
+    hazards = Objects.requireNonNull(newHazards, "hazards");
+    return this;
+  }
+
+  /** When the run begins, as the satellites tell it. */
+  public MiniMolleBuilder begin(Instant begin) {
+    utc = new UtcTime(begin);
+    return this;
+  }
+
+  /** The seed of all sensors' noise. */
+  public MiniMolleBuilder seed(long seed) {
+    streams = new NoiseStreams(seed);
+    return this;
+  }
+
+  /** The hardware, at rest. A vehicle serves once. */
+  public MiniMolle build() {
+    return new MiniMolle(this);
+  }
+
+  UbloxReceiver gps() {
+    return new UbloxReceiver(gpsSettings, gps, plane, utc, streams);
+  }
+
+  SpartonCompass compass() {
+    return new SpartonCompass(compassBaud, compass, streams);
+  }
+
+  VoltmeterModel voltmeter() {
+    return new VoltmeterModel(wiring.dividerRatio(), VOLTMETER_NOISE_V, streams);
+  }
+}

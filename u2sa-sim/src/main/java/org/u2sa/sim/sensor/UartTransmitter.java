@@ -1,0 +1,125 @@
+package org.u2sa.sim.sensor;
+
+import java.util.ArrayDeque;
+
+/**
+ * A device's transmit line: bytes leave one after the other at the line's rate, eight bits with a
+ * start and a stop bit. A message that finds the device's buffer full is dropped as a whole.
+ */
+public final class UartTransmitter {
+  private static final long BITS_A_BYTE = 10;
+  private static final long NS_PER_S = 1_000_000_000L;
+  private static final long NS_PER_US = 1_000L;
+
+  private final int capacity;
+  private final ArrayDeque<Message> messages = new ArrayDeque<>();
+  private long byteNs;
+  private int baud;
+  private long freeAtNs;
+  private long dropped;
+
+  /**
+   * @param baud the line's rate [bit/s], above 0
+   * @param capacity bytes that the device's buffer holds, above 0
+   */
+  public UartTransmitter(int baud, int capacity) {
+    Arguments.requireInside("transmit buffer", capacity, 1, 1 << 20);
+    this.capacity = capacity;
+    baud(baud);
+  }
+
+  /** Changes the line's rate for messages that come from now on. */
+  public void baud(int newBaud) {
+    Arguments.requireInside("baud rate", newBaud, 300, 10_000_000);
+    baud = newBaud;
+    byteNs = BITS_A_BYTE * NS_PER_S / newBaud;
+  }
+
+  /** The line's rate [bit/s]. */
+  public int baud() {
+    return baud;
+  }
+
+  /** How many messages found no room so far. */
+  public long dropped() {
+    return dropped;
+  }
+
+  /**
+   * Begins to send a message, or queues it.
+   *
+   * @param micros the time [µs], not before that of the last call
+   */
+  public void send(long micros, byte[] message) {
+    long nowNs = micros * NS_PER_US;
+    long waiting = Math.max(0L, freeAtNs - nowNs) / byteNs;
+    if (waiting + message.length > capacity) {
+      dropped++;
+      return;
+    }
+    long startNs = Math.max(freeAtNs, nowNs);
+    messages.add(new Message(message.clone(), startNs, byteNs, baud));
+    freeAtNs = startNs + message.length * byteNs;
+  }
+
+  /**
+   * Takes the bytes that have arrived whole at the other end.
+   *
+   * @param listeningBaud the other end's rate: bytes of another one are not understood and lost
+   * @return how many were put into the buffer; ask again if it is full
+   */
+  public int take(long micros, int listeningBaud, byte[] buffer) {
+    long nowNs = micros * NS_PER_US;
+    int count = 0;
+    while (count < buffer.length && !messages.isEmpty() && messages.peek().arrived(nowNs)) {
+      Message message = messages.peek();
+      byte next = message.next();
+      if (message.baud == listeningBaud) {
+        buffer[count++] = next;
+      }
+      if (message.empty()) {
+        messages.remove();
+      }
+    }
+    return count;
+  }
+
+  /** Forgets the bytes that arrived before this time, as nobody listened. */
+  public void forget(long micros) {
+    long beforeNs = micros * NS_PER_US - 1;
+    while (!messages.isEmpty() && messages.peek().arrived(beforeNs)) {
+      messages.peek().next();
+      if (messages.peek().empty()) {
+        messages.remove();
+      }
+    }
+  }
+
+  private static final class Message {
+    private final byte[] bytes;
+    private final long byteNs;
+    private final int baud;
+    private long nextNs; // when the next byte has arrived
+    private int at;
+
+    Message(byte[] bytes, long startNs, long byteNs, int baud) {
+      this.bytes = bytes;
+      this.byteNs = byteNs;
+      this.baud = baud;
+      this.nextNs = startNs + byteNs;
+    }
+
+    boolean arrived(long nowNs) {
+      return nextNs <= nowNs;
+    }
+
+    byte next() {
+      nextNs += byteNs;
+      return bytes[at++];
+    }
+
+    boolean empty() {
+      return at == bytes.length;
+    }
+  }
+}

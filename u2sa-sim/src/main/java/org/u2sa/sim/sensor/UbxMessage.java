@@ -1,0 +1,72 @@
+package org.u2sa.sim.sensor;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/** Builds one UBX message: two sync characters, class, id, length, payload, Fletcher checksum. */
+final class UbxMessage {
+  static final int SYNC_1 = 0xB5;
+  static final int SYNC_2 = 0x62;
+  static final int HEADER = 6;
+  static final int CHECKSUM = 2;
+
+  private final ByteBuffer buffer;
+  private final int length;
+
+  UbxMessage(int messageClass, int id, int length) {
+    this.length = length;
+    buffer = ByteBuffer.allocate(HEADER + length + CHECKSUM).order(ByteOrder.LITTLE_ENDIAN);
+    buffer.put((byte) SYNC_1).put((byte) SYNC_2).put((byte) messageClass).put((byte) id);
+    buffer.putShort((short) length);
+  }
+
+  UbxMessage u1(long value) {
+    buffer.put((byte) value);
+    return this;
+  }
+
+  UbxMessage u2(long value) {
+    buffer.putShort((short) value);
+    return this;
+  }
+
+  /** Four bytes, of either sign. */
+  UbxMessage i4(long value) {
+    buffer.putInt((int) value);
+    return this;
+  }
+
+  /** A number in units of {@code 1 / scale}, rounded, in four bytes. */
+  UbxMessage i4(double value, double scale) {
+    return i4(Math.round(value * scale));
+  }
+
+  UbxMessage skip(int bytes) {
+    buffer.position(buffer.position() + bytes);
+    return this;
+  }
+
+  /** The message with its checksum. */
+  byte[] bytes() {
+    if (buffer.position() != HEADER + length) {
+      throw new IllegalStateException(
+          "payload of " + (buffer.position() - HEADER) + " bytes, said " + length);
+    }
+    byte[] bytes = buffer.array();
+    int sum = checksum(bytes, 2, HEADER + length);
+    bytes[HEADER + length] = (byte) (sum >> 8);
+    bytes[HEADER + length + 1] = (byte) sum;
+    return bytes;
+  }
+
+  /** 8-bit Fletcher sums of a part of a message: the first in the upper byte. */
+  static int checksum(byte[] bytes, int from, int to) {
+    int a = 0;
+    int b = 0;
+    for (int i = from; i < to; i++) {
+      a = (a + bytes[i]) & 0xFF;
+      b = (b + a) & 0xFF;
+    }
+    return a << 8 | b;
+  }
+}
