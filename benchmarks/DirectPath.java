@@ -6,13 +6,8 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.service.EventDrivenService;
@@ -70,42 +65,20 @@ public final class DirectPath {
   }
 
   public static void main(String[] args) throws Exception {
-    System.out.printf(
-        Locale.ROOT,
-        "%d cores, load average %.2f, Java %s%n",
-        Runtime.getRuntime().availableProcessors(),
-        java.lang.management.ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage(),
-        System.getProperty("java.version"));
+    Bench.printMachine("Way of a message");
     int port = Integer.parseInt(args[0]);
-    Map<String, Object> variables = Map.of("COMMUNICATION MANAGER PORT", port);
-    try (CommunicationManager manager =
-        CommunicationManager.start(
-            "benchmark",
-            XmlConfiguration.inMemory("benchmark", variables),
-            MessageTypes.standard(),
-            System.out::println)) {
+    try (CommunicationManager manager = Bench.manager(port)) {
       measure("direct path", manager.transport(), 20_000, 3_000_000, 100_000);
-      measure("MQTT, embedded broker", mqtt(port), 3_000, 30_000, 200);
+      measure("MQTT, embedded broker", Bench.mqtt(port), 3_000, 30_000, 200);
     }
     if (args.length > 1) {
-      measure("MQTT, Mosquitto", mqtt(Integer.parseInt(args[1])), 3_000, 30_000, 200);
+      measure("MQTT, Mosquitto", Bench.mqtt(Integer.parseInt(args[1])), 3_000, 30_000, 200);
     }
     System.exit(0);
   }
 
-  private static Transport mqtt(int port) {
-    return new MqttTransport(
-        "127.0.0.1", port, "benchmark", new MessageCodec(MessageTypes.standard()));
-  }
-
   private static ServiceContext context(Transport transport, Path logs) {
-    return ServiceContext.of(
-            "benchmark",
-            XmlConfiguration.inMemory("benchmark", Map.of("INBOX CAPACITY", 1_000_000)))
-        .clock(new SystemClock())
-        .transport(transport)
-        .logDirectory(logs)
-        .build();
+    return Bench.context(transport, logs, Map.of("INBOX CAPACITY", 1_000_000));
   }
 
   /** Messages at once on the way are limited, so that what is measured is not a queue. */

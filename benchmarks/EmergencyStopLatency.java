@@ -4,22 +4,13 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
@@ -29,8 +20,6 @@ import org.u2sa.service.ServiceContext;
  * path and by MQTT. The actuators stay: each stop is cleared, and they are commanded until they move again.
  */
 public final class EmergencyStopLatency {
-  private static final SystemClock CLOCK = new SystemClock(); // one: stops of one time are one stop
-  private static final String SYSTEM = "benchmark";
   private static final int ACTUATORS = 8;
   private static final long WITHIN_S = 30;
 
@@ -58,61 +47,31 @@ public final class EmergencyStopLatency {
     }
   }
 
-  private static final class Deaf implements Receiver {
-    @Override
-    public void receive(Channel<?> channel, U2SAData message) {}
-
-    @Override
-    public void trouble(String what) {
-      System.err.println(what);
-    }
-  }
-
   public static void main(String[] args) {
-    try {
-      measureAll(args);
-      System.exit(0);
-    } catch (Exception e) {
-      e.printStackTrace();
-      System.exit(1); // services that still run would keep the program alive
-    }
+    Bench.runAndExit(() -> measureAll(args));
   }
 
   private static void measureAll(String[] args) throws Exception {
-    System.out.printf(
-        Locale.ROOT,
-        "Emergency stop, %d cores, load average %.2f, Java %s%n",
-        Runtime.getRuntime().availableProcessors(),
-        java.lang.management.ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage(),
-        System.getProperty("java.version"));
+    Bench.printMachine("Emergency stop");
     int port = Integer.parseInt(args[0]);
     Path logs = Files.createTempDirectory("u2sa-benchmark");
-    try (CommunicationManager manager =
-        CommunicationManager.start(
-            SYSTEM,
-            XmlConfiguration.inMemory(SYSTEM, Map.of("COMMUNICATION MANAGER PORT", port)),
-            MessageTypes.standard(),
-            System.out::println)) {
+    try (CommunicationManager manager = Bench.manager(port)) {
       measure("direct path", manager.transport(), logs, 1000);
-      measure("MQTT, embedded broker", mqtt(port), logs, 300);
+      measure("MQTT, embedded broker", Bench.mqtt(port), logs, 300);
       if (args.length > 1) {
-        measure("MQTT, Mosquitto", mqtt(Integer.parseInt(args[1])), logs, 300);
+        measure("MQTT, Mosquitto", Bench.mqtt(Integer.parseInt(args[1])), logs, 300);
       }
     }
-  }
-
-  private static Transport mqtt(int port) {
-    return new MqttTransport("127.0.0.1", port, SYSTEM, new MessageCodec(MessageTypes.standard()));
   }
 
   private static void measure(String way, Transport transport, Path logs, int runs)
       throws Exception {
     List<Servo> servos = new ArrayList<>();
     for (int i = 0; i < ACTUATORS; i++) {
-      servos.add(new Servo(context(transport, logs, "Servo" + i)));
+      servos.add(new Servo(Bench.actuator(transport, logs, "Servo" + i)));
       servos.get(i).start();
     }
-    try (Connection operator = transport.connect("Operator", new Deaf())) {
+    try (Connection operator = Bench.operator(transport)) {
       for (int i = 0; i < runs / 10; i++) { // warm-up
         stop(operator, servos);
       }
@@ -121,15 +80,8 @@ public final class EmergencyStopLatency {
         nanos[i] = stop(operator, servos);
       }
       Arrays.sort(nanos);
-      System.out.printf(
-          Locale.ROOT,
-          "%-22s stop to last of %d neutral p50 %7.2f ms, p99 %7.2f ms, max %7.2f ms (%d stops)%n",
-          way,
-          ACTUATORS,
-          nanos[runs / 2] / 1e6,
-          nanos[runs * 99 / 100] / 1e6,
-          nanos[runs - 1] / 1e6,
-          runs);
+      Bench.printStops(
+          String.format(Locale.ROOT, "%-22s stop to last of %d neutral", way, ACTUATORS), nanos);
     } finally {
       servos.forEach(Servo::kill);
     }
@@ -143,13 +95,13 @@ public final class EmergencyStopLatency {
     for (Servo servo : servos) {
       long until = System.nanoTime() + TimeUnit.SECONDS.toNanos(WITHIN_S);
       do {
-        send(operator, Channels.ACTUATION, PercentageCommand.of(servo.getServiceName(), 50.0));
+        Bench.send(operator, Channels.ACTUATION, PercentageCommand.of(servo.getServiceName(), 50.0));
       } while (!servo.moves.await(20, TimeUnit.MILLISECONDS) && System.nanoTime() < until);
       servo.stands = new CountDownLatch(1);
     }
     long told = System.nanoTime();
     EmergencyStop stop =
-        send(operator, Channels.EMERGENCY_STOP, new EmergencyStop().active(true).operator("Ann"));
+        Bench.send(operator, Channels.EMERGENCY_STOP, new EmergencyStop().active(true).operator("Ann"));
     long last = told;
     for (Servo servo : servos) {
       if (!servo.stands.await(WITHIN_S, TimeUnit.SECONDS)) {
@@ -157,28 +109,10 @@ public final class EmergencyStopLatency {
       }
       last = Math.max(last, servo.neutralNanos);
     }
-    send(
+    Bench.send(
         operator,
         Channels.EMERGENCY_STOP,
         new EmergencyStop().active(false).clears(stop.timestamp().orElseThrow()).operator("Ann"));
     return last - told;
-  }
-
-  private static <T extends U2SAData> T send(Connection operator, Channel<? super T> channel, T message) {
-    message.systemId(SYSTEM);
-    message.timestamp(CLOCK.micros());
-    message.freeze();
-    operator.publish(channel, message);
-    return message;
-  }
-
-  private static ServiceContext context(Transport transport, Path logs, String name) {
-    return ServiceContext.of(
-            SYSTEM,
-            XmlConfiguration.inMemory(SYSTEM, Map.of("SERVICE NAME", name, "COMMAND EXPIRY", 60.0)))
-        .clock(CLOCK)
-        .transport(transport)
-        .logDirectory(logs)
-        .build();
   }
 }
