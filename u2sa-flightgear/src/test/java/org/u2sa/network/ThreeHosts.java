@@ -12,6 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.flightgear.demo.ShortMission;
 import org.u2sa.gcs.Main;
 
 /**
@@ -49,7 +50,7 @@ final class ThreeHosts implements AutoCloseable {
     copy(repository, folder, "config/cessna");
     Path mission = folder.resolve("missions/cessna/mission.xml");
     Files.createDirectories(mission.getParent());
-    Files.writeString(mission, NetworkMission.TEXT);
+    Files.writeString(mission, ShortMission.ofThreeWaypoints());
     system = folder.resolve("config/cessna/system.xml");
     if (kind == Broker.EMBEDDED) {
       nameHosts(system);

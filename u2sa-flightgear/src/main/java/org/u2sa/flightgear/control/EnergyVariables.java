@@ -1,7 +1,8 @@
 package org.u2sa.flightgear.control;
 
+import static org.u2sa.flightgear.control.BoundedNumber.number;
+
 import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 
 /** Gains and limits of altitude and airspeed: {@link EnergyParameters}. */
@@ -109,14 +110,6 @@ final class EnergyVariables {
           "Airspeed below which flight path angles mean nothing.");
 
   private EnergyVariables() {}
-
-  private static Variable<Double> number(
-      String name, String unit, double least, double most, double ifAbsent, String description) {
-    return Variable.number(name, unit)
-        .range(Range.of(least, most))
-        .ifAbsent(ifAbsent)
-        .describedAs(description);
-  }
 
   static EnergyParameters energy(Configurator c) {
     return new EnergyParameters(

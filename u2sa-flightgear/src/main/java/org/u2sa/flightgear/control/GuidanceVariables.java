@@ -1,10 +1,11 @@
 package org.u2sa.flightgear.control;
 
+import static org.u2sa.flightgear.control.BoundedNumber.number;
+
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 
 /** Speeds and limits within which the aircraft follows navigation. */
@@ -71,14 +72,6 @@ final class GuidanceVariables {
       number("PITCH UPPER LIMIT", "deg", 5.0, 30.0, 14.0, "Most pitch demanded.");
 
   private GuidanceVariables() {}
-
-  private static Variable<Double> number(
-      String name, String unit, double least, double most, double ifAbsent, String description) {
-    return Variable.number(name, unit)
-        .range(Range.of(least, most))
-        .ifAbsent(ifAbsent)
-        .describedAs(description);
-  }
 
   static StallGuard.Parameters stall(Configurator c) {
     return new StallGuard.Parameters(

@@ -1,7 +1,8 @@
 package org.u2sa.flightgear.control;
 
+import static org.u2sa.flightgear.control.BoundedNumber.number;
+
 import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 
 /**
@@ -48,14 +49,6 @@ final class LandingVariables {
       number("FLARE PITCH LIMIT", "deg", 2.0, 14.0, 10.0, "Most pitch demanded in the flare.");
 
   private LandingVariables() {}
-
-  private static Variable<Double> number(
-      String name, String unit, double least, double most, double ifAbsent, String description) {
-    return Variable.number(name, unit)
-        .range(Range.of(least, most))
-        .ifAbsent(ifAbsent)
-        .describedAs(description);
-  }
 
   static Tuning.Hold hold(Configurator c) {
     return new Tuning.Hold(

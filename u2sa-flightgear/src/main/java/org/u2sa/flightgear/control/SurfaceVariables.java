@@ -1,7 +1,8 @@
 package org.u2sa.flightgear.control;
 
+import static org.u2sa.flightgear.control.BoundedNumber.number;
+
 import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 
 /** Gains of the loops that move aileron, elevator and rudder. */
@@ -88,14 +89,6 @@ final class SurfaceVariables {
       number("AILERON TO RUDDER", "", 0.0, 1.0, 0.45, "Rudder per aileron, against adverse yaw.");
 
   private SurfaceVariables() {}
-
-  private static Variable<Double> number(
-      String name, String unit, double least, double most, double ifAbsent, String description) {
-    return Variable.number(name, unit)
-        .range(Range.of(least, most))
-        .ifAbsent(ifAbsent)
-        .describedAs(description);
-  }
 
   static double referenceSpeedMps(Configurator configuration) {
     return configuration.getVariable(REFERENCE_SPEED);

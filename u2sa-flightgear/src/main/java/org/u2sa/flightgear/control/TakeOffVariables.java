@@ -1,7 +1,8 @@
 package org.u2sa.flightgear.control;
 
+import static org.u2sa.flightgear.control.BoundedNumber.number;
+
 import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 
 /** How the aircraft leaves the ground. */
@@ -153,14 +154,6 @@ final class TakeOffVariables {
           "Aileron per metre per second of crosswind when standing.");
 
   private TakeOffVariables() {}
-
-  private static Variable<Double> number(
-      String name, String unit, double least, double most, double ifAbsent, String description) {
-    return Variable.number(name, unit)
-        .range(Range.of(least, most))
-        .ifAbsent(ifAbsent)
-        .describedAs(description);
-  }
 
   static TakeOffSequence.Parameters takeOff(Configurator c) {
     return new TakeOffSequence.Parameters(

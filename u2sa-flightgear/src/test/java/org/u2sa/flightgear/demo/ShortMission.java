@@ -5,9 +5,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A mission of take-off and one waypoint straight ahead: two minutes of flight. */
-final class ShortMission {
-  private static final String TEXT =
+/** Missions from Honolulu's runway that end before the demo's own. */
+public final class ShortMission {
+  private static final String HOME =
       """
       <mission>
         <home>
@@ -16,35 +16,56 @@ final class ShortMission {
           <z unit="ft">17.5</z>
           <psi>90.0</psi>
         </home>
-        <waypoint>
-          <name>1</name>
-          <x>-157.910168</x>
-          <y>21.325239</y>
-          <z unit="ft">500</z>
-          <horizontalThreshold>100</horizontalThreshold>
-        </waypoint>
-      </mission>
       """;
+  private static final String WAYPOINT =
+      """
+        <waypoint>
+          <name>%d</name>
+          <x>%s</x>
+          <y>%s</y>
+          <z unit="ft">%d</z>
+          <horizontalThreshold>100</horizontalThreshold>%s
+        </waypoint>
+      """;
+  private static final String END = "</mission>\n";
+  private static final String AHEAD = HOME + waypoint(1, "-157.910168", "21.325239", 500, "") + END;
 
   private ShortMission() {}
 
-  /** Writes it into a folder. */
+  private static String waypoint(
+      int name, String longitudeDeg, String latitudeDeg, int altitudeFt, String more) {
+    return WAYPOINT.formatted(name, longitudeDeg, latitudeDeg, altitudeFt, more);
+  }
+
+  /** Writes take-off and one waypoint straight ahead, two minutes of flight, into a folder. */
   static Path in(Path directory) {
     return in(directory, "", "");
   }
 
-  /** Writes it into a folder with the first occurrence of a text replaced. */
+  /** Writes the same with the first occurrence of a text replaced. */
   static Path in(Path directory, String text, String by) {
-    if (!TEXT.contains(text)) {
+    if (!AHEAD.contains(text)) {
       throw new IllegalArgumentException("the mission has no \"" + text + '"');
     }
-    int at = TEXT.indexOf(text);
+    int at = AHEAD.indexOf(text);
     try {
       return Files.writeString(
           directory.resolve("short.xml"),
-          TEXT.substring(0, at) + by + TEXT.substring(at + text.length()));
+          AHEAD.substring(0, at) + by + AHEAD.substring(at + text.length()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  /**
+   * The text of take-off and three waypoints: 18 km, eight minutes, high enough to glide for a
+   * while.
+   */
+  public static String ofThreeWaypoints() {
+    return HOME
+        + waypoint(1, "-157.895000", "21.325239", 1500, "<next>2</next>")
+        + waypoint(2, "-157.890000", "21.250000", 1500, "<next>3</next>")
+        + waypoint(3, "-157.940000", "21.250000", 1500, "")
+        + END;
   }
 }
