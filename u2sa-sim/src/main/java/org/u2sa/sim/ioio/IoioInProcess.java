@@ -10,7 +10,8 @@ import java.io.OutputStream;
  * host knows the same at the same time in every run.
  *
  * <p>The host opens a connection by {@link #connect}, then gets the streams of that one; they end
- * when the board or the host ends it. For any thread; one thread reads.
+ * when the board or the host ends it, and the reader then closes its stream. For any thread; one
+ * thread reads.
  */
 public final class IoioInProcess {
   private static final int CABLE = 1 << 16;
@@ -25,6 +26,7 @@ public final class IoioInProcess {
   private boolean connected;
   private boolean readerWaits;
   private boolean readerGone;
+  private boolean isReading; // from the first byte asked for until it closes its end
   private boolean hasBegun;
   private long atMicros;
 
@@ -44,6 +46,7 @@ public final class IoioInProcess {
       connected = true;
       readerWaits = false;
       readerGone = false;
+      isReading = false;
       firmware.open();
       pass();
       return true;
@@ -102,17 +105,21 @@ public final class IoioInProcess {
 
   private void advance(long micros) {
     firmware.advance(micros);
-    if (!connected) {
-      return;
+    if (connected) {
+      pass();
     }
-    pass();
     try {
-      while (connected && !readerGone && (cable.size() > 0 || !readerWaits || hasEnded())) {
+      while (connected ? !isTaken() : isReading) { // a reader whose connection ended closes soon
         lock.wait();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  /** Whether the host has taken all and asks for more, or has closed its end. */
+  private boolean isTaken() {
+    return readerGone || cable.size() == 0 && readerWaits && !hasEnded();
   }
 
   /** Whether the board has ended the connection, and the host has taken all that came before. */
@@ -153,6 +160,7 @@ public final class IoioInProcess {
         return 0;
       }
       synchronized (lock) {
+        isReading |= session == number;
         try {
           while (isCurrent() && cable.size() == 0 && !hasEnded()) {
             readerWaits = true;
@@ -182,6 +190,7 @@ public final class IoioInProcess {
       synchronized (lock) {
         if (session == number) {
           readerGone = true;
+          isReading = false;
           end();
         }
       }

@@ -18,7 +18,7 @@ public final class IoioTcpServer implements AutoCloseable {
   private static final long PAUSE_MS = 2;
   private static final int BUFFER = 4096;
 
-  private final Object lock = new Object(); // guards the firmware and the last three fields
+  private final Object lock = new Object(); // guards the firmware and the last four fields
   private final IoioFirmware firmware;
   private final Clock clock;
   private final ServerSocket server;
@@ -27,6 +27,7 @@ public final class IoioTcpServer implements AutoCloseable {
   private final Thread sender = new Thread(this::send, "u2sa-ioio-server-sender");
   private Socket host; // null if none is connected
   private boolean powered = true;
+  private boolean held;
   private boolean closed;
 
   /**
@@ -71,6 +72,16 @@ public final class IoioTcpServer implements AutoCloseable {
     }
   }
 
+  /**
+   * Lets the board hang, or go on: it takes and sends no bytes, while its pins stay as they are.
+   */
+  public void hold(boolean on) {
+    synchronized (lock) {
+      held = on;
+      lock.notifyAll();
+    }
+  }
+
   private void awaitHosts() {
     while (!isClosed()) {
       try (Socket socket = server.accept()) {
@@ -104,10 +115,22 @@ public final class IoioTcpServer implements AutoCloseable {
     byte[] buffer = new byte[BUFFER];
     for (int count = in.read(buffer); count >= 0; count = in.read(buffer)) {
       synchronized (lock) {
+        awaitRelease();
         firmware.accept(buffer, 0, count);
         hangUpIfRefused();
         lock.notifyAll();
       }
+    }
+  }
+
+  private void awaitRelease() throws IOException {
+    try {
+      while (held && host != null) {
+        lock.wait();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted", e);
     }
   }
 
@@ -132,7 +155,7 @@ public final class IoioTcpServer implements AutoCloseable {
         Socket receiver;
         int count;
         synchronized (lock) {
-          count = host == null ? 0 : firmware.output(buffer);
+          count = host == null || held ? 0 : firmware.output(buffer);
           receiver = host;
           if (count == 0) {
             hangUpIfRefused();
@@ -173,6 +196,7 @@ public final class IoioTcpServer implements AutoCloseable {
     Socket socket = host;
     host = null;
     firmware.lost();
+    lock.notifyAll();
     if (socket != null) {
       close(socket);
     }

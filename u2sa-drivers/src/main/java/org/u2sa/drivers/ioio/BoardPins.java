@@ -1,0 +1,133 @@
+package org.u2sa.drivers.ioio;
+
+import ioio.lib.api.AnalogInput;
+import ioio.lib.api.DigitalInput;
+import ioio.lib.api.DigitalOutput;
+import ioio.lib.api.IOIO;
+import ioio.lib.api.PulseInput;
+import ioio.lib.api.PwmOutput;
+import ioio.lib.api.Uart;
+import ioio.lib.api.exception.ConnectionLostException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * The pins of one connection, opened through the IOIO library and used without waiting. PWM pins
+ * are low until the first pulse is set. Belongs to the service's thread.
+ */
+final class BoardPins {
+  private static final float US_PER_S = 1.0e6f;
+
+  private final List<PwmOutput> pulses = new ArrayList<>();
+  private final float[] setUs;
+  private final Optional<UartLine> gps;
+  private final Optional<UartLine> compass;
+  private final Optional<PulseInput> radio;
+  private final Optional<DigitalOutput> led;
+  private final AnalogInput sample;
+  private final boolean ledIsLitLow;
+  private boolean ledIsLit;
+
+  /**
+   * Opens them.
+   *
+   * @throws IllegalArgumentException if the board that is connected has no such function at a pin
+   */
+  BoardPins(IOIO ioio, PinPlan plan) throws ConnectionLostException {
+    for (int pin : plan.pulses()) {
+      pulses.add(ioio.openPwmOutput(pin, plan.pulseHz()));
+    }
+    setUs = new float[pulses.size()];
+    sample = ioio.openAnalogInput(plan.sample());
+    sample.setBuffer(1); // so that available() tells whether there is a value
+    ledIsLitLow = plan.led() == IOIO.LED_PIN;
+    led =
+        plan.led() == PinPlan.NONE
+            ? Optional.empty()
+            : Optional.of(ioio.openDigitalOutput(plan.led(), ledIsLitLow));
+    radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(radio(ioio, plan));
+    gps = plan.gps().isPresent() ? Optional.of(uart(ioio, plan.gps().get())) : Optional.empty();
+    compass =
+        plan.compass().isPresent()
+            ? Optional.of(uart(ioio, plan.compass().get()))
+            : Optional.empty();
+  }
+
+  private static PulseInput radio(IOIO ioio, PinPlan plan) throws ConnectionLostException {
+    // pulled down, so that a wire that fell off has no pulses instead of noise
+    DigitalInput.Spec spec = new DigitalInput.Spec(plan.radio(), DigitalInput.Spec.Mode.PULL_DOWN);
+    return ioio.openPulseInput(
+        spec, PulseInput.ClockRate.RATE_2MHz, PulseInput.PulseMode.POSITIVE, false);
+  }
+
+  private static UartLine uart(IOIO ioio, UartPins pins) throws ConnectionLostException {
+    Uart uart =
+        ioio.openUart(
+            pins.receive(), pins.transmit(), pins.baud(), Uart.Parity.NONE, Uart.StopBits.ONE);
+    return new UartLine(uart, pins.baud());
+  }
+
+  /** Sets the width of an output's pulses [s], if it has another one. */
+  void pulse(int output, double widthS) throws ConnectionLostException {
+    float us = (float) (widthS * US_PER_S);
+    if (us != setUs[output]) {
+      pulses.get(output).setPulseWidth(us);
+      setUs[output] = us;
+    }
+  }
+
+  /** Lights the LED or not, if there is one. */
+  void light(boolean lit) throws ConnectionLostException {
+    if (led.isPresent() && lit != ledIsLit) {
+      led.get().write(lit != ledIsLitLow);
+      ledIsLit = lit;
+    }
+  }
+
+  /** Voltage at the sampled analog input [V]; empty before the first sample. */
+  OptionalDouble volts() throws ConnectionLostException {
+    try {
+      return sample.available() > 0
+          ? OptionalDouble.of(sample.getVoltage()) // does not wait: there was a sample
+          : OptionalDouble.empty();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return OptionalDouble.empty();
+    }
+  }
+
+  /**
+   * The width [s] of the oldest pulse at the radio's input not yet taken; empty if there is none.
+   */
+  OptionalDouble nextRadioPulse() throws ConnectionLostException {
+    if (radio.isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    // The library can only wait for a pulse; an interrupted thread gets one that is there all the
+    // same, and otherwise comes back at once.
+    boolean wasInterrupted = Thread.interrupted();
+    Thread.currentThread().interrupt();
+    try {
+      double widthS = radio.get().getDurationBuffered();
+      return OptionalDouble.of(widthS);
+    } catch (InterruptedException e) {
+      return OptionalDouble.empty();
+    } finally {
+      if (!wasInterrupted) {
+        Thread.interrupted();
+      } else {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  Optional<UartLine> gps() {
+    return gps;
+  }
+
+  Optional<UartLine> compass() {
+    return compass;
+  }
+}

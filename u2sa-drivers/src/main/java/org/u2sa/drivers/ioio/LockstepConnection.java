@@ -1,0 +1,99 @@
+package org.u2sa.drivers.ioio;
+
+import ioio.lib.api.IOIOConnection;
+import ioio.lib.api.exception.ConnectionLostException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongConsumer;
+import java.util.function.Supplier;
+
+/**
+ * A board within the process, in lockstep, made of what it can do; so neither it nor its simulator
+ * needs to know the other:
+ *
+ * <pre>{@code
+ * new LockstepConnection(board::connect, board::disconnect, board::input, board::output, board::exchange)
+ * }</pre>
+ */
+public final class LockstepConnection implements BoardConnection {
+  private final BooleanSupplier connect;
+  private final Runnable disconnect;
+  private final Supplier<InputStream> input;
+  private final Supplier<OutputStream> output;
+  private final LongConsumer exchange;
+
+  /**
+   * @param connect opens a connection; false if the board has no power
+   * @param disconnect ends it
+   * @param input the bytes from the board, of the connection opened last
+   * @param output the bytes to the board, of the connection opened last; never waits
+   * @param exchange see {@link BoardConnection#exchange}
+   */
+  public LockstepConnection(
+      BooleanSupplier connect,
+      Runnable disconnect,
+      Supplier<InputStream> input,
+      Supplier<OutputStream> output,
+      LongConsumer exchange) {
+    this.connect = connect;
+    this.disconnect = disconnect;
+    this.input = input;
+    this.output = output;
+    this.exchange = exchange;
+  }
+
+  @Override
+  public String address() {
+    return "in the process";
+  }
+
+  @Override
+  public boolean isLockstep() {
+    return true;
+  }
+
+  @Override
+  public void exchange(long nowMicros) {
+    exchange.accept(nowMicros);
+  }
+
+  @Override
+  public IOIOConnection newConnection() {
+    return new IOIOConnection() {
+      private InputStream in;
+      private OutputStream out;
+
+      @Override
+      public void waitForConnect() throws ConnectionLostException {
+        if (!connect.getAsBoolean()) {
+          throw new ConnectionLostException(new IllegalStateException("the board has no power"));
+        }
+        in = input.get();
+        out = output.get();
+      }
+
+      @Override
+      public void disconnect() {
+        if (in != null) {
+          disconnect.run();
+        }
+      }
+
+      @Override
+      public InputStream getInputStream() {
+        return in;
+      }
+
+      @Override
+      public OutputStream getOutputStream() {
+        return out;
+      }
+
+      @Override
+      public boolean canClose() {
+        return true;
+      }
+    };
+  }
+}

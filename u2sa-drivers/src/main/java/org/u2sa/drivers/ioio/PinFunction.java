@@ -1,0 +1,74 @@
+package org.u2sa.drivers.ioio;
+
+/**
+ * What pins can do that is needed here, on both kinds of board, from the table {@code Board} of
+ * IOIOLibCore 5.07.
+ */
+enum PinFunction {
+  /** Any digital output. */
+  OUTPUT("a digital output") {
+    @Override
+    boolean isAt(int pin, boolean isOtg) {
+      return true;
+    }
+  },
+  /** PWM and the transmit line of a UART. */
+  PERIPHERAL_OUTPUT("PWM or a UART's transmit line") {
+    @Override
+    boolean isAt(int pin, boolean isOtg) {
+      return isPeripheral(pin, isOtg);
+    }
+  },
+  /** Pulse capture and the receive line of a UART. */
+  PERIPHERAL_INPUT("pulse measurement or a UART's receive line") {
+    @Override
+    boolean isAt(int pin, boolean isOtg) {
+      return pin == INPUT_ONLY || isPeripheral(pin, isOtg);
+    }
+  },
+  /** Measurement of a voltage. */
+  ANALOG_INPUT("an analog input") {
+    @Override
+    boolean isAt(int pin, boolean isOtg) {
+      return pin >= FIRST_ANALOG && pin <= LAST_ANALOG;
+    }
+  };
+
+  static final int FIRST_ANALOG = 31;
+  static final int LAST_ANALOG = 46;
+
+  private static final int INPUT_ONLY = 9;
+  private static final int LAST_PIN_OTG = 46;
+  private static final int LAST_PIN_V1 = 48;
+
+  private final String words;
+
+  PinFunction(String words) {
+    this.words = words;
+  }
+
+  /** Whether a pin that exists has the function. */
+  abstract boolean isAt(int pin, boolean isOtg);
+
+  /** The function in words. */
+  String words() {
+    return words;
+  }
+
+  /** The last pin of a board. */
+  static int lastPin(boolean isOtg) {
+    return isOtg ? LAST_PIN_OTG : LAST_PIN_V1;
+  }
+
+  private static boolean isPeripheral(int pin, boolean isOtg) {
+    boolean isOnBoth =
+        pin >= 3 && pin <= 7
+            || pin >= 10 && pin <= 14
+            || pin >= 27 && pin <= 32
+            || pin >= 34 && pin <= 40
+            || pin == 45
+            || pin == 46;
+    boolean isOnOne = isOtg ? pin == 1 || pin == 2 : pin == 0 || pin == 47 || pin == 48;
+    return isOnBoth || isOnOne;
+  }
+}

@@ -1,0 +1,122 @@
+package org.u2sa.drivers.ioio;
+
+import ioio.lib.api.IOIOConnection;
+import ioio.lib.api.exception.ConnectionLostException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+
+/** Another connection whose first attempt breaks after so many bytes in one direction. */
+final class CutConnection implements BoardConnection {
+  private final BoardConnection whole;
+  private int inputBytes;
+  private int outputBytes;
+  private boolean used;
+
+  CutConnection(BoardConnection whole, int inputBytes, int outputBytes) {
+    this.whole = whole;
+    this.inputBytes = inputBytes;
+    this.outputBytes = outputBytes;
+  }
+
+  @Override
+  public String address() {
+    return whole.address();
+  }
+
+  @Override
+  public boolean isLockstep() {
+    return whole.isLockstep();
+  }
+
+  @Override
+  public void exchange(long nowMicros) {
+    whole.exchange(nowMicros);
+  }
+
+  @Override
+  public synchronized IOIOConnection newConnection() {
+    IOIOConnection connection = whole.newConnection();
+    if (used) {
+      return connection;
+    }
+    used = true;
+    return new Cut(connection);
+  }
+
+  private synchronized boolean mayRead() {
+    return inputBytes-- > 0;
+  }
+
+  private synchronized boolean mayWrite() {
+    return outputBytes-- > 0;
+  }
+
+  private final class Cut implements IOIOConnection {
+    private final IOIOConnection connection;
+
+    Cut(IOIOConnection connection) {
+      this.connection = connection;
+    }
+
+    @Override
+    public void waitForConnect() throws ConnectionLostException {
+      connection.waitForConnect();
+    }
+
+    @Override
+    public void disconnect() {
+      connection.disconnect();
+    }
+
+    @Override
+    public InputStream getInputStream() throws ConnectionLostException {
+      InputStream source = connection.getInputStream();
+      return new InputStream() {
+        @Override
+        public int read() throws IOException {
+          if (mayRead()) {
+            return source.read();
+          }
+          connection.disconnect();
+          return -1;
+        }
+
+        @Override
+        public int read(byte[] target, int offset, int length) throws IOException {
+          int octet = read();
+          if (octet < 0) {
+            return -1;
+          }
+          target[offset] = (byte) octet;
+          return 1;
+        }
+
+        @Override
+        public void close() throws IOException {
+          source.close();
+        }
+      };
+    }
+
+    @Override
+    public OutputStream getOutputStream() throws ConnectionLostException {
+      OutputStream target = connection.getOutputStream();
+      return new OutputStream() {
+        @Override
+        public void write(int octet) throws IOException {
+          if (!mayWrite()) {
+            connection.disconnect();
+            throw new IOException("cut");
+          }
+          target.write(octet);
+        }
+      };
+    }
+
+    @Override
+    public boolean canClose() {
+      return true;
+    }
+  }
+}
