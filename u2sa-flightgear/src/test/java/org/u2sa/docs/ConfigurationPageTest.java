@@ -8,6 +8,9 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.control.ground.AckermannPursuitControl;
+import org.u2sa.core.control.ground.DifferentialDriveControl;
+import org.u2sa.core.control.ground.DifferentialPursuitControl;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.planning.VectorFieldPlanner;
 import org.u2sa.flightgear.control.ThesisControl;
@@ -62,6 +65,9 @@ class ConfigurationPageTest {
     }
     services.put("VectorFieldPlanner", declaredBy(VectorFieldPlanner.class));
     services.put("ThesisControl", declaredBy(ThesisControl.class));
+    services.put("DifferentialPursuitControl", declaredBy(DifferentialPursuitControl.class));
+    services.put("DifferentialDriveControl", declaredBy(DifferentialDriveControl.class));
+    services.put("AckermannPursuitControl", declaredBy(AckermannPursuitControl.class));
     List<Variable<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
     section(page, "Every service", common);

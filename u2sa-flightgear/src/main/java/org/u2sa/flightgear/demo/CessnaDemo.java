@@ -14,10 +14,10 @@ import org.u2sa.gcs.DemoOptions;
 import org.u2sa.gcs.demo.BrokerPort;
 import org.u2sa.gcs.demo.DemoRun;
 import org.u2sa.gcs.demo.PlannedSwap;
+import org.u2sa.gcs.demo.RunChanges;
 import org.u2sa.gcs.demo.RunLoop;
 import org.u2sa.gcs.demo.Simulation;
 import org.u2sa.gcs.report.RunReport;
-import org.u2sa.gcs.run.Setting;
 import org.u2sa.gcs.terminal.Terminal;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -41,6 +41,7 @@ import picocli.CommandLine.Spec;
 final class CessnaDemo implements Callable<Integer> {
   @Mixin private DemoOptions options;
   @Mixin private BrokerPort broker;
+  @Mixin private RunChanges changes;
   @Spec private CommandSpec command;
 
   @Option(
@@ -50,20 +51,6 @@ final class CessnaDemo implements Callable<Integer> {
           "calm, or m/s@degrees it blows from, such as 5@270. Default: by the seed, up to 8 m/s.")
   private String wind;
 
-  @Option(
-      names = "--swap",
-      paramLabel = "SECONDS:SERVICE=CLASS",
-      description =
-          "In flight, put another class in the place of a service, for example 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner. May be given several times.")
-  private List<String> swaps = List.of();
-
-  @Option(
-      names = "--set",
-      paramLabel = "SERVICE:VARIABLE=VALUE",
-      description =
-          "Set a configuration variable for this flight, for example --set \"SafetyManager:ON FENCE=LAND\". May be given several times.")
-  private List<String> settings = List.of();
-
   @Override
   public Integer call() throws InterruptedException, IOException {
     Path home = CessnaFiles.root();
@@ -72,8 +59,8 @@ final class CessnaDemo implements Callable<Integer> {
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     windOf(options.seed());
-    parsedSettings();
-    List<PlannedSwap> planned = plannedSwaps();
+    changes.settings();
+    List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(
             "cessna",
@@ -109,9 +96,7 @@ final class CessnaDemo implements Callable<Integer> {
     LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));
     CessnaFiles.fly(launch, mission, options.mission().isEmpty());
     demoWind.applyTo(launch);
-    parsedSettings()
-        .forEach(
-            setting -> launch.override(setting.service(), setting.variable(), setting.value()));
+    changes.applyTo(launch);
     broker.configure(system, launch, terminal);
     if (options.realtime()) {
       StandInSimulation standIn = new StandInSimulation(mission, demoWind.wind(seed));
@@ -120,22 +105,6 @@ final class CessnaDemo implements Callable<Integer> {
     }
     launch.override("Simulator", "LINK", "embedded");
     return run.inLockstep(launch, seed, Simulation.within("embedded Cessna 172", "aircraft"));
-  }
-
-  private List<PlannedSwap> plannedSwaps() {
-    try {
-      return swaps.stream().map(PlannedSwap::parse).toList();
-    } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--swap: " + e.getMessage());
-    }
-  }
-
-  private List<Setting> parsedSettings() {
-    try {
-      return settings.stream().map(Setting::parse).toList();
-    } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
-    }
   }
 
   private DemoWind windOf(long seed) {

@@ -1,23 +1,20 @@
 package org.u2sa.flightgear.demo;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
+import org.u2sa.gcs.demo.HomeFolder;
 import org.u2sa.gcs.demo.Pace;
 import org.u2sa.gcs.demo.RunPlans;
 import org.u2sa.gcs.report.Domain;
 import org.u2sa.gcs.report.Home;
 import org.u2sa.gcs.report.RunPlan;
-import org.u2sa.interfaces.BadInputException;
 
 /** Where the Cessna's files lie. */
 final class CessnaFiles {
-  private static final String ROOT = "u2sa.home";
-
   /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */
   static final Pace PACE = new Pace(600.0, 25.0);
 
@@ -38,20 +35,9 @@ final class CessnaFiles {
     return RunPlans.of(Domain.AIR, mission, home);
   }
 
-  /**
-   * The folder that holds {@code config} and {@code missions}: the launcher's, or the current one.
-   */
+  /** The folder that holds {@code config} and {@code missions}. */
   static Path root() {
-    Path root = Path.of(System.getProperty(ROOT, ""));
-    if (!Files.isDirectory(root.resolve("config/cessna"))) {
-      throw new BadInputException(
-          "there is no config/cessna in "
-              + root.toAbsolutePath()
-              + "; run ./u2sa, or set -D"
-              + ROOT
-              + " to its folder");
-    }
-    return root;
+    return HomeFolder.holding("config/cessna");
   }
 
   /**

@@ -29,7 +29,7 @@ final class MapPanel {
 
   private final Canvas canvas;
   private final RunPlan plan;
-  private final List<WaypointResult> results;
+  private final List<WaypointSign> signs;
   private final MapView view;
   private final TrackLine line;
   private final Quantity colour;
@@ -44,7 +44,7 @@ final class MapPanel {
       Quantity colour) {
     this.canvas = canvas;
     this.plan = plan;
-    results = score.waypoints();
+    signs = WaypointSign.of(score.waypoints());
     view = MapView.of(plan, track, frame);
     line = new TrackLine(track, colour, sample -> view.pixel(view.plane().place(sample)));
     this.colour = colour;
@@ -64,9 +64,8 @@ final class MapPanel {
           canvas.polyline(planned(), Stroke.dashed(Ink.PLANNED, 2.0, 7.0));
           plan.home().ifPresent(this::runway);
           line.draw(canvas, LINE_WIDTH);
-          results.forEach(
-              result ->
-                  WaypointMark.draw(canvas, view.pixel(result.waypoint()), result.captured()));
+          signs.forEach(
+              sign -> WaypointMark.draw(canvas, view.pixel(sign.waypoint()), sign.captured()));
         });
     canvas.rectangle(view.frame(), null, Ink.FRAME);
     MapFurniture furniture = new MapFurniture(canvas, view);
@@ -148,31 +147,33 @@ final class MapPanel {
   }
 
   private void captureCircles() {
-    for (WaypointResult result : results) {
-      Pixel at = view.pixel(result.waypoint());
-      double radius = result.waypoint().captureRadiusM() * view.pixelsPerMetre();
+    for (WaypointSign sign : signs) {
+      Pixel at = view.pixel(sign.waypoint());
+      double radius = sign.waypoint().captureRadiusM() * view.pixelsPerMetre();
       canvas.circle(
           at.x(),
           at.y(),
           radius,
-          result.captured() ? Ink.CAPTURED_AREA : Ink.MISSED_AREA,
-          Stroke.solid(result.captured() ? Ink.CAPTURED : Ink.MISSED, 1.3));
+          sign.captured() ? Ink.CAPTURED_AREA : Ink.MISSED_AREA,
+          Stroke.solid(sign.captured() ? Ink.CAPTURED : Ink.MISSED, 1.3));
     }
   }
 
   private void names(LabelPlacer placer) {
     placer.avoidLine(Densified.line(line.pixels()));
     placer.avoidLine(Densified.line(planned()));
-    for (WaypointResult result : results) {
-      Pixel at = view.pixel(result.waypoint());
-      double radius = signRadius(result);
+    for (WaypointSign sign : signs) {
+      Pixel at = view.pixel(sign.waypoint());
+      double radius = signRadius(sign);
       placer.avoid(new Box(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius));
     }
-    for (int i = 0; i < results.size(); i++) {
-      WaypointResult result = results.get(i);
-      boolean crowded = results.size() > MOST_NAMES;
-      String name = crowded ? String.valueOf(i + 1) : WaypointNames.numbered(i, result.waypoint());
-      name(placer, view.pixel(result.waypoint()), signRadius(result), name);
+    boolean crowded = signs.size() > MOST_NAMES;
+    for (WaypointSign sign : signs) {
+      String name =
+          crowded
+              ? String.valueOf(sign.index() + 1)
+              : WaypointNames.numbered(sign.index(), sign.waypoint());
+      name(placer, view.pixel(sign.waypoint()), signRadius(sign), name);
     }
     plan.home()
         .ifPresent(
@@ -187,8 +188,8 @@ final class MapPanel {
   /**
    * What a name should stay off: the whole capture circle while that is small, else the sign alone.
    */
-  private double signRadius(WaypointResult result) {
-    double circle = result.waypoint().captureRadiusM() * view.pixelsPerMetre();
+  private double signRadius(WaypointSign sign) {
+    double circle = sign.waypoint().captureRadiusM() * view.pixelsPerMetre();
     return Math.max(WaypointMark.RADIUS, circle <= LARGEST_WHOLE_CIRCLE ? circle : 0.0) + 1.0;
   }
 

@@ -14,14 +14,14 @@ import org.u2sa.service.ServiceContext;
  */
 public final class AckermannPursuitControl extends PursuitControl {
   static final Variable<Double> WHEELBASE =
-      number("WHEELBASE", "m", 0.05, 20.0, 0.6, "Distance from the front axle to the rear one.");
+      number("WHEELBASE", "m", 0.05, 20.0, 0.33, "Distance from the front axle to the rear one.");
   static final Variable<Double> STEERING_ANGLE =
       number(
           "STEERING ANGLE",
           "deg",
           1.0,
           70.0,
-          28.0,
+          24.0,
           "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.");
   static final Variable<String> THROTTLE =
       Variable.text("THROTTLE ACTUATOR")
@@ -59,13 +59,13 @@ public final class AckermannPursuitControl extends PursuitControl {
       // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
       steering = -Math.atan(getVariable(WHEELBASE) * curvature) / steeringAngleRad();
     }
-    commandShare(getVariable(THROTTLE), (drive.speedMps() + trimMps) / maxSpeedMps());
+    commandShare(getVariable(THROTTLE), calibration().share(drive.speedMps() + trimMps));
     commandShare(getVariable(STEERING), steering);
   }
 
   @Override
   Drive lastDrive() {
-    double speed = maxSpeedMps() * lastShare(getVariable(THROTTLE));
+    double speed = calibration().speedMps(lastShare(getVariable(THROTTLE)));
     double angle = -steeringAngleRad() * lastShare(getVariable(STEERING));
     return new Drive(speed, speed * Math.tan(angle) / getVariable(WHEELBASE));
   }

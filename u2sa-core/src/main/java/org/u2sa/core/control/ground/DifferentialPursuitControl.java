@@ -14,7 +14,7 @@ import org.u2sa.service.ServiceContext;
  */
 public final class DifferentialPursuitControl extends PursuitControl {
   static final Variable<Double> TRACK =
-      number("TRACK", "m", 0.05, 10.0, 0.5, "Distance between the wheels of both sides.");
+      number("TRACK", "m", 0.05, 10.0, 0.44, "Distance between the wheels of both sides.");
   static final Variable<Double> SPOT_TURN_ABOVE =
       number(
           "SPOT TURN ABOVE",
@@ -58,16 +58,18 @@ public final class DifferentialPursuitControl extends PursuitControl {
   @Override
   void command(Drive drive, double trimMps) {
     Drive trimmed = new Drive(drive.speedMps() + trimMps, drive.yawRateRadPerS());
-    WheelSpeeds wheels = WheelSpeeds.of(trimmed, getVariable(TRACK), maxSpeedMps());
-    commandShare(Motors.left(this), wheels.leftMps() / maxSpeedMps());
-    commandShare(Motors.right(this), wheels.rightMps() / maxSpeedMps());
+    DriveCalibration motor = calibration();
+    WheelSpeeds wheels = WheelSpeeds.of(trimmed, getVariable(TRACK), motor.maxMps());
+    commandShare(Motors.left(this), motor.share(wheels.leftMps()));
+    commandShare(Motors.right(this), motor.share(wheels.rightMps()));
   }
 
   @Override
   Drive lastDrive() {
+    DriveCalibration motor = calibration();
     return new WheelSpeeds(
-            maxSpeedMps() * lastShare(Motors.left(this)),
-            maxSpeedMps() * lastShare(Motors.right(this)))
+            motor.speedMps(lastShare(Motors.left(this))),
+            motor.speedMps(lastShare(Motors.right(this))))
         .drive(getVariable(TRACK));
   }
 

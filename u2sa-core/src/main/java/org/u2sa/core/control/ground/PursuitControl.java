@@ -14,7 +14,7 @@ abstract class PursuitControl extends GroundControl {
   /** Subclasses must be able to answer {@link #settings} once this has returned. */
   PursuitControl(ServiceContext context) {
     super(context);
-    getVariable(PursuitVariables.MAX_SPEED); // wrong values must fail before the drive
+    calibration(); // wrong values must fail before the drive
     getVariable(PursuitVariables.SPEED_GAIN);
     getVariable(PursuitVariables.SPEED_TRIM);
     law = new PursuitLaw(settings());
@@ -33,9 +33,9 @@ abstract class PursuitControl extends GroundControl {
   /** The motion that the motors were commanded last, by whatever control. */
   abstract Drive lastDrive();
 
-  /** Speed over ground at 100 % [m/s]. */
-  final double maxSpeedMps() {
-    return getVariable(PursuitVariables.MAX_SPEED);
+  /** What the motors make of commands. */
+  final DriveCalibration calibration() {
+    return DriveCalibration.of(this);
   }
 
   @Override

@@ -45,14 +45,6 @@ final class PursuitVariables {
       number(
           "TURN RATE CHANGE", "deg/s^2", 1.0, 7200.0, 180.0, "How fast the yaw rate may change.");
 
-  static final Variable<Double> MAX_SPEED =
-      number(
-          "MAX SPEED",
-          "m/s",
-          0.05,
-          50.0,
-          1.5,
-          "Speed over ground at 100 %, calibrated: command 50 %, measure, and double it.");
   static final Variable<Double> SPEED_GAIN =
       number(
           "SPEED GAIN",

@@ -78,7 +78,8 @@ class GroundControlDriveTest {
             RoverDrive.mission(directory, 1.0, CORNERS),
             planner,
             AckermannPursuitControl::new,
-            Map.of("MAX SPEED", 3.0, "CRUISE SPEED", 1.2))) {
+            Map.of(
+                "MAX SPEED", 3.0, "CRUISE SPEED", 1.2, "WHEELBASE", 0.6, "STEERING ANGLE", 28.0))) {
       requireAllWithin(drive, 1.0);
       assertThat(drive.crossTrackRmsM(4.0, CORNERS)).isLessThan(0.4); // it swings out at corners
 

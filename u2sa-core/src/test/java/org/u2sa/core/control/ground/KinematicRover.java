@@ -12,6 +12,7 @@ import org.u2sa.messages.frame.Point;
  */
 final class KinematicRover {
   static final Geodetic ORIGIN = new Geodetic(-81.0478, 29.1885, 0.0);
+  private static final DriveCalibration MOTOR = new DriveCalibration(2.0, 0.08);
   private static final double MOTOR_LAG_S = 0.2;
   private static final double POSITION_NOISE_M = 0.02;
   private static final double HEADING_NOISE_RAD = Math.toRadians(1.0);
@@ -35,13 +36,13 @@ final class KinematicRover {
     this.headingErrorRad = headingErrorRad;
   }
 
-  /** Two motors, 1.5 m/s at 100 %, half a metre apart. */
+  /** Two motors, 2 m/s at 100 % and nothing below 8 %, 0.44 m apart. */
   static Kinematics differential() {
     return percent ->
         new WheelSpeeds(
-                0.015 * percent.applyAsDouble("LEFT MOTOR"),
-                0.015 * percent.applyAsDouble("RIGHT MOTOR"))
-            .drive(0.5);
+                MOTOR.speedMps(0.01 * percent.applyAsDouble("LEFT MOTOR")),
+                MOTOR.speedMps(0.01 * percent.applyAsDouble("RIGHT MOTOR")))
+            .drive(0.44);
   }
 
   /** 3 m/s at 100 %, 28 degrees of steering, 0.6 m between the axles. */

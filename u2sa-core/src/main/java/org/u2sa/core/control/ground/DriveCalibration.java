@@ -1,0 +1,54 @@
+package org.u2sa.core.control.ground;
+
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Variable;
+
+/**
+ * Which share of all that it can a motor must be commanded for a speed over ground: nothing moves
+ * up to a certain one, as friction and the motor controller's dead band hold; from there the speed
+ * grows evenly.
+ *
+ * @param maxMps speed at the share of 1 [m/s]
+ * @param startShare at which the vehicle begins to move, 0…1
+ */
+record DriveCalibration(double maxMps, double startShare) {
+  static final Variable<Double> MAX_SPEED =
+      PursuitVariables.number(
+          "MAX SPEED",
+          "m/s",
+          0.05,
+          50.0,
+          2.0,
+          "Speed over ground at 100 %, straight ahead on the ground that is driven on; measured.");
+  static final Variable<Double> START =
+      PursuitVariables.number(
+          "START PERCENTAGE",
+          "%",
+          0.0,
+          50.0,
+          8.0,
+          "At which the vehicle begins to move: friction and the motor controller's dead band; measured.");
+
+  private static final double FULL_PERCENT = 100.0;
+  private static final double STANDS_MPS = 1.0e-6;
+
+  /** Declares and reads the variables. */
+  static DriveCalibration of(Configurator configuration) {
+    return new DriveCalibration(
+        configuration.getVariable(MAX_SPEED), configuration.getVariable(START) / FULL_PERCENT);
+  }
+
+  /** What to command for a speed [m/s]: −1…1 for speeds that can be reached, 0 for standing. */
+  double share(double mps) {
+    if (Math.abs(mps) < STANDS_MPS) {
+      return 0.0;
+    }
+    return Math.copySign(startShare + (1.0 - startShare) * Math.abs(mps) / maxMps, mps);
+  }
+
+  /** The speed at a command [m/s]. */
+  double speedMps(double share) {
+    double moving = Math.max(0.0, Math.abs(share) - startShare) / (1.0 - startShare);
+    return Math.copySign(moving * maxMps, share);
+  }
+}

@@ -1,0 +1,62 @@
+package org.u2sa.gcs.demo;
+
+import java.util.List;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.gcs.run.Setting;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** What a user wants otherwise in a run; used as {@code @Mixin RunChanges changes}. */
+public final class RunChanges {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  @Option(
+      names = "--swap",
+      paramLabel = "SECONDS:SERVICE=CLASS",
+      description =
+          "On the way, put another class in the place of a service, for example 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner. May be given several times.")
+  private List<String> swaps = List.of();
+
+  @Option(
+      names = "--set",
+      paramLabel = "SERVICE:VARIABLE=VALUE",
+      description =
+          "Set a configuration variable for this run, for example --set \"SafetyManager:ON FENCE=LAND\". May be given several times.")
+  private List<String> settings = List.of();
+
+  /**
+   * The swaps asked for.
+   *
+   * @throws ParameterException if one is not of that form
+   */
+  public List<PlannedSwap> swaps() {
+    try {
+      return swaps.stream().map(PlannedSwap::parse).toList();
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--swap: " + e.getMessage());
+    }
+  }
+
+  /**
+   * The variables asked for.
+   *
+   * @throws ParameterException if one is not of that form
+   */
+  public List<Setting> settings() {
+    try {
+      return settings.stream().map(Setting::parse).toList();
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
+    }
+  }
+
+  /** Has a run take the variables asked for. */
+  public void applyTo(LaunchOptions options) {
+    settings()
+        .forEach(
+            setting -> options.override(setting.service(), setting.variable(), setting.value()));
+  }
+}
