@@ -91,9 +91,9 @@ def ubx(name):
     count = 0
     with open(FILES / name, "rb") as stream:
         for _, message in pyubx2.UBXReader(stream, protfilter=2, quitonerror=2, validate=1):
-            t, valid, lat, lon, alt, east, north, up, sigma, sigma_up, sigma_v, satellites, _ = SAMPLES[count // 4]
+            t, valid, lat, lon, alt, east, north, up, sigma, sigma_up, sigma_v, satellites, _ = SAMPLES[count // 5]
             what = f"{name} {message.identity} at {t} s"
-            same(what, message.identity, ("NAV-POSLLH", "NAV-STATUS", "NAV-VELNED", "NAV-PVT")[count % 4])
+            same(what, message.identity, ("NAV-POSLLH", "NAV-STATUS", "NAV-SOL", "NAV-VELNED", "NAV-PVT")[count % 5])
             tow = (BEGIN + datetime.timedelta(seconds=t) - GPS_EPOCH + LEAP).total_seconds() % (7 * 86400)
             itow = message.iTOW if isinstance(message.iTOW, int) else None
             near(f"{what}: time of week", itow, round(tow * 1000), 0)
@@ -106,6 +106,20 @@ def ubx(name):
             if message.identity == "NAV-STATUS":
                 same(f"{what}: fix", message.gpsFix, 3 if valid else 0)
                 same(f"{what}: fix OK", message.gpsFixOk, 1 if valid else 0)
+            if message.identity == "NAV-SOL":
+                same(f"{what}: fix", message.gpsFix, 3 if valid else 0)
+                same(f"{what}: satellites", message.numSV, satellites)
+                same(f"{what}: week", message.week, (BEGIN + datetime.timedelta(seconds=t) - GPS_EPOCH + LEAP).days // 7)
+                if valid:
+                    place = pyubx2.ecef2llh(message.ecefX / 100, message.ecefY / 100, message.ecefZ / 100)
+                    near(f"{what}: latitude", place[0], lat, 1e-7)
+                    near(f"{what}: longitude", (place[1] - lon + 180) % 360 - 180, 0, 1e-7 / math.cos(math.radians(lat)))
+                    near(f"{what}: altitude", place[2], alt, 0.01)
+                    speed = math.hypot(message.ecefVX, message.ecefVY, message.ecefVZ)
+                    near(f"{what}: speed", speed, 100 * math.hypot(east, north, up), 1.0)
+                    out = [message.ecefX, message.ecefY, message.ecefZ]
+                    along = sum(a * b for a, b in zip(out, (message.ecefVX, message.ecefVY, message.ecefVZ))) / math.hypot(*out)
+                    near(f"{what}: up", along, 100 * up, 1.6)  # seen from the earth's middle
             if message.identity == "NAV-VELNED" and valid:
                 near(f"{what}: north", message.velN, north * 100, 0.51)
                 near(f"{what}: east", message.velE, east * 100, 0.51)
@@ -147,7 +161,7 @@ for problem in wrong:
     print("differs:", problem)
 for file, count in counts.items():
     print(f"{file}: {count} messages understood")
-for file, wanted in (("gps.nmea", 24), ("gps-precise.nmea", 24), ("gps.ubx", 24), ("compass.nmea", 15)):
+for file, wanted in (("gps.nmea", 24), ("gps-precise.nmea", 24), ("gps.ubx", 30), ("compass.nmea", 15)):
     if counts[file] != wanted:
         sys.exit(f"{file}: expected {wanted} messages")
 sys.exit(1 if wrong else 0)

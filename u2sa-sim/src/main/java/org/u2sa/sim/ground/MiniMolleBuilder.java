@@ -14,12 +14,12 @@ import org.u2sa.sim.sensor.VoltmeterModel;
 
 /**
  * Puts a {@link MiniMolle} together. Without more it is the differential vehicle at the plane's
- * origin, facing north on a lawn, with a survey receiver that sends POSLLH and VELNED ten times a
- * second at 9600 baud, a calibrated compass at 9600 baud, no hazards and seed 1.
+ * origin, facing north on a lawn, with a survey receiver that sends UBX eight times a second at
+ * 9600 baud, which carries no more, a calibrated compass at 9600 baud, no hazards and seed 1.
  */
 public final class MiniMolleBuilder {
   private static final int BAUD = 9600;
-  private static final double SURVEY_HZ = 10.0;
+  private static final double AT_9600_HZ = 8.0;
   private static final double VOLTMETER_NOISE_V = 0.005;
 
   final LocalPlane plane;
@@ -28,7 +28,7 @@ public final class MiniMolleBuilder {
   Surface surface = Surface.lawn();
   Hazards hazards = Hazards.none();
   private GpsParameters gps = GpsParameters.survey();
-  private UbloxSettings gpsSettings = UbloxSettings.binary(BAUD, SURVEY_HZ);
+  private UbloxSettings gpsSettings = UbloxSettings.binary(BAUD, AT_9600_HZ);
   private CompassParameters compass = CompassParameters.calibrated(0.0);
   private int compassBaud = BAUD;
   private UtcTime utc = new UtcTime(Instant.parse("2026-06-01T12:00:00Z"));

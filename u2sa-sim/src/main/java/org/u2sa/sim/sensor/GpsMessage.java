@@ -14,10 +14,14 @@ public enum GpsMessage {
   POSLLH(UbxGpsMessages.NAV, UbxGpsMessages.POSLLH),
   /** UBX: kind of fix. */
   STATUS(UbxGpsMessages.NAV, UbxGpsMessages.STATUS),
+  /** UBX: kind of fix, satellites, position and velocity in the earth's axes. */
+  SOL(UbxGpsMessages.NAV, UbxGpsMessages.SOL),
   /** UBX: velocity and its accuracy. */
   VELNED(UbxGpsMessages.NAV, UbxGpsMessages.VELNED),
   /** UBX: all in one, from u-blox 7 on. */
   PVT(UbxGpsMessages.NAV, UbxGpsMessages.PVT);
+
+  private static final int NMEA = 0xF0;
 
   private final int messageClass;
   private final int id;
@@ -25,6 +29,10 @@ public enum GpsMessage {
   GpsMessage(int messageClass, int id) {
     this.messageClass = messageClass;
     this.id = id;
+  }
+
+  boolean isNmea() {
+    return messageClass == NMEA;
   }
 
   boolean is(int otherClass, int otherId) {

@@ -22,6 +22,8 @@ public final class UbloxReceiver {
   private static final int ACK = 0x05;
   private static final int UART_1 = 1;
   private static final int UART_OF_SIX = 1; // in the six rates of CFG-MSG: DDC, UART 1, …
+  private static final int UBX = 1; // in the masks of CFG-PRT
+  private static final int NMEA = 2;
   private static final double MS_PER_S = 1e3;
 
   private final GpsModel model;
@@ -32,6 +34,7 @@ public final class UbloxReceiver {
   private final UartTransmitter line;
   private final UbxRequests requests = new UbxRequests(this::obey);
   private final Set<GpsMessage> messages = EnumSet.noneOf(GpsMessage.class);
+  private int protocols = UBX | NMEA; // that it sends
   private long periodUs;
   private long nextUs;
   private GpsSample computed; // not sent yet
@@ -90,7 +93,7 @@ public final class UbloxReceiver {
 
   private void send() {
     for (GpsMessage message : GpsMessage.values()) {
-      if (messages.contains(message)) {
+      if (messages.contains(message) && (protocols & (message.isNmea() ? NMEA : UBX)) != 0) {
         line.send(nowUs, bytes(message, computed));
       }
     }
@@ -105,6 +108,7 @@ public final class UbloxReceiver {
       case GST -> nmea.gst(sample);
       case POSLLH -> ubx.posllh(sample);
       case STATUS -> ubx.status(sample);
+      case SOL -> ubx.sol(sample);
       case VELNED -> ubx.velned(sample);
       case PVT -> ubx.pvt(sample);
     };
@@ -133,15 +137,18 @@ public final class UbloxReceiver {
     if (messageClass != CFG) {
       return;
     }
+    boolean answers = (protocols & UBX) != 0;
     boolean obeyed =
         switch (id) {
           case CFG_MSG -> configureMessage(payload);
           case CFG_RATE -> configureRate(payload);
-          case CFG_PRT -> payload.length == 20 && payload[0] == UART_1;
+          case CFG_PRT -> configurePort(payload);
           case CFG_CFG, CFG_NAV5 -> true;
           default -> false;
         };
-    line.send(nowUs, new UbxMessage(ACK, obeyed ? 1 : 0, 2).u1(messageClass).u1(id).bytes());
+    if (answers) {
+      line.send(nowUs, new UbxMessage(ACK, obeyed ? 1 : 0, 2).u1(messageClass).u1(id).bytes());
+    }
     if (obeyed && id == CFG_PRT) { // answered at the old rate
       line.baud(number(payload, 8) | number(payload, 10) << 16);
     }
@@ -164,6 +171,14 @@ public final class UbloxReceiver {
       }
     }
     return rate == 0; // others are off already
+  }
+
+  private boolean configurePort(byte[] payload) {
+    if (payload.length != 20 || payload[0] != UART_1) {
+      return false;
+    }
+    protocols = number(payload, 14);
+    return true;
   }
 
   private boolean configureRate(byte[] payload) {

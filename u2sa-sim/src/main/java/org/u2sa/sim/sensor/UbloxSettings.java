@@ -35,9 +35,14 @@ public record UbloxSettings(int baud, double rateHz, Set<GpsMessage> messages, i
     return new UbloxSettings(baud, rateHz, nmea(), 7);
   }
 
-  /** POSLLH and VELNED, 80 bytes a position: ten a second fit through 9600 baud. */
+  /**
+   * POSLLH, STATUS and VELNED, 104 bytes a position, which is all that a LEA-6 needs to say.
+   *
+   * @param baud 9600 carries nine positions a second
+   */
   public static UbloxSettings binary(int baud, double rateHz) {
-    return new UbloxSettings(baud, rateHz, EnumSet.of(GpsMessage.POSLLH, GpsMessage.VELNED), 5);
+    return new UbloxSettings(
+        baud, rateHz, EnumSet.of(GpsMessage.POSLLH, GpsMessage.STATUS, GpsMessage.VELNED), 5);
   }
 
   private static Set<GpsMessage> nmea() {

@@ -3,13 +3,14 @@ package org.u2sa.sim.sensor;
 import java.time.LocalDateTime;
 
 /**
- * UBX navigation messages: POSLLH, STATUS and VELNED of the u-blox 6 Receiver Description
+ * UBX navigation messages: POSLLH, STATUS, SOL and VELNED of the u-blox 6 Receiver Description
  * (GPS.G6-SW-10018), PVT of the u-blox 8 / M8 one (UBX-13003221).
  */
 final class UbxGpsMessages {
   static final int NAV = 0x01;
   static final int POSLLH = 0x02;
   static final int STATUS = 0x03;
+  static final int SOL = 0x06;
   static final int PVT = 0x07;
   static final int VELNED = 0x12;
 
@@ -17,6 +18,8 @@ final class UbxGpsMessages {
   private static final double MM = 1e3;
   private static final double CM = 1e2;
   private static final int FIX_3D = 3;
+  private static final double WGS84_A_M = 6_378_137.0;
+  private static final double WGS84_E2 = 6.69437999014e-3;
   private static final long UNKNOWN_ACCURACY = 0xFFFFFFFFL;
 
   private final UtcTime utc;
@@ -43,7 +46,7 @@ final class UbxGpsMessages {
     return new UbxMessage(NAV, STATUS, 16)
         .i4(utc.timeOfWeekMs(s.timeS()))
         .u1(fix(s))
-        .u1(s.valid() ? 0xD + (s.quality() > 1 ? 2 : 0) : 0xC) // fix, differential, week, time
+        .u1(flags(s))
         .u1(s.quality() > 1 ? 1 : 0)
         .u1(0)
         .i4(s.valid() ? 25_000 : 0) // time to the first fix
@@ -104,6 +107,45 @@ final class UbxGpsMessages {
         .bytes();
   }
 
+  /** Kind of fix, satellites; position and velocity in the earth's axes. */
+  byte[] sol(GpsSample s) {
+    double latitude = StrictMath.toRadians(s.latitudeDeg());
+    double longitude = StrictMath.toRadians(s.longitudeDeg());
+    double sinLat = StrictMath.sin(latitude);
+    double cosLat = StrictMath.cos(latitude);
+    double sinLon = StrictMath.sin(longitude);
+    double cosLon = StrictMath.cos(longitude);
+    double n = WGS84_A_M / StrictMath.sqrt(1.0 - WGS84_E2 * sinLat * sinLat);
+    double outward = (n + s.altitudeM()) * cosLat;
+    double away = s.upMps() * cosLat - s.northMps() * sinLat; // from the earth's axis
+    double share = s.valid() ? 1.0 : 0.0; // without a fix all is 0
+    long timeMs = utc.timeOfWeekMs(s.timeS());
+    return new UbxMessage(NAV, SOL, 52)
+        .i4(timeMs)
+        .i4(0) // what the milliseconds round off [ns]
+        .u2(utc.week(s.timeS()))
+        .u1(fix(s))
+        .u1(flags(s))
+        .i4(share * outward * cosLon, CM)
+        .i4(share * outward * sinLon, CM)
+        .i4(share * (n * (1.0 - WGS84_E2) + s.altitudeM()) * sinLat, CM)
+        .i4(accuracy(s, position3dM(s), CM))
+        .i4(share * (away * cosLon - s.eastMps() * sinLon), CM)
+        .i4(share * (away * sinLon + s.eastMps() * cosLon), CM)
+        .i4(share * (s.northMps() * cosLat + s.upMps() * sinLat), CM)
+        .i4(accuracy(s, s.velocitySigmaMps(), CM))
+        .u2(s.valid() ? 150 : 9999) // dilution of the position
+        .u1(0)
+        .u1(s.satellites())
+        .i4(0)
+        .bytes();
+  }
+
+  /** Fix, differential, week and time of week known. */
+  private static int flags(GpsSample s) {
+    return s.valid() ? 0xD | (s.quality() > 1 ? 2 : 0) : 0xC;
+  }
+
   private static int fix(GpsSample s) {
     return s.valid() ? FIX_3D : 0;
   }
@@ -121,6 +163,11 @@ final class UbxGpsMessages {
   /** Of both axes together, as the receivers give it. */
   private static double horizontalM(GpsSample s) {
     return StrictMath.sqrt(2.0) * s.horizontalSigmaM();
+  }
+
+  private static double position3dM(GpsSample s) {
+    double horizontal = horizontalM(s);
+    return StrictMath.sqrt(horizontal * horizontal + s.verticalSigmaM() * s.verticalSigmaM());
   }
 
   private static long accuracy(GpsSample s, double value, double scale) {

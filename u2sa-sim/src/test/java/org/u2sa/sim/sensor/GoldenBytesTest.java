@@ -65,6 +65,7 @@ class GoldenBytesTest {
       if (file.endsWith(".ubx")) {
         out.write(ubx.posllh(sample));
         out.write(ubx.status(sample));
+        out.write(ubx.sol(sample));
         out.write(ubx.velned(sample));
         out.write(ubx.pvt(sample));
       } else {

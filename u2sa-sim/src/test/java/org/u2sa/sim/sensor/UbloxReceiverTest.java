@@ -71,13 +71,16 @@ class UbloxReceiverTest {
   @Test
   void accept_portAtAnotherRate_answersAtTheOldOneAndGoesOnAtTheNew() {
     byte[] port =
-        ubx(0x06, 0x00, 1, 0, 0, 0, 0xD0, 8, 0, 0, 0x00, 0x96, 0, 0, 3, 0, 3, 0, 0, 0, 0, 0);
+        ubx(0x06, 0x00, 1, 0, 0, 0, 0xD0, 8, 0, 0, 0x00, 0x96, 0, 0, 3, 0, 2, 0, 0, 0, 0, 0);
     receiver.accept(0, 9_600, port, port.length);
     run(0.02, 9_600);
     assertThat(heard.toString()).isEqualTo(latin(ubx(0x05, 0x01, 0x06, 0x00)));
     heard.setLength(0);
+    byte[] pvt = ubx(0x06, 0x01, 0x01, 0x07, 1); // but the port is to send NMEA alone
+    receiver.accept(nowUs, 38_400, pvt, pvt.length);
     run(2.0, 38_400);
     assertThat(count("$GPGGA")).isEqualTo(2);
+    assertThat(count(latin(new byte[] {(byte) 0xB5, 0x62}))).isZero();
   }
 
   @Test
