@@ -1,0 +1,187 @@
+package org.u2sa.drivers.gps;
+
+import java.util.function.DoubleSupplier;
+import net.sf.marineapi.nmea.parser.DataNotAvailableException;
+import net.sf.marineapi.nmea.parser.SentenceFactory;
+import net.sf.marineapi.nmea.sentence.GGASentence;
+import net.sf.marineapi.nmea.sentence.GSASentence;
+import net.sf.marineapi.nmea.sentence.GSTSentence;
+import net.sf.marineapi.nmea.sentence.RMCSentence;
+import net.sf.marineapi.nmea.sentence.TimeSentence;
+import net.sf.marineapi.nmea.sentence.VTGSentence;
+import net.sf.marineapi.nmea.util.DataStatus;
+import net.sf.marineapi.nmea.util.Position;
+import net.sf.marineapi.nmea.util.Time;
+import org.u2sa.drivers.nmea.NmeaSentence;
+
+/**
+ * What a satellite receiver's sentences say, in SI units: the only class that knows marineapi. What
+ * is out of range, or cannot be understood, is refused and counted.
+ */
+final class NmeaReader {
+  /** A time that a sentence does not name. */
+  static final long NO_TIME = -1;
+
+  private static final double MPS_PER_KNOT = 1852.0 / 3600.0;
+  private static final double FASTEST_MPS = 1_000.0;
+  private static final double WORST_DILUTION = 50.0; // receivers write 99.99 for "none"
+  private static final double WORST_SIGMA_M = 10_000.0;
+  private static final long MS_PER_S = 1_000;
+  private static final int SECONDS_PER_MINUTE = 60;
+  private static final int MINUTES_PER_HOUR = 60;
+
+  private final SentenceFactory factory = SentenceFactory.getInstance();
+  private final NmeaEpochs epochs;
+  private long refused;
+  private String lastRefusal = "";
+
+  NmeaReader(NmeaEpochs epochs) {
+    this.epochs = epochs;
+  }
+
+  /** Takes a sentence; those of other kinds are passed over. */
+  void read(NmeaSentence sentence, long nowMicros) {
+    boolean known =
+        sentence.is("RMC")
+            || sentence.is("GGA")
+            || sentence.is("GST")
+            || sentence.is("GSA")
+            || sentence.is("VTG");
+    if (!known) {
+      return;
+    }
+    String text = sentence.text();
+    try {
+      take(factory.createParser(text), nowMicros);
+    } catch (RuntimeException e) { // marineapi throws several for what it cannot understand
+      refused++;
+      lastRefusal = e.getMessage() + ": " + text;
+    }
+  }
+
+  private void take(Object sentence, long nowMicros) {
+    if (sentence instanceof RMCSentence rmc) {
+      take(rmc, nowMicros);
+    } else if (sentence instanceof GGASentence gga) {
+      take(gga, nowMicros);
+    } else if (sentence instanceof GSTSentence gst) {
+      epochs.sigmas(
+          Math.sqrt(
+              (square(sigma(gst::getLatitudeError)) + square(sigma(gst::getLongitudeError))) / 2.0),
+          sigma(gst::getAltitudeError));
+    } else if (sentence instanceof GSASentence gsa) {
+      epochs.dilution(dilution(gsa::getHorizontalDOP), dilution(gsa::getVerticalDOP));
+    } else if (sentence instanceof VTGSentence vtg) {
+      epochs.velocity(speed(vtg::getSpeedKnots), course(vtg::getTrueCourse));
+    }
+  }
+
+  private void take(RMCSentence rmc, long nowMicros) {
+    NmeaEpoch said = new NmeaEpoch(NmeaEpoch.Kind.RMC, time(rmc), nowMicros);
+    said.valid = rmc.getStatus() == DataStatus.ACTIVE && isMeasured(rmc);
+    if (said.valid) {
+      position(said, rmc.getPosition());
+      said.speedMps = speed(rmc::getSpeed);
+      said.courseRad = course(rmc::getCourse);
+    }
+    epochs.take(said);
+  }
+
+  /** The mode came with NMEA 2.3; older receivers do not say it. */
+  private static boolean isMeasured(RMCSentence rmc) {
+    try {
+      switch (rmc.getMode()) {
+        case NONE:
+        case ESTIMATED:
+        case MANUAL:
+        case SIMULATED:
+          return false;
+        default:
+          return true;
+      }
+    } catch (DataNotAvailableException | IllegalArgumentException e) {
+      return true;
+    }
+  }
+
+  private void take(GGASentence gga, long nowMicros) {
+    NmeaEpoch said = new NmeaEpoch(NmeaEpoch.Kind.GGA, time(gga), nowMicros);
+    switch (gga.getFixQuality()) {
+      case INVALID:
+      case ESTIMATED:
+      case MANUAL:
+      case SIMULATED:
+        said.valid = false;
+        break;
+      default:
+        said.valid = true;
+        position(said, gga.getPosition());
+        said.altitudeM = Plausible.altitudeM(number(gga::getAltitude)); // above sea level
+        said.dilution = dilution(gga::getHorizontalDOP);
+    }
+    double satellites = number(gga::getSatelliteCount);
+    said.satellites = Double.isNaN(satellites) ? 0 : Math.max(0, (int) satellites);
+    epochs.take(said);
+  }
+
+  private static void position(NmeaEpoch said, Position position) {
+    said.latitudeDeg = present(Plausible.latitudeDeg(position.getLatitude()));
+    said.longitudeDeg = present(Plausible.longitudeDeg(position.getLongitude()));
+  }
+
+  private static double present(double value) {
+    if (Double.isNaN(value)) {
+      throw new IllegalArgumentException("no position in a sentence that calls itself valid");
+    }
+    return value;
+  }
+
+  /** Time of day [ms], or {@link #NO_TIME}. */
+  private static long time(TimeSentence sentence) {
+    try {
+      Time time = sentence.getTime();
+      int minutes = time.getHour() * MINUTES_PER_HOUR + time.getMinutes();
+      return Math.round((minutes * (double) SECONDS_PER_MINUTE + time.getSeconds()) * MS_PER_S);
+    } catch (DataNotAvailableException e) {
+      return NO_TIME;
+    }
+  }
+
+  private static double speed(DoubleSupplier knots) {
+    return Plausible.inRange("speed", MPS_PER_KNOT * number(knots), 0.0, FASTEST_MPS);
+  }
+
+  private static double course(DoubleSupplier degrees) {
+    return Math.toRadians(Plausible.inRange("course", number(degrees), 0.0, 360.0));
+  }
+
+  private static double sigma(DoubleSupplier metres) {
+    return Plausible.inRange("standard deviation", number(metres), 0.0, WORST_SIGMA_M);
+  }
+
+  private static double dilution(DoubleSupplier dilution) {
+    double value = number(dilution);
+    return value > 0.0 && value < WORST_DILUTION ? value : Double.NaN;
+  }
+
+  /** A field's number; NaN if the field is empty. */
+  private static double number(DoubleSupplier field) {
+    try {
+      return field.getAsDouble();
+    } catch (DataNotAvailableException e) {
+      return Double.NaN;
+    }
+  }
+
+  private static double square(double value) {
+    return value * value;
+  }
+
+  long refused() {
+    return refused;
+  }
+
+  String lastRefusal() {
+    return lastRefusal;
+  }
+}

@@ -1,0 +1,101 @@
+package org.u2sa.drivers.gps;
+
+import java.util.OptionalDouble;
+
+/**
+ * What the messages of one time of week said so far: NAV-POSLLH, NAV-VELNED, and NAV-SOL or
+ * NAV-STATUS. Those of another time begin anew; what is not whole then was cut by a loss, and is
+ * dropped.
+ */
+final class UbxEpoch {
+  private static final long NONE = -1;
+
+  private long timeOfWeekMs = NONE;
+  private long heardMicros;
+  private boolean hasPosition;
+  private boolean hasVelocity;
+  private boolean hasStatus;
+  private double latitudeDeg;
+  private double longitudeDeg;
+  private double altitudeM;
+  private double horizontalSigmaM;
+  private double verticalSigmaM;
+  private double eastMps;
+  private double northMps;
+  private double upMps;
+  private int fixType;
+  private int flags;
+  private int satellites;
+
+  /** The epoch that a message belongs to. */
+  UbxEpoch at(long newTimeOfWeekMs, long nowMicros) {
+    if (newTimeOfWeekMs != timeOfWeekMs) {
+      clear();
+      timeOfWeekMs = newTimeOfWeekMs;
+      heardMicros = nowMicros;
+    }
+    return this;
+  }
+
+  void position(
+      double newLatitudeDeg,
+      double newLongitudeDeg,
+      double newAltitudeM,
+      double newHorizontalSigmaM,
+      double newVerticalSigmaM) {
+    hasPosition = true;
+    latitudeDeg = newLatitudeDeg;
+    longitudeDeg = newLongitudeDeg;
+    altitudeM = newAltitudeM;
+    horizontalSigmaM = newHorizontalSigmaM;
+    verticalSigmaM = newVerticalSigmaM;
+  }
+
+  void velocity(double newEastMps, double newNorthMps, double newUpMps) {
+    hasVelocity = true;
+    eastMps = newEastMps;
+    northMps = newNorthMps;
+    upMps = newUpMps;
+  }
+
+  void status(int newFixType, int newFlags, int newSatellites) {
+    hasStatus = true;
+    fixType = newFixType;
+    flags = newFlags;
+    satellites = Math.max(satellites, newSatellites);
+  }
+
+  boolean isWhole() {
+    return hasPosition && hasVelocity && hasStatus;
+  }
+
+  /** The fix, once. */
+  GpsFix take() {
+    hasPosition = false; // a message that comes twice makes no second fix
+    return UbxGps.isValid(fixType, flags) ? fix() : GpsFix.none(heardMicros, satellites);
+  }
+
+  private GpsFix fix() {
+    boolean is3d = UbxGps.is3d(fixType);
+    return new GpsFix(
+        heardMicros,
+        Plausible.latitudeDeg(latitudeDeg),
+        Plausible.longitudeDeg(longitudeDeg),
+        UbxGps.present(is3d, Plausible.altitudeM(altitudeM)),
+        OptionalDouble.of(Plausible.velocityMps(eastMps)),
+        OptionalDouble.of(Plausible.velocityMps(northMps)),
+        UbxGps.present(is3d, Plausible.velocityMps(upMps)),
+        OptionalDouble.of(horizontalSigmaM),
+        UbxGps.present(is3d, verticalSigmaM),
+        satellites,
+        true);
+  }
+
+  void clear() {
+    timeOfWeekMs = NONE;
+    hasPosition = false;
+    hasVelocity = false;
+    hasStatus = false;
+    satellites = 0;
+  }
+}

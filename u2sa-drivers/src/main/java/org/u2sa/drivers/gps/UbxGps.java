@@ -1,0 +1,199 @@
+package org.u2sa.drivers.gps;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * A receiver of u-blox that speaks its binary protocol: NAV-PVT (u-blox 7 and later), or
+ * NAV-POSLLH, NAV-VELNED and NAV-SOL or NAV-STATUS of one time of week (LEA-6 and older). Formats:
+ * u-blox 6 Receiver Description GPS.G6-SW-10018, u-blox 8 / M8 Receiver Description UBX-13003221.
+ */
+public final class UbxGps implements GpsParser {
+  static final int NAV_POSLLH = 0x0102;
+  static final int NAV_STATUS = 0x0103;
+  static final int NAV_SOL = 0x0106;
+  static final int NAV_PVT = 0x0107;
+  static final int NAV_VELNED = 0x0112;
+  static final int ACK_NAK = 0x0500;
+  static final int ACK_ACK = 0x0501;
+
+  private static final int POSLLH_LENGTH = 28;
+  private static final int STATUS_LENGTH = 16;
+  private static final int SOL_LENGTH = 52;
+  private static final int PVT_LENGTH = 84; // of u-blox 7; 92 since u-blox 8
+  private static final int VELNED_LENGTH = 36;
+  private static final int ACK_LENGTH = 2;
+
+  private static final int FIX_2D = 2;
+  private static final int FIX_3D = 3;
+  private static final int FIX_WITH_DEAD_RECKONING = 4;
+  private static final int FIX_OK = 1;
+  private static final double DEG_PER_UNIT = 1e-7;
+  private static final double M_PER_MM = 1e-3;
+  private static final double MPS_PER_CMPS = 1e-2;
+
+  private final UbxFramer framer = new UbxFramer();
+  private final UbxFramer.Sink sink = this::take;
+  private final UbxEpoch epoch = new UbxEpoch();
+  private Acknowledgements acknowledgements = (kind, isAccepted) -> {};
+  private long nowMicros;
+  private Optional<GpsFix> latest = Optional.empty();
+  private long refused;
+  private String lastRefusal = "";
+
+  /** Takes the receiver's answers to what it was told. */
+  @FunctionalInterface
+  interface Acknowledgements {
+    /**
+     * @param kind class and id of the message that is answered
+     */
+    void answered(int kind, boolean isAccepted);
+  }
+
+  /** Sets who is told of the receiver's answers. */
+  void answersTo(Acknowledgements listener) {
+    acknowledgements = listener;
+  }
+
+  @Override
+  public void accept(byte[] bytes, int length, long now) {
+    nowMicros = now;
+    framer.accept(bytes, length, sink);
+  }
+
+  private void take(UbxPayload message) {
+    try {
+      switch (message.kind()) {
+        case NAV_PVT:
+          takePvt(message);
+          break;
+        case NAV_POSLLH:
+          takePosition(message);
+          break;
+        case NAV_VELNED:
+          takeVelocity(message);
+          break;
+        case NAV_SOL:
+          require(message, SOL_LENGTH);
+          epoch.at(message.u4(0), nowMicros).status(message.u1(10), message.u1(11), message.u1(47));
+          tellIfWhole();
+          break;
+        case NAV_STATUS:
+          require(message, STATUS_LENGTH);
+          epoch.at(message.u4(0), nowMicros).status(message.u1(4), message.u1(5), 0);
+          tellIfWhole();
+          break;
+        case ACK_ACK:
+        case ACK_NAK:
+          require(message, ACK_LENGTH);
+          acknowledgements.answered(message.u1(0) << 8 | message.u1(1), message.kind() == ACK_ACK);
+          break;
+        default: // not asked for
+      }
+    } catch (IllegalArgumentException e) {
+      refused++;
+      lastRefusal = String.format("UBX message %04X: %s", message.kind(), e.getMessage());
+    }
+  }
+
+  private static void require(UbxPayload message, int length) {
+    if (message.length() < length) {
+      throw new IllegalArgumentException(
+          "payload of " + message.length() + " bytes, expected " + length);
+    }
+  }
+
+  private void takePvt(UbxPayload message) {
+    require(message, PVT_LENGTH);
+    int fixType = message.u1(20);
+    int satellites = message.u1(23);
+    if (!isValid(fixType, message.u1(21))) {
+      latest = Optional.of(GpsFix.none(nowMicros, satellites));
+      return;
+    }
+    boolean is3d = is3d(fixType);
+    latest =
+        Optional.of(
+            new GpsFix(
+                nowMicros,
+                Plausible.latitudeDeg(DEG_PER_UNIT * message.i4(28)),
+                Plausible.longitudeDeg(DEG_PER_UNIT * message.i4(24)),
+                present(is3d, Plausible.altitudeM(M_PER_MM * message.i4(36))),
+                OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(52))),
+                OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(48))),
+                present(is3d, Plausible.velocityMps(-M_PER_MM * message.i4(56))),
+                OptionalDouble.of(horizontalSigmaM(message.u4(40))),
+                present(is3d, M_PER_MM * message.u4(44)),
+                satellites,
+                true));
+  }
+
+  private void takePosition(UbxPayload message) {
+    require(message, POSLLH_LENGTH);
+    epoch
+        .at(message.u4(0), nowMicros)
+        .position(
+            DEG_PER_UNIT * message.i4(8),
+            DEG_PER_UNIT * message.i4(4),
+            M_PER_MM * message.i4(16),
+            horizontalSigmaM(message.u4(20)),
+            M_PER_MM * message.u4(24));
+    tellIfWhole();
+  }
+
+  private void takeVelocity(UbxPayload message) {
+    require(message, VELNED_LENGTH);
+    epoch
+        .at(message.u4(0), nowMicros)
+        .velocity(
+            MPS_PER_CMPS * message.i4(8),
+            MPS_PER_CMPS * message.i4(4),
+            -MPS_PER_CMPS * message.i4(12));
+    tellIfWhole();
+  }
+
+  private void tellIfWhole() {
+    if (epoch.isWhole()) {
+      latest = Optional.of(epoch.take());
+    }
+  }
+
+  static boolean isValid(int fixType, int flags) {
+    return (flags & FIX_OK) != 0 && fixType >= FIX_2D && fixType <= FIX_WITH_DEAD_RECKONING;
+  }
+
+  static boolean is3d(int fixType) {
+    return fixType >= FIX_3D;
+  }
+
+  /** u-blox gives the standard deviation of the distance; along each axis it is less by √2. */
+  private static double horizontalSigmaM(long millimetres) {
+    return M_PER_MM * millimetres / Math.sqrt(2.0);
+  }
+
+  /** What a receiver says of the height only counts in a three-dimensional fix. */
+  static OptionalDouble present(boolean is3d, double value) {
+    return is3d ? OptionalDouble.of(value) : OptionalDouble.empty();
+  }
+
+  @Override
+  public Optional<GpsFix> latest() {
+    return latest;
+  }
+
+  @Override
+  public void reset() {
+    framer.reset();
+    epoch.clear();
+  }
+
+  @Override
+  public long refused() {
+    return framer.refused() + refused;
+  }
+
+  @Override
+  public String lastRefusal() {
+    return lastRefusal.isEmpty() ? framer.lastRefusal() : lastRefusal;
+  }
+}

@@ -1,0 +1,136 @@
+package org.u2sa.drivers.gps;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.interfaces.Clock;
+
+/**
+ * Sets a receiver of u-blox up after each connection: its port (CFG-PRT), rate (CFG-RATE) and
+ * messages (CFG-MSG), one after the other, each repeated until the receiver acknowledges it. What
+ * it refuses is said and passed over. A receiver that does not answer at all is asked again now and
+ * then: its line to us may be the only one wired.
+ */
+final class UbxSetup {
+  static final int CFG_PRT = 0x0600;
+  static final int CFG_MSG = 0x0601;
+  static final int CFG_RATE = 0x0608;
+
+  private static final long ANSWERS_WITHIN_MICROS = Clock.micros(0.5);
+  private static final long AGAIN_AFTER_MICROS = Clock.micros(5.0);
+  private static final int TRIES = 4;
+
+  private static final int UART_1 = 1;
+  private static final int MODE_8N1 = 0x08D0;
+  private static final int UBX_AND_NMEA_IN = 0x0003;
+  private static final int UBX_OUT = 0x0001;
+  private static final int TO_GPS_TIME = 1;
+  private static final int MS_PER_S = 1_000;
+
+  private final List<Step> steps;
+  private final List<String> refusals = new ArrayList<>();
+  private int next;
+  private int tries;
+  private long sentMicros;
+  private long idleUntilMicros = Long.MIN_VALUE;
+  private boolean isUnanswered;
+
+  private record Step(String name, int kind, byte[] frame) {}
+
+  /**
+   * @param navMessages what it shall send once per solution: class and id of each
+   * @param baud of its first serial port, which stays as it is [baud]
+   * @param rateHz solutions a second
+   */
+  UbxSetup(List<Integer> navMessages, int baud, double rateHz) {
+    steps = new ArrayList<>();
+    steps.add(new Step("CFG-PRT", CFG_PRT, port(baud)));
+    steps.add(new Step("CFG-RATE", CFG_RATE, rate(rateHz)));
+    for (int kind : navMessages) {
+      steps.add(
+          new Step(
+              String.format("CFG-MSG for %02X-%02X", kind >> 8, kind & 0xFF),
+              CFG_MSG,
+              UbxFramer.frame(
+                  CFG_MSG >> 8, CFG_MSG & 0xFF, (byte) (kind >> 8), (byte) kind, (byte) 1)));
+    }
+  }
+
+  private static byte[] port(int baud) {
+    return new UbxWriter(CFG_PRT)
+        .u1(UART_1)
+        .u1(0)
+        .u2(0) // no line tells that there is something to send
+        .u4(MODE_8N1)
+        .u4(baud)
+        .u2(UBX_AND_NMEA_IN)
+        .u2(UBX_OUT)
+        .u2(0)
+        .u2(0)
+        .frame();
+  }
+
+  private static byte[] rate(double rateHz) {
+    return new UbxWriter(CFG_RATE)
+        .u2((int) Math.round(MS_PER_S / rateHz))
+        .u2(1) // a solution from each measurement
+        .u2(TO_GPS_TIME)
+        .frame();
+  }
+
+  /** Begins anew: the receiver was found, and may have forgotten everything. */
+  void begin() {
+    next = 0;
+    tries = 0;
+    isUnanswered = false;
+    idleUntilMicros = Long.MIN_VALUE;
+    refusals.clear();
+  }
+
+  /** Whether all was said and answered. */
+  boolean isDone() {
+    return next == steps.size();
+  }
+
+  /** Sends what is due; at each step of the service. */
+  void step(ByteLink link, long nowMicros) {
+    if (isDone() || nowMicros < idleUntilMicros) {
+      return;
+    }
+    if (tries > 0 && nowMicros - sentMicros < ANSWERS_WITHIN_MICROS) {
+      return;
+    }
+    if (tries == TRIES) {
+      isUnanswered = true;
+      tries = 0;
+      next = 0;
+      idleUntilMicros = nowMicros + AGAIN_AFTER_MICROS;
+      return;
+    }
+    if (link.write(steps.get(next).frame)) {
+      tries++;
+      sentMicros = nowMicros;
+    }
+  }
+
+  /** Takes the receiver's answer. */
+  void answered(int kind, boolean isAccepted) {
+    if (isDone() || tries == 0 || steps.get(next).kind != kind) {
+      return; // to nothing that was asked now
+    }
+    if (!isAccepted) {
+      refusals.add(steps.get(next).name);
+    }
+    isUnanswered = false;
+    tries = 0;
+    next++;
+  }
+
+  /** What went wrong; empty if nothing. */
+  String trouble() {
+    if (isUnanswered) {
+      return "the receiver does not acknowledge its setup (" + steps.get(0).name + ")";
+    }
+    return refusals.isEmpty() ? "" : "the receiver refused " + String.join(", ", refusals);
+  }
+}

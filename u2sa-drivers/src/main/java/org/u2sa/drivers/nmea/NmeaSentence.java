@@ -1,0 +1,79 @@
+package org.u2sa.drivers.nmea;
+
+import java.nio.charset.StandardCharsets;
+
+/**
+ * A sentence that came whole, as {@link NmeaFramer} hands it over: its bytes count during that call
+ * only.
+ */
+public final class NmeaSentence {
+  private static final int TALKER_LETTERS = 2;
+
+  private final byte[] bytes;
+  private int length; // without checksum and line end
+  private int whole; // with checksum
+
+  NmeaSentence(byte[] bytes) {
+    this.bytes = bytes;
+  }
+
+  void set(int newLength, int newWhole) {
+    length = newLength;
+    whole = newWhole;
+  }
+
+  /** Whether it is of this kind, whoever said it: {@code "RMC"} for {@code $GPRMC} and $GNRMC. */
+  public boolean is(String kind) {
+    return hasAt(1 + TALKER_LETTERS, kind);
+  }
+
+  /** Whether it has this address, {@code "VNYMR"} for {@code $VNYMR}. */
+  public boolean isAddressed(String address) {
+    return hasAt(1, address);
+  }
+
+  private boolean hasAt(int from, String letters) {
+    int end = from + letters.length();
+    if (end > length || end < length && bytes[end] != ',') {
+      return false;
+    }
+    for (int i = 0; i < letters.length(); i++) {
+      if (bytes[from + i] != letters.charAt(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * A field's text.
+   *
+   * @param index 1 is the first after the address; empty if there is none
+   */
+  public String field(int index) {
+    int begin = 0;
+    for (int commas = 0; commas < index; begin++) {
+      if (begin >= length) {
+        return "";
+      }
+      if (bytes[begin] == ',') {
+        commas++;
+      }
+    }
+    int end = begin;
+    while (end < length && bytes[end] != ',') {
+      end++;
+    }
+    return new String(bytes, begin, end - begin, StandardCharsets.US_ASCII);
+  }
+
+  /** All of it, from the dollar to the checksum. */
+  public String text() {
+    return new String(bytes, 0, whole, StandardCharsets.US_ASCII);
+  }
+
+  @Override
+  public String toString() {
+    return text();
+  }
+}
