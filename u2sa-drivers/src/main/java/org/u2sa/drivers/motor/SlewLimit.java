@@ -42,7 +42,8 @@ public final class SlewLimit {
       percent = clamped;
     } else if (hasBegun) {
       double most = percentPerS * Math.max(0.0, Clock.seconds(nowMicros - atMicros));
-      percent += Math.max(-most, Math.min(most, clamped - percent));
+      double left = clamped - percent;
+      percent = Math.abs(left) <= most ? clamped : percent + Math.copySign(most, left);
     }
     began(nowMicros);
     return percent;
