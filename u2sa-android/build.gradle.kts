@@ -33,5 +33,6 @@ dependencies {
     api(project(":u2sa-core"))
     api(project(":u2sa-drivers"))
     api(libs.kotlin.stdlib)
+    testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
 }

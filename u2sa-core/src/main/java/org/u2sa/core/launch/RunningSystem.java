@@ -58,7 +58,9 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private void prepare() {
-    file.services().forEach(ServiceFactory::constructor);
+    file.services().stream()
+        .filter(entry -> options.makerOf(entry.className()).isEmpty())
+        .forEach(ServiceFactory::constructor);
     XmlConfiguration communication =
         ServiceMaker.configuration(options, MANAGER, file.communication());
     manager = CommunicationManager.start(file.systemId(), communication, types, options.console());

@@ -50,6 +50,16 @@ class RunningSystemTest {
     }
   }
 
+  /** One that needs more than a context. */
+  public static final class Equipped extends Quiet {
+    private final String equipment;
+
+    Equipped(ServiceContext context, String equipment) {
+      super(context);
+      this.equipment = equipment;
+    }
+  }
+
   /** Not a service. */
   public static final class NoService {}
 
@@ -104,6 +114,23 @@ class RunningSystemTest {
     }
     assertThat(directory.resolve("logs/Quiet.log")).exists();
     assertThat(directory.resolve("logs/Also.log")).exists();
+  }
+
+  @Test
+  void start_classThatOnlyTheProgramCanMake_isMadeByIt() throws IOException {
+    file("Quiet.xml", configuration());
+    LaunchOptions options =
+        options().making(Equipped.class, context -> new Equipped(context, "a phone"));
+    SystemFile file = system(service(Equipped.class, "Quiet.xml"));
+
+    try (RunningSystem system = RunningSystem.start(file, options)) {
+      assertThat(system.services().get(0))
+          .isInstanceOfSatisfying(
+              Equipped.class, made -> assertThat(made.equipment).isEqualTo("a phone"));
+    }
+    assertThatThrownBy(() -> RunningSystem.start(file, options()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("public constructor (ServiceContext)");
   }
 
   @Test

@@ -1,0 +1,64 @@
+package org.u2sa.android.board
+
+import android.hardware.usb.UsbAccessory
+import android.hardware.usb.UsbManager
+import android.os.ParcelFileDescriptor
+import ioio.lib.impl.FixedReadBufferedInputStream
+import java.io.FileInputStream
+import java.io.FileOutputStream
+import java.io.IOException
+
+private const val READ_BYTES = 1_024 // some phones give an accessory's bytes in whole buffers only
+private const val OPEN = 0
+private const val OPENED = 1
+
+/**
+ * The board as the host of the USB cable, to which the phone is an accessory's other end (Android Open Accessory). The board
+ * cannot see that the cable's other end went away, so both sides say a byte before they talk.
+ */
+internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : PhoneConnection(link) {
+    @Volatile private var descriptor: ParcelFileDescriptor? = null
+
+    override fun connect(): Streams {
+        val accessory = usb.accessoryList?.firstOrNull(::isBoard) ?: throw IOException("no IOIO is at the USB port")
+        if (!usb.hasPermission(accessory)) {
+            throw IOException("the permission to use the IOIO at the USB port was not given: plug it in anew")
+        }
+        val made = usb.openAccessory(accessory) ?: throw IOException("the IOIO at the USB port cannot be opened")
+        descriptor = made
+        try {
+            return handShaken(made)
+        } catch (e: IOException) {
+            made.close()
+            throw e
+        }
+    }
+
+    private fun isBoard(accessory: UsbAccessory) =
+        accessory.manufacturer == MANUFACTURER && accessory.model == MODEL
+
+    private fun handShaken(made: ParcelFileDescriptor): Streams {
+        val input = FixedReadBufferedInputStream(FileInputStream(made.fileDescriptor), READ_BYTES)
+        val output = FileOutputStream(made.fileDescriptor)
+        output.write(OPEN)
+        while (true) {
+            when (input.read()) { // what the board had sent before, to whoever was here before, comes first
+                OPENED -> return Streams(input, output, made)
+                -1 -> throw IOException("the IOIO at the USB port went away")
+            }
+        }
+    }
+
+    override fun abort() {
+        descriptor?.close()
+    }
+
+    /** The library then ends the talk by a message: an open accessory cannot be closed from this side alone. */
+    override fun canClose() = false
+
+    companion object {
+        /** As the firmware calls itself (app_layer_v1/main.c); also in res/xml/accessory_filter.xml. */
+        const val MANUFACTURER = "IOIO Open Source Project"
+        const val MODEL = "IOIO"
+    }
+}

@@ -1,0 +1,171 @@
+package org.u2sa.android.file
+
+import java.io.File
+import java.io.IOException
+import java.io.InputStream
+import org.u2sa.core.launch.SystemFile
+import org.u2sa.core.mission.Mission
+import org.u2sa.interfaces.BadInputException
+
+private const val FILE_BYTES_AT_MOST = 4L shl 20
+private const val FILES_AT_MOST = 500
+
+/**
+ * The application's own folder: configurations, missions, logs and whether the vehicle runs. What comes from outside is copied
+ * here and checked before anything uses it; names from outside never lead out of it.
+ *
+ * @param root the folder, made if need be
+ */
+class VehicleFiles(private val root: File) {
+    private val systems = File(root, "system")
+    private val missions = File(root, "missions")
+
+    /** Where the logs of all runs are, a folder each. */
+    val logs = File(root, "logs")
+
+    /** Whether a vehicle runs. */
+    val runState = File(root, "run-state")
+
+    /** A file from outside: its path below the folder that was chosen, and its content. */
+    class Source(val path: String, val open: () -> InputStream)
+
+    /**
+     * Copies the files that came with the application, in place of those of another version of it.
+     *
+     * @throws BadInputException if they cannot be copied
+     */
+    fun install(shipped: Sequence<Source>, version: String) {
+        val folder = File(systems, SHIPPED)
+        val installed = File(systems, "$SHIPPED.version")
+        if (!installed.isFile || installed.readText() != version) {
+            folder.deleteRecursively()
+            copyAll(shipped, folder)
+            copy(Source(installed.name) { version.byteInputStream() }, installed) // last: a broken copy is made anew
+        }
+    }
+
+    /**
+     * Copies a folder with a configuration, in place of one of the same name.
+     *
+     * @return the system files in it, as [systemFiles] names them; at least one
+     * @throws BadInputException if it cannot be read, is too large, or lists no system; then the one before stays
+     */
+    fun import(name: String, files: Sequence<Source>): List<String> {
+        val folder = File(systems, plain(name).ifEmpty { "imported" })
+        if (folder.name == SHIPPED) {
+            throw BadInputException("\"$SHIPPED\" is the name of the application's own configurations; rename the folder")
+        }
+        val next = File(systems, folder.name + ".next")
+        next.deleteRecursively()
+        try {
+            copyAll(files, next)
+            if (systemFilesIn(next).isEmpty()) {
+                throw BadInputException("$name: holds no file system*.xml that lists a system's services")
+            }
+            folder.deleteRecursively()
+            if (!next.renameTo(folder)) {
+                throw BadInputException("$name: cannot be moved to its place")
+            }
+        } finally {
+            next.deleteRecursively()
+        }
+        return systemFilesIn(folder).map(::nameOf)
+    }
+
+    /** Names of all system files that can be chosen. */
+    fun systemFiles(): List<String> = systems.listFiles().orEmpty()
+        .filter { it.isDirectory && !it.name.endsWith(".next") }.sortedBy(File::getName).flatMap(::systemFilesIn).map(::nameOf)
+
+    private fun systemFilesIn(folder: File): List<File> = folder.walkTopDown()
+        .filter { it.isFile && it.name.startsWith("system") && it.name.endsWith(".xml") }.sortedBy(File::getPath).toList()
+
+    private fun nameOf(file: File) = file.relativeTo(systems).invariantSeparatorsPath
+
+    /**
+     * The system file of that name.
+     *
+     * @throws BadInputException if it is missing or wrong; names the line
+     */
+    fun system(name: String): File {
+        val file = inside(systems, name)
+        SystemFile.read(file.toPath())
+        return file
+    }
+
+    /**
+     * Copies a mission, in place of one of the same name.
+     *
+     * @return its name for [mission]
+     * @throws BadInputException if it is wrong; names the line. The one before stays
+     */
+    fun importMission(name: String, open: () -> InputStream): String {
+        missions.mkdirs()
+        val plain = plain(name).ifEmpty { "mission.xml" }
+        val next = File(missions, "$plain.next")
+        try {
+            copy(Source(plain, open), next)
+            Mission.load(next.toPath())
+            if (!next.renameTo(File(missions, plain))) {
+                throw BadInputException("$name: cannot be moved to its place")
+            }
+        } finally {
+            next.delete()
+        }
+        return plain
+    }
+
+    /** The mission of that name; null if it is not there any more. */
+    fun mission(name: String): File? = inside(missions, name).takeIf(File::isFile)
+
+    private fun copyAll(files: Sequence<Source>, folder: File) {
+        var count = 0
+        for (file in files) {
+            if (++count > FILES_AT_MOST) {
+                throw BadInputException("more than $FILES_AT_MOST files; expected a folder with a configuration")
+            }
+            copy(file, inside(folder, file.path))
+        }
+    }
+
+    private fun copy(source: Source, target: File) {
+        try {
+            target.parentFile?.mkdirs()
+            source.open().use { from -> target.outputStream().use { bounded(source.path, from).copyTo(it) } }
+        } catch (e: IOException) {
+            throw BadInputException("${source.path}: cannot be copied: ${e.message}", e)
+        } catch (e: SecurityException) { // a provider that withdrew what it offered
+            throw BadInputException("${source.path}: cannot be read: ${e.message}", e)
+        }
+    }
+
+    private fun bounded(path: String, from: InputStream): InputStream = object : InputStream() {
+        private var left = FILE_BYTES_AT_MOST
+
+        override fun read(): Int = from.read().also { if (it >= 0) count(1) }
+
+        override fun read(buffer: ByteArray, offset: Int, length: Int): Int =
+            from.read(buffer, offset, length).also { if (it > 0) count(it) }
+
+        private fun count(bytes: Int) {
+            left -= bytes
+            if (left < 0) {
+                throw IOException("$path is larger than ${FILE_BYTES_AT_MOST shr 20} MB")
+            }
+        }
+    }
+
+    private fun inside(folder: File, path: String): File {
+        val file = File(folder, path)
+        if (!file.canonicalPath.startsWith(folder.canonicalPath + File.separator)) {
+            throw BadInputException("\"$path\" leads out of the application's folder")
+        }
+        return file
+    }
+
+    private fun plain(name: String) = name.replace(Regex("[^\\p{L}\\p{N}._ -]"), "_").trim('.', ' ')
+
+    companion object {
+        /** The folder of what came with the application. */
+        const val SHIPPED = "shipped"
+    }
+}

@@ -1,0 +1,47 @@
+package org.u2sa.android.screen
+
+import android.Manifest
+import android.content.Context
+import android.content.pm.PackageManager
+import android.os.Build
+import org.u2sa.android.board.BoardAddress
+
+/** What this phone's Android must be asked to allow, and why. */
+internal class Permissions(private val context: Context) {
+    /** @property permissions those asked for together */
+    enum class Need(val permissions: List<String>, val why: Text, val short: Text) {
+        LOCATION(
+            // From Android 12 on the user may choose the coarse one; both must be asked for.
+            listOf(Manifest.permission.ACCESS_FINE_LOCATION, Manifest.permission.ACCESS_COARSE_LOCATION),
+            Text.PERMISSION_LOCATION,
+            Text.PERMISSION_LOCATION_SHORT,
+        ),
+        BLUETOOTH(
+            listOf("android.permission.BLUETOOTH_CONNECT"),
+            Text.PERMISSION_BLUETOOTH,
+            Text.PERMISSION_BLUETOOTH_SHORT,
+        ),
+        NOTIFICATIONS(
+            listOf("android.permission.POST_NOTIFICATIONS"),
+            Text.PERMISSION_NOTIFICATIONS,
+            Text.PERMISSION_NOTIFICATIONS_SHORT,
+        ),
+    }
+
+    /** What is not allowed yet and would be of use with a board that is reached like this. */
+    fun missing(board: BoardAddress): List<Need> = buildList {
+        add(Need.LOCATION)
+        if (board is BoardAddress.Bluetooth && Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
+            add(Need.BLUETOOTH)
+        }
+        if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.TIRAMISU) {
+            add(Need.NOTIFICATIONS)
+        }
+    }.filterNot(::isGiven)
+
+    /** Whether paired adapters may be listed and reached. */
+    fun mayUseBluetooth(): Boolean = Build.VERSION.SDK_INT < Build.VERSION_CODES.S || isGiven(Need.BLUETOOTH)
+
+    private fun isGiven(need: Need) =
+        context.checkSelfPermission(need.permissions.first()) == PackageManager.PERMISSION_GRANTED
+}

@@ -1,0 +1,46 @@
+package org.u2sa.android.screen
+
+import kotlin.math.floor
+import kotlin.math.log10
+import kotlin.math.min
+import kotlin.math.pow
+import org.u2sa.android.vehicle.VehicleSnapshot
+import org.u2sa.messages.frame.Geodetic
+
+private const val LEAST_EXTENT_M = 20.0
+private const val SCALE_BAR_PART = 0.3
+
+/** Where the things of a snapshot lie on a picture of a size, north up: all of them are in it, with a margin around. */
+internal class TrackGeometry(snapshot: VehicleSnapshot, private val width: Double, private val height: Double, margin: Double) {
+    private val places = snapshot.track + snapshot.goals.map { it.place } + listOfNotNull(snapshot.motion?.place)
+    private val origin: Geodetic? = places.firstOrNull()
+    private val flat = places.map { origin!!.enuOf(it) }
+    private val west = flat.minOfOrNull { it.x() } ?: 0.0
+    private val east = flat.maxOfOrNull { it.x() } ?: 0.0
+    private val south = flat.minOfOrNull { it.y() } ?: 0.0
+    private val north = flat.maxOfOrNull { it.y() } ?: 0.0
+
+    /** Pixels of a metre. */
+    val pixelsPerMetre: Double = min(
+        (width - 2.0 * margin) / maxOf(east - west, LEAST_EXTENT_M),
+        (height - 2.0 * margin) / maxOf(north - south, LEAST_EXTENT_M),
+    ).coerceAtLeast(0.0)
+
+    /** Whether there is anything to be drawn. */
+    val isEmpty: Boolean get() = origin == null
+
+    /** Pixels to the right and down of the picture's upper left corner. */
+    fun pixels(place: Geodetic): Pair<Float, Float> {
+        val enu = requireNotNull(origin) { "nothing is drawn" }.enuOf(place)
+        val x = width / 2.0 + (enu.x() - (west + east) / 2.0) * pixelsPerMetre
+        val y = height / 2.0 - (enu.y() - (south + north) / 2.0) * pixelsPerMetre
+        return Pair(x.toFloat(), y.toFloat())
+    }
+
+    /** Length of a bar that fits the picture [m]: 1, 2 or 5 of a power of ten. */
+    fun scaleBarM(): Double {
+        val longest = SCALE_BAR_PART * width / pixelsPerMetre
+        val power = 10.0.pow(floor(log10(longest)))
+        return listOf(5.0, 2.0, 1.0).first { it * power <= longest } * power
+    }
+}

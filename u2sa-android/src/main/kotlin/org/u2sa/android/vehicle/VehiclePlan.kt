@@ -1,0 +1,75 @@
+package org.u2sa.android.vehicle
+
+import android.bluetooth.BluetoothManager
+import android.content.Context
+import android.hardware.usb.UsbManager
+import java.io.File
+import java.time.Instant
+import org.u2sa.android.board.BluetoothConnection
+import org.u2sa.android.board.BoardAddress
+import org.u2sa.android.board.BoardLink
+import org.u2sa.android.board.UsbConnection
+import org.u2sa.android.file.LogArchive
+import org.u2sa.android.file.vehicleFiles
+import org.u2sa.android.sensor.AndroidPhoneSensors
+import org.u2sa.android.sensor.PhoneStateSensor
+import org.u2sa.core.launch.LaunchOptions
+import org.u2sa.interfaces.BadInputException
+import org.u2sa.interfaces.Clock
+
+private const val RUNS_KEPT = 20
+private const val MICROS_PER_SECOND = 1_000_000L
+
+/** From what the user chose to what [VehicleHost] starts: gives the services of a system file the phone that they need. */
+internal class VehiclePlan(context: Context, private val settings: Settings, private val clock: Clock) {
+    private val application = context.applicationContext
+    private val files = vehicleFiles(application)
+    private val link = boardLink() // null: the configuration file names the way to the board
+
+    /** What went wrong with the way to the board; empty if nothing, or if a configuration file names it. */
+    fun boardTrouble(): String = link?.trouble.orEmpty()
+
+    /** @throws BadInputException if a chosen file is missing or wrong */
+    fun order(): VehicleHost.Order {
+        val systemFile = files.system(settings.system)
+        val mission = mission()
+        LogArchive(files.logs).keepNewest(RUNS_KEPT)
+        val condition = AndroidPhoneCondition(application)
+        return VehicleHost.Order(
+            systemFile = systemFile,
+            logDirectory = File(files.logs, runName()),
+            configure = { configure(it, mission) },
+            cockpit = { Cockpit(it, condition, { link?.connected() }, PhoneFailsafe(settings.lowBatteryPercent.toDouble())) },
+            ended = condition::close,
+        )
+    }
+
+    private fun runName() = Instant.ofEpochSecond(clock.micros() / MICROS_PER_SECOND).toString().replace(':', '-')
+
+    private fun boardLink(): BoardLink? = when (val board = settings.board) {
+        is BoardAddress.Bluetooth -> {
+            val bluetooth = application.getSystemService(Context.BLUETOOTH_SERVICE) as? BluetoothManager
+            BoardLink(board.toString()) { BluetoothConnection(bluetooth?.adapter, board.device, it) }
+        }
+        BoardAddress.Usb -> {
+            val usb = application.getSystemService(Context.USB_SERVICE) as UsbManager
+            BoardLink(board.toString()) { UsbConnection(usb, it) }
+        }
+        else -> null
+    }
+
+    private fun configure(options: LaunchOptions, mission: File?) {
+        options.making(PhoneStateSensor::class.java) { PhoneStateSensor(it, AndroidPhoneSensors(application, clock)) }
+        (settings.board as? BoardAddress.Tcp)?.let { options.override("IoioService", "CONNECTION", it.toString()) }
+        if (!settings.network) {
+            options.override("CommunicationManager", "BROKER", "none")
+        }
+        mission?.let { options.override("MissionManager", "MISSION", it.path) }
+    }
+
+    /** Null: the one that the configuration names. */
+    private fun mission(): File? {
+        val chosen = settings.mission
+        return if (chosen.isEmpty()) null else files.mission(chosen) ?: throw BadInputException("the mission \"$chosen\" is not there any more")
+    }
+}

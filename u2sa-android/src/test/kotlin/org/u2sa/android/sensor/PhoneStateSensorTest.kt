@@ -1,0 +1,150 @@
+package org.u2sa.android.sensor
+
+import java.util.OptionalDouble
+import kotlin.math.cos
+import kotlin.math.sin
+import org.assertj.core.api.Assertions.assertThat
+import org.assertj.core.data.Offset.offset
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Test
+import org.u2sa.drivers.compass.MagneticModel
+import org.u2sa.drivers.gps.GpsFix
+import org.u2sa.interfaces.communication.Channels
+import org.u2sa.messages.StateInformation
+import org.u2sa.messages.frame.Geodetic
+import org.u2sa.messages.frame.Point
+import org.u2sa.testkit.ServiceKit
+
+private const val LATITUDE = 29.19
+private const val LONGITUDE = -81.05
+
+class PhoneStateSensorTest {
+    private val kit = ServiceKit()
+    private var reading = PhoneSensors.Reading()
+    private var closed = false
+    private val sensors = object : PhoneSensors {
+        override fun read() = reading
+
+        override fun close() {
+            closed = true
+        }
+    }
+
+    @AfterEach
+    fun close() = kit.close()
+
+    private fun start() = kit.start { PhoneStateSensor(it, sensors) }
+
+    private fun fix(atS: Double, altitude: OptionalDouble = OptionalDouble.empty(), valid: Boolean = true) = GpsFix(
+        (atS * 1e6).toLong(), LATITUDE, LONGITUDE, altitude, OptionalDouble.of(2.0), OptionalDouble.of(-1.0),
+        OptionalDouble.empty(), OptionalDouble.of(3.0), OptionalDouble.empty(), 8, valid,
+    )
+
+    /** Flat on its back, its top edge to the east of magnetic north by this. */
+    private fun heading(atS: Double, degrees: Double): Orientation {
+        val half = -Math.toRadians(degrees) / 2.0
+        return Orientation.of((atS * 1e6).toLong(), floatArrayOf(0f, 0f, sin(half).toFloat(), cos(half).toFloat()))!!
+    }
+
+    private fun newest(): StateInformation = kit.latest(Channels.SENSED_STATE).orElseThrow()
+
+    @Test
+    fun step_fixOfHalfASecondAgo_isCarriedAheadByItsVelocity() {
+        start()
+        reading = PhoneSensors.Reading(fix = fix(0.0))
+        kit.advance(0.5)
+
+        val start = Geodetic(LONGITUDE, LATITUDE, 0.0)
+        val moved = start.enuOf(Geodetic(newest().x().asDouble, newest().y().asDouble, 0.0))
+        assertThat(moved.x()).isCloseTo(1.0, offset(1e-3))
+        assertThat(moved.y()).isCloseTo(-0.5, offset(1e-3))
+        assertThat(newest().xSigma()).hasValue(3.0)
+        assertThat(newest().timestamp()).hasValue(500_000)
+    }
+
+    @Test
+    fun step_compassHeading_isTurnedToTrueNorth() {
+        start()
+        reading = PhoneSensors.Reading(fix = fix(0.0), orientation = heading(0.0, 90.0))
+        kit.advance(0.05)
+
+        val declination = MagneticModel.declinationRad(LATITUDE, LONGITUDE, 0.0, 1970.0)
+        assertThat(Math.toDegrees(declination)).isBetween(-9.0, -5.0) // Florida: magnetic north lies to the west
+        assertThat(newest().psi().asDouble).isCloseTo(Math.toRadians(90.0) + declination, offset(1e-6))
+        assertThat(newest().psiSigma()).hasValue(0.17)
+    }
+
+    @Test
+    fun step_phoneAtRest_feelsNoAcceleration() {
+        start()
+        reading = PhoneSensors.Reading(
+            fix = fix(0.0),
+            orientation = heading(0.0, 30.0),
+            acceleration = PhoneSensors.Sample(0, Point.of(0.0, 0.0, 9.80665)),
+            turnRate = PhoneSensors.Sample(0, Point.of(0.0, 0.0, -0.2)),
+        )
+        kit.advance(0.05)
+
+        assertThat(newest().zDoubleDot().asDouble).isCloseTo(0.0, offset(1e-6))
+        assertThat(newest().psiDot().asDouble).isCloseTo(0.2, offset(1e-9)) // about the phone's downward axis: to the right
+    }
+
+    @Test
+    fun step_phoneSpeedsUpForward_acceleratesAlongItsHeading() {
+        start()
+        reading = PhoneSensors.Reading(
+            fix = fix(0.0),
+            orientation = heading(0.0, 90.0),
+            acceleration = PhoneSensors.Sample(0, Point.of(0.0, 1.5, 9.80665)),
+        )
+        kit.advance(0.05)
+
+        val psi = newest().psi().asDouble
+        assertThat(newest().xDoubleDot().asDouble).isCloseTo(1.5 * sin(psi), offset(1e-6))
+        assertThat(newest().yDoubleDot().asDouble).isCloseTo(1.5 * cos(psi), offset(1e-6))
+    }
+
+    @Test
+    fun step_noAltitudeFromGps_takesTheBarometersWithItsUncertainty() {
+        start()
+        reading = PhoneSensors.Reading(fix = fix(0.0), pressure = PhoneSensors.Pressure(0, 89_874.6))
+        kit.advance(0.05)
+
+        assertThat(newest().z().asDouble).isCloseTo(1_000.0, offset(1.0)) // ISO 2533, table 1
+        assertThat(newest().zSigma()).hasValue(100.0)
+    }
+
+    @Test
+    fun step_fixTooOldOrNotValid_saysNothing() {
+        start()
+        reading = PhoneSensors.Reading(fix = fix(0.0, valid = false))
+        kit.advance(0.5)
+        assertThat(kit.published(Channels.SENSED_STATE)).isEmpty()
+
+        reading = PhoneSensors.Reading(fix = fix(0.5))
+        kit.advance(2.5)
+        val before = kit.published(Channels.SENSED_STATE).size
+        assertThat(before).isPositive()
+        kit.advance(2.0)
+        assertThat(kit.published(Channels.SENSED_STATE)).hasSize(before)
+    }
+
+    @Test
+    fun step_attitudeTooOld_saysWhereButNotWhereTo() {
+        start()
+        reading = PhoneSensors.Reading(fix = fix(0.0), orientation = heading(0.0, 90.0))
+        kit.advance(0.4)
+        assertThat(newest().psi()).isPresent()
+
+        kit.advance(0.6)
+        assertThat(newest().psi()).isEmpty()
+        assertThat(newest().x()).isPresent()
+    }
+
+    @Test
+    fun kill_sensorsAreClosed() {
+        val service = start()
+        service.kill()
+        assertThat(closed).isTrue()
+    }
+}
