@@ -1,0 +1,129 @@
+package org.u2sa.drivers.mavlink;
+
+import io.dronefleet.mavlink.common.Attitude;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.GpsRawInt;
+import java.util.Optional;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * The vehicle's state as its autopilot tells it: ATTITUDE with the newest GLOBAL_POSITION_INT, and
+ * what GPS_RAW_INT says of the errors, as one State Information in GLOBAL
+ * (mavlink.io/en/messages/common.html).
+ */
+final class AutopilotState {
+  private static final double DEGREES = 1.0e-7;
+  private static final double MILLI = 1.0e-3;
+  private static final double CENTI = 1.0e-2;
+  private static final double FULL_TURN = 2.0 * Math.PI;
+  private static final double NEARLY_VERTICAL = Math.toRadians(89.0);
+  private static final int FIX_3D = 3;
+  private static final double MOST_LATITUDE = 90.0;
+  private static final double MOST_LONGITUDE = 180.0;
+
+  private final long staleMicros;
+  private GlobalPositionInt position;
+  private long positionMicros;
+  private GpsRawInt gps;
+  private long gpsMicros;
+  private long refused;
+
+  /**
+   * @param staleAfterS age at which a position counts as absent [s]
+   */
+  AutopilotState(double staleAfterS) {
+    staleMicros = Clock.micros(staleAfterS);
+  }
+
+  /** Forgets all: another autopilot, or the same one after a loss. */
+  void beginAnew() {
+    position = null;
+    gps = null;
+  }
+
+  void accept(GlobalPositionInt message, long nowMicros) {
+    double latitude = message.lat() * DEGREES;
+    double longitude = message.lon() * DEGREES;
+    if (Math.abs(latitude) > MOST_LATITUDE || Math.abs(longitude) > MOST_LONGITUDE) {
+      refused++;
+    } else if (message.lat() != 0 || message.lon() != 0) { // both 0: it does not know yet
+      position = message;
+      positionMicros = nowMicros;
+    }
+  }
+
+  void accept(GpsRawInt message, long nowMicros) {
+    gps = message;
+    gpsMicros = nowMicros;
+  }
+
+  /** The state at a new attitude; empty if that is none. */
+  Optional<StateInformation> at(Attitude attitude, long nowMicros) {
+    boolean isFinite =
+        Float.isFinite(attitude.roll() + attitude.pitch() + attitude.yaw())
+            && Float.isFinite(attitude.rollspeed() + attitude.pitchspeed() + attitude.yawspeed());
+    if (!isFinite) {
+      refused++;
+      return Optional.empty();
+    }
+    double psi = attitude.yaw() % FULL_TURN;
+    StateInformation state =
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.GLOBAL)
+            .phi(attitude.roll())
+            .theta(attitude.pitch())
+            .psi(psi < 0.0 ? psi + FULL_TURN : psi);
+    state.timestamp(nowMicros);
+    if (Math.abs(attitude.pitch()) < NEARLY_VERTICAL) {
+      rates(attitude, state);
+    }
+    boolean isFresh = position != null && nowMicros - positionMicros <= staleMicros;
+    boolean hasGps = gps != null && nowMicros - gpsMicros <= staleMicros;
+    if (isFresh && (!hasGps || gps.fixType().value() >= FIX_3D)) {
+      position(state);
+      if (hasGps) {
+        errors(state);
+      }
+    }
+    return Optional.of(state);
+  }
+
+  /** MAVLink's are the rates about the vehicle's axes, ours those of the angles. */
+  private static void rates(Attitude attitude, StateInformation state) {
+    Point euler =
+        new org.u2sa.messages.frame.Attitude(attitude.roll(), attitude.pitch(), attitude.yaw())
+            .eulerRates(Point.of(attitude.rollspeed(), attitude.pitchspeed(), attitude.yawspeed()));
+    state.phiDot(euler.x()).thetaDot(euler.y()).psiDot(euler.z());
+  }
+
+  private void position(StateInformation state) {
+    state
+        .x(position.lon() * DEGREES)
+        .y(position.lat() * DEGREES)
+        .z(position.alt() * MILLI)
+        .xDot(position.vy() * CENTI) // MAVLink: north, east, down
+        .yDot(position.vx() * CENTI)
+        .zDot(-position.vz() * CENTI);
+  }
+
+  private void errors(StateInformation state) {
+    if (gps.hAcc() > 0) { // 0: it does not say
+      state.xSigma(gps.hAcc() * MILLI).ySigma(gps.hAcc() * MILLI);
+    }
+    if (gps.vAcc() > 0) {
+      state.zSigma(gps.vAcc() * MILLI);
+    }
+    if (gps.velAcc() > 0) {
+      double sigma = gps.velAcc() * MILLI;
+      state.xDotSigma(sigma).yDotSigma(sigma).zDotSigma(sigma);
+    }
+  }
+
+  /** How often a message held numbers that cannot be. */
+  long refused() {
+    return refused;
+  }
+}

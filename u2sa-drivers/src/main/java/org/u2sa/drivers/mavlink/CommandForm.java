@@ -1,0 +1,32 @@
+package org.u2sa.drivers.mavlink;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+
+/** A form in which an autopilot takes commands, and the actuators that it makes of it. */
+interface CommandForm {
+  /**
+   * One actuator.
+   *
+   * @param minimum smallest percentage it takes [%]
+   * @param effect what moving it does to the vehicle
+   */
+  record Axis(String name, double minimum, String effect) {}
+
+  /** To whom a message goes. */
+  record Target(int systemId, int componentId) {}
+
+  /** The actuators; none if the autopilot is a sensor only. */
+  List<Axis> axes();
+
+  /**
+   * The message that commands them.
+   *
+   * @param percentages of each actuator by name; empty is its neutral
+   */
+  Object message(Target target, Function<String, OptionalDouble> percentages);
+
+  /** The messages that give control back; none if silence does. */
+  List<Object> release(Target target);
+}

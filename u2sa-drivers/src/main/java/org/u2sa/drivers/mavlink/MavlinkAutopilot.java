@@ -1,0 +1,190 @@
+package org.u2sa.drivers.mavlink;
+
+import io.dronefleet.mavlink.common.Attitude;
+import io.dronefleet.mavlink.common.BatteryStatus;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.GpsRawInt;
+import io.dronefleet.mavlink.common.Statustext;
+import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkWatch;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.ProprioceptiveSensor;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * An autopilot that speaks MAVLink, ArduPilot or PX4: a sensor of the vehicle's state, and
+ * actuators named by what the variable COMMANDS says. In: actuation, emergency-stop, arming-state.
+ * Out: sensed-state, power, actuators.
+ */
+public final class MavlinkAutopilot extends ProprioceptiveSensor {
+  private static final double STEPS_PER_S = 50.0;
+  private static final double ANNOUNCE_EVERY_S = 5.0;
+  private static final double FULL_PERCENT = 100.0;
+
+  private final ByteLink link;
+  private final LinkWatch watch;
+  private final MavlinkStream stream;
+  private final AutopilotPeer peer;
+  private final AutopilotState state;
+  private final AutopilotPower power;
+  private final CommandForm form;
+  private final CommandedActuators commands;
+  private final AutopilotCommands output;
+  private final byte[] buffer = new byte[4096];
+  private double announceDueS;
+
+  /** Called by the launcher: opens the link that CONNECTION names. */
+  public MavlinkAutopilot(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** Over a link that the host made, whatever CONNECTION says. */
+  public MavlinkAutopilot(ServiceContext context, ByteLink link) {
+    this(context, Optional.of(link));
+  }
+
+  private MavlinkAutopilot(ServiceContext context, Optional<ByteLink> given) {
+    super(context, "MavlinkAutopilot", STEPS_PER_S);
+    registerPublisher(Channels.POWER);
+    form = MavlinkVariables.form(this);
+    Set<String> names = new LinkedHashSet<>();
+    form.axes().forEach(axis -> names.add(axis.name()));
+    commands = new CommandedActuators(this, names);
+    output =
+        new AutopilotCommands(
+            form,
+            1.0 / getVariable(MavlinkVariables.COMMAND_RATE),
+            getVariable(MavlinkVariables.NEUTRAL_TIME),
+            this::send);
+    stream =
+        new MavlinkStream(
+            getVariable(MavlinkVariables.OWN_SYSTEM), getVariable(MavlinkVariables.OWN_COMPONENT));
+    peer =
+        new AutopilotPeer(
+            getVariable(MavlinkVariables.SYSTEM),
+            getVariable(MavlinkVariables.STATE_RATE),
+            this::send);
+    state = new AutopilotState(getVariable(MavlinkVariables.STALE_AFTER));
+    power = new AutopilotPower(sensorName());
+    double timeoutS = getVariable(MavlinkVariables.HEARTBEAT_TIMEOUT);
+    String address = getVariable(MavlinkVariables.CONNECTION);
+    link =
+        given.orElseGet(
+            () ->
+                ByteLinks.open(
+                    address,
+                    context.clock(),
+                    path -> context.configuration().resolve(path.toString())));
+    watch = new LinkWatch(this, "the autopilot", link, timeoutS);
+  }
+
+  private void send(Object message) {
+    link.write(stream.encode(message)); // one that is not taken is said again soon, or too late
+  }
+
+  @Override
+  protected void begin() {
+    announce(nowS());
+  }
+
+  private void announce(double nowS) {
+    form.axes()
+        .forEach(
+            axis ->
+                commands.announce(
+                    new ActuatorAnnouncement()
+                        .actuatorName(axis.name())
+                        .minimum(axis.minimum())
+                        .maximum(FULL_PERCENT)
+                        .effect(axis.effect())));
+    announceDueS = nowS + ANNOUNCE_EVERY_S;
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof ActuatorCommand command) {
+      commands.obey(command);
+    } else if (!commands.heed(data)) {
+      unexpected(data);
+    } else if (!commands.mayMove()) {
+      // an emergency stop does not wait for the next step
+      peer.target().ifPresent(target -> output.stop(target, clock().micros()));
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    if (watch.look(now)) {
+      stream.beginAnew();
+      state.beginAnew();
+    }
+    int count;
+    while ((count = link.read(buffer)) > 0) {
+      stream.accept(buffer, count, message -> take(message, now));
+    }
+    watch.malformed(stream.malformed() + state.refused());
+    boolean isHeard = watch.isHeard(now);
+    peer.step(isHeard, now);
+    peer.target()
+        .ifPresent(
+            target ->
+                output.step(
+                    target,
+                    name -> isHeard ? commands.percentage(name) : OptionalDouble.empty(),
+                    now));
+    if (nowS >= announceDueS) {
+      announce(nowS);
+    }
+  }
+
+  private void take(MavlinkStream.Received message, long now) {
+    if (!peer.isFrom(message)) {
+      return; // a radio, a gimbal, another vehicle on the same link
+    }
+    if (message.payload() instanceof Heartbeat heartbeat) {
+      watch.heard(now);
+      peer.take(heartbeat, this::log, this::trouble);
+    } else if (message.payload() instanceof Statustext text) {
+      peer.take(text, this::log, this::trouble);
+    } else if (message.payload() instanceof Attitude attitude) {
+      peer.streams(now);
+      state
+          .at(attitude, now)
+          .ifPresent(each -> publish(Channels.SENSED_STATE, each.sensorName(sensorName())));
+    } else if (message.payload() instanceof GlobalPositionInt position) {
+      state.accept(position, now);
+    } else if (message.payload() instanceof GpsRawInt gps) {
+      state.accept(gps, now);
+    } else if (message.payload() instanceof SysStatus status) {
+      power.of(status).ifPresent(this::publishPower);
+    } else if (message.payload() instanceof BatteryStatus status) {
+      power.of(status).ifPresent(this::publishPower);
+    }
+  }
+
+  private void publishPower(BatteryState battery) {
+    publish(Channels.POWER, battery);
+  }
+
+  @Override
+  protected void release() {
+    try {
+      peer.target().ifPresent(output::end);
+    } finally {
+      link.close();
+    }
+  }
+}

@@ -1,0 +1,75 @@
+package org.u2sa.drivers.mavlink;
+
+import io.dronefleet.mavlink.common.MavFrame;
+import io.dronefleet.mavlink.common.PositionTargetTypemask;
+import io.dronefleet.mavlink.common.SetPositionTargetLocalNed;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+
+/**
+ * Commands as velocities along the vehicle's axes and a rate of turn: SET_POSITION_TARGET_LOCAL_NED
+ * in BODY_NED, for ArduPilot's Guided and PX4's Offboard mode. Neutral is to stand.
+ */
+final class VelocityTarget implements CommandForm {
+  static final String FORWARD = "FORWARD SPEED";
+  static final String LEFT = "LEFT SPEED";
+  static final String CLIMB = "CLIMB SPEED";
+  static final String TURN = "TURN RATE";
+
+  private static final double FULL_PERCENT = 100.0;
+  // MAV_FRAME_BODY_NED: deprecated by name, but the one that both ArduPilot and PX4 obey.
+  private static final EnumValue<MavFrame> BODY_NED = EnumValue.create(8);
+
+  // Bits 0…2 ignore the position, 6…8 the acceleration, 10 the yaw: velocity and yaw rate are left.
+  private static final EnumValue<PositionTargetTypemask> VELOCITY_AND_YAW_RATE =
+      EnumValue.create(0b101_1100_0111);
+
+  private final double fullMps;
+  private final double fullClimbMps;
+  private final double fullTurnRadPerS;
+
+  /**
+   * @param fullMps speed forward and to the left at 100 % [m/s]
+   * @param fullClimbMps upwards at 100 % [m/s]
+   * @param fullTurnRadPerS rate of turn to the left at 100 % [rad/s]
+   */
+  VelocityTarget(double fullMps, double fullClimbMps, double fullTurnRadPerS) {
+    this.fullMps = fullMps;
+    this.fullClimbMps = fullClimbMps;
+    this.fullTurnRadPerS = fullTurnRadPerS;
+  }
+
+  @Override
+  public List<Axis> axes() {
+    return List.of(
+        new Axis(FORWARD, -FULL_PERCENT, "speed forward"),
+        new Axis(LEFT, -FULL_PERCENT, "speed to the left"),
+        new Axis(CLIMB, -FULL_PERCENT, "speed upwards"),
+        new Axis(TURN, -FULL_PERCENT, "turns to the left"));
+  }
+
+  @Override
+  public Object message(Target target, Function<String, OptionalDouble> percentages) {
+    return SetPositionTargetLocalNed.builder()
+        .targetSystem(target.systemId())
+        .targetComponent(target.componentId())
+        .coordinateFrame(BODY_NED)
+        .typeMask(VELOCITY_AND_YAW_RATE)
+        .vx((float) (fullMps * share(percentages, FORWARD)))
+        .vy((float) (-fullMps * share(percentages, LEFT))) // MAVLink: to the right
+        .vz((float) (-fullClimbMps * share(percentages, CLIMB))) // MAVLink: down
+        .yawRate((float) (-fullTurnRadPerS * share(percentages, TURN))) // MAVLink: to the right
+        .build();
+  }
+
+  private static double share(Function<String, OptionalDouble> percentages, String axis) {
+    return percentages.apply(axis).orElse(0.0) / FULL_PERCENT + 0.0; // no negative zero
+  }
+
+  @Override
+  public List<Object> release(Target target) {
+    return List.of();
+  }
+}

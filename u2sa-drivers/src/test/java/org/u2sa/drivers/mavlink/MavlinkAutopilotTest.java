@@ -1,0 +1,360 @@
+package org.u2sa.drivers.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.dronefleet.mavlink.common.Attitude;
+import io.dronefleet.mavlink.common.BatteryStatus;
+import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.GlobalPositionInt;
+import io.dronefleet.mavlink.common.GpsFixType;
+import io.dronefleet.mavlink.common.GpsRawInt;
+import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.RcChannelsOverride;
+import io.dronefleet.mavlink.common.SetPositionTargetLocalNed;
+import io.dronefleet.mavlink.common.Statustext;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavAutopilot;
+import io.dronefleet.mavlink.minimal.MavState;
+import io.dronefleet.mavlink.minimal.MavType;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.math.BigInteger;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.drivers.link.MemoryLink;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.testkit.ServiceKit;
+
+/** An autopilot in simulated time; {@link PymavlinkTest} is the outside judge of the bytes. */
+class MavlinkAutopilotTest {
+  private final ServiceKit kit = new ServiceKit();
+  private final MemoryLink link = new MemoryLink();
+  private final MavlinkStream vehicle = new MavlinkStream(7, 1);
+  private final List<Object> heard = new ArrayList<>(); // by the vehicle
+  private boolean speaks = true;
+  private MavlinkAutopilot service;
+
+  @AfterEach
+  void end() {
+    kit.close();
+  }
+
+  private void start() {
+    link.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
+    service = kit.start(context -> new MavlinkAutopilot(context, link));
+    live(1.0);
+  }
+
+  private void say(Object message) {
+    link.fromDevice(vehicle.encode(message));
+  }
+
+  /** Lets time pass, with heartbeats twice a second. */
+  private void live(double seconds) {
+    for (double s = 0.0; s < seconds - 1.0e-9; s += 0.5) {
+      if (speaks) {
+        say(heartbeat(MavState.MAV_STATE_ACTIVE));
+      }
+      kit.advance(Math.min(0.5, seconds - s));
+    }
+  }
+
+  private static Heartbeat heartbeat(MavState state) {
+    return Heartbeat.builder()
+        .type(MavType.MAV_TYPE_GROUND_ROVER)
+        .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
+        .baseMode(EnumValue.create(129))
+        .systemStatus(state)
+        .mavlinkVersion(3)
+        .build();
+  }
+
+  private static Attitude attitude(double pitch, double yaw) {
+    return Attitude.builder()
+        .roll(0.1f)
+        .pitch((float) pitch)
+        .yaw((float) yaw)
+        .rollspeed(0.01f)
+        .pitchspeed(0.02f)
+        .yawspeed(0.03f)
+        .build();
+  }
+
+  private static GlobalPositionInt position(int latitude) {
+    return GlobalPositionInt.builder()
+        .lat(latitude)
+        .lon(85455940)
+        .alt(488100)
+        .vx(100)
+        .vy(200)
+        .vz(50)
+        .build();
+  }
+
+  private void command(String actuator, double percent) {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of(actuator, percent));
+  }
+
+  private <T> List<T> heard(Class<T> type) {
+    List<T> all = new ArrayList<>();
+    heard.stream().filter(type::isInstance).map(type::cast).forEach(all::add);
+    return all;
+  }
+
+  private <T> T last(Class<T> type) {
+    List<T> all = heard(type);
+    assertThat(all).as(type.getSimpleName()).isNotEmpty();
+    return all.get(all.size() - 1);
+  }
+
+  private StateInformation state() {
+    return kit.latest(Channels.SENSED_STATE).orElseThrow();
+  }
+
+  private String lastError() {
+    return kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError).orElse("");
+  }
+
+  @Test
+  void step_attitudeAndPosition_areAStateInGlobal() {
+    start();
+    say(position(473977420));
+    say(
+        GpsRawInt.builder()
+            .fixType(GpsFixType.GPS_FIX_TYPE_3D_FIX)
+            .timeUsec(BigInteger.ZERO)
+            .hAcc(800)
+            .vAcc(1500)
+            .velAcc(300)
+            .build());
+    say(attitude(-0.2, -1.5));
+    kit.advance(0.1);
+    StateInformation state = state();
+    assertThat(state.referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
+    assertThat(state.y().getAsDouble()).isCloseTo(47.397742, within(1.0e-9));
+    assertThat(state.x().getAsDouble()).isCloseTo(8.545594, within(1.0e-9));
+    assertThat(state.z()).hasValue(488.1);
+    assertThat(state.xDot()).as("east").hasValue(2.0);
+    assertThat(state.yDot()).as("north").hasValue(1.0);
+    assertThat(state.zDot()).as("up").hasValue(-0.5);
+    assertThat(state.phi().getAsDouble()).isCloseTo(0.1, within(1.0e-6));
+    assertThat(state.theta().getAsDouble()).isCloseTo(-0.2, within(1.0e-6));
+    assertThat(state.psi().getAsDouble()).isCloseTo(2.0 * Math.PI - 1.5, within(1.0e-6));
+    // psiDot = (q sin phi + r cos phi) / cos theta
+    assertThat(state.psiDot().getAsDouble())
+        .isCloseTo((0.02 * Math.sin(0.1) + 0.03 * Math.cos(0.1)) / Math.cos(-0.2), within(1.0e-6));
+    assertThat(state.xSigma()).hasValue(0.8);
+    assertThat(state.zSigma()).hasValue(1.5);
+    assertThat(state.zDotSigma()).hasValue(0.3);
+  }
+
+  @Test
+  void step_noFixOrOldOrImpossiblePosition_attitudeOnly() {
+    start();
+    say(attitude(0.0, 0.0));
+    kit.advance(0.1);
+    assertThat(state().x()).as("no position yet").isEmpty();
+    say(position(1_200_000_000));
+    say(attitude(0.0, 0.0));
+    kit.advance(0.1);
+    assertThat(state().x()).as("120 degrees north").isEmpty();
+    say(position(0));
+    say(attitude(Math.PI / 2.0, 0.0));
+    kit.advance(0.1);
+    assertThat(state().x()).as("on the equator").isPresent();
+    assertThat(state().psiDot()).as("not defined, straight up").isEmpty();
+    live(1.5);
+    say(attitude(0.0, 0.0));
+    kit.advance(0.1);
+    assertThat(state().x()).as("older than a second").isEmpty();
+    kit.forget();
+    say(attitude(Double.NaN, 0.0));
+    kit.advance(0.3);
+    assertThat(kit.published(Channels.SENSED_STATE)).isEmpty();
+    assertThat(lastError()).contains("the autopilot sent what cannot be read");
+  }
+
+  @Test
+  void step_batteries_arePublishedEach() {
+    start();
+    List<Integer> cells = new ArrayList<>(Collections.nCopies(10, 65535));
+    cells.set(0, 4100);
+    cells.set(1, 4000);
+    say(
+        BatteryStatus.builder()
+            .id(1)
+            .temperature(2000)
+            .voltages(cells)
+            .currentBattery(-1)
+            .currentConsumed(-1)
+            .energyConsumed(-1)
+            .batteryRemaining(55)
+            .voltagesExt(List.of(0, 0, 0, 0))
+            .build());
+    kit.advance(0.1);
+    assertThat(kit.latest(Channels.POWER).orElseThrow().sensorName())
+        .isEqualTo("MavlinkAutopilot 1");
+    assertThat(kit.latest(Channels.POWER).orElseThrow().voltage().getAsDouble())
+        .isCloseTo(8.1, within(1.0e-9));
+    assertThat(kit.latest(Channels.POWER).orElseThrow().current()).isEmpty();
+    assertThat(kit.latest(Channels.POWER).orElseThrow().remaining()).hasValue(55.0);
+  }
+
+  @Test
+  void step_heartbeatsAndRequests_goOut() {
+    start();
+    heard.clear();
+    live(5.0);
+    assertThat(heard(Heartbeat.class)).hasSize(5);
+    assertThat(heard(CommandLong.class)).as("asked again while nothing comes").isNotEmpty();
+    for (int i = 0; i < 50; i++) {
+      say(attitude(0.0, 0.0));
+      live(0.1);
+    }
+    heard.clear();
+    for (int i = 0; i < 20; i++) {
+      say(attitude(0.0, 0.0));
+      live(0.1);
+    }
+    assertThat(heard(CommandLong.class)).as("no longer when it comes").isEmpty();
+  }
+
+  private void rc() {
+    kit.with("COMMANDS", "rc")
+        .with("CHANNEL 1 ACTUATOR", "STEERING")
+        .with("CHANNEL 3 ACTUATOR", "THROTTLE")
+        .with("CHANNEL 3 ONE WAY", true);
+    start();
+  }
+
+  @Test
+  void step_rcCommands_overrideThenNeutralThenGiveBack() {
+    rc();
+    assertThat(heard(RcChannelsOverride.class)).as("nothing before a command").isEmpty();
+    command("STEERING", -50.0);
+    command("THROTTLE", 25.0);
+    kit.advance(0.2);
+    RcChannelsOverride override = last(RcChannelsOverride.class);
+    assertThat(override.chan1Raw()).isEqualTo(1250);
+    assertThat(override.chan2Raw()).as("ignore").isEqualTo(65535);
+    assertThat(override.chan3Raw()).isEqualTo(1250);
+    assertThat(override.targetSystem()).isEqualTo(7);
+
+    live(0.5); // the commands expire 0.5 s after they were given
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).as("neutral").isEqualTo(1500);
+    assertThat(last(RcChannelsOverride.class).chan3Raw()).as("neutral").isEqualTo(1000);
+
+    live(1.5);
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).as("given back").isZero();
+    assertThat(last(RcChannelsOverride.class).chan2Raw()).isEqualTo(65535);
+    assertThat(last(RcChannelsOverride.class).chan3Raw()).isZero();
+    heard.clear();
+    live(1.0);
+    assertThat(heard(RcChannelsOverride.class)).as("then silence").isEmpty();
+  }
+
+  @Test
+  void callback_emergencyStop_isNeutralBeforeTimePassesAndStays() {
+    kit.with("COMMANDS", "velocity");
+    start();
+    command("FORWARD SPEED", 60.0);
+    kit.advance(0.2);
+    assertThat(last(SetPositionTargetLocalNed.class).vx()).isEqualTo(3.0f);
+    heard.clear();
+    kit.publish(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().operator("the test").reason("test").active(true));
+    assertThat(last(SetPositionTargetLocalNed.class).vx()).isZero();
+    for (int i = 0; i < 20; i++) {
+      command("FORWARD SPEED", 60.0);
+      live(0.1);
+    }
+    assertThat(heard(SetPositionTargetLocalNed.class))
+        .allSatisfy(each -> assertThat(each.vx()).isZero());
+  }
+
+  @Test
+  void kill_commanded_givesBackAtOnce() {
+    rc();
+    command("STEERING", 80.0);
+    kit.advance(0.2);
+    service.kill();
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).isZero();
+    assertThat(link.isClosed()).isTrue();
+  }
+
+  @Test
+  void step_heartbeatsEnd_isSaidAndCommandsTooUntilTheyReturn() {
+    rc();
+    speaks = false;
+    for (int i = 0; i < 50; i++) {
+      command("STEERING", 80.0);
+      live(0.1);
+    }
+    assertThat(lastError()).contains("the autopilot says nothing readable for more than 3.0 s");
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).as("given back").isZero();
+    speaks = true;
+    for (int i = 0; i < 10; i++) {
+      command("STEERING", 80.0);
+      live(0.1);
+    }
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
+  }
+
+  @Test
+  void step_unplugged_isSaidAndItGoesOnWithinTwoSeconds() {
+    rc();
+    link.unplug();
+    live(3.0);
+    assertThat(lastError()).isEqualTo("the autopilot is lost: unplugged");
+    link.plug();
+    heard.clear();
+    for (int i = 0; i < 20; i++) {
+      command("STEERING", 80.0);
+      live(0.1);
+    }
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
+    assertThat(heard(CommandLong.class)).as("asked anew").isNotEmpty();
+  }
+
+  @Test
+  void step_gravesWords_areTrouble() {
+    start();
+    say(
+        Statustext.builder()
+            .severity(MavSeverity.MAV_SEVERITY_CRITICAL)
+            .text("EKF variance")
+            .build());
+    live(0.5);
+    assertThat(lastError()).isEqualTo("the autopilot says: EKF variance");
+    say(heartbeat(MavState.MAV_STATE_CRITICAL));
+    kit.advance(0.3);
+    assertThat(lastError()).contains("MAV_STATE_CRITICAL");
+  }
+
+  @Test
+  void step_randomBytes_noException() {
+    rc();
+    Random random = new Random(7);
+    for (int i = 0; i < 300; i++) {
+      byte[] noise = new byte[random.nextInt(300)];
+      random.nextBytes(noise);
+      link.fromDevice(noise);
+      kit.advance(0.01);
+    }
+    live(2.0);
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().exceptions()).isZero();
+    command("STEERING", 80.0);
+    kit.advance(0.1);
+    assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
+  }
+}
