@@ -3,12 +3,12 @@ package org.u2sa.chaos;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.awaitility.Awaitility;
+import org.u2sa.testkit.FreePort;
 
 /** Debian's broker as a process of its own, which can be killed and started again. */
 final class Mosquitto implements AutoCloseable {
@@ -18,9 +18,7 @@ final class Mosquitto implements AutoCloseable {
 
   Mosquitto(Path folder) throws IOException {
     this.folder = folder;
-    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = free.getLocalPort();
-    }
+    port = FreePort.find();
     Files.writeString(
         folder.resolve("mosquitto.conf"),
         "listener " + port + " 127.0.0.1\nallow_anonymous true\nmax_queued_messages 100000\n");

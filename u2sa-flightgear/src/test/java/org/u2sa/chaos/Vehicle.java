@@ -2,8 +2,6 @@ package org.u2sa.chaos;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +19,7 @@ import org.u2sa.gcs.Main;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.testkit.FreePort;
 
 /**
  * A Cessna in the stand-in simulator, flown by {@code u2sa run --separate}: one process a service,
@@ -44,9 +43,7 @@ final class Vehicle implements AutoCloseable {
    */
   Vehicle(Path folder, int brokerPort, Wind wind) throws IOException {
     Path mission = folder.resolve("missions/cessna/mission.xml");
-    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      outPort = free.getLocalPort();
-    }
+    outPort = FreePort.find();
     aircraft =
         new StandInFlightGear(
             Cessna172.onRunway(EmbeddedStart.of(Mission.load(mission)), wind, true),

@@ -2,47 +2,37 @@ package org.u2sa.core.communication;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
+import static org.u2sa.core.communication.BrokerTraffic.command;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.awaitility.core.ConditionFactory;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.PercentageCommand;
 
 /** An embedded broker of system cessna on a free port, for clients that mean harm. */
 final class AttackedBroker implements AutoCloseable {
   static final String STATE = "u2sa/cessna/state/StateInformation";
-  private static final MessageTypes TYPES = MessageTypes.standard();
 
-  final List<String> log = new CopyOnWriteArrayList<>();
+  final List<String> log;
   final int port;
   final CommunicationManager manager;
   final Connection bus;
+  private final TestManager broker;
   private final RecordingReceiver local = new RecordingReceiver();
   private final List<RawClient> strangers = new CopyOnWriteArrayList<>();
 
-  AttackedBroker(Map<String, Object> variables) throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = probe.getLocalPort();
-    }
-    Map<String, Object> all = new HashMap<>(variables);
-    all.put("COMMUNICATION MANAGER PORT", port);
-    manager =
-        CommunicationManager.start(
-            "cessna", XmlConfiguration.inMemory("test", all), TYPES, log::add);
-    bus = manager.transport().connect("Local", local);
+  AttackedBroker(Map<String, Object> variables) {
+    broker = new TestManager(variables);
+    log = broker.log;
+    port = broker.port;
+    manager = broker.manager();
+    bus = broker.local("Local", local);
     bus.subscribe(Channels.ACTUATION);
   }
 
@@ -55,17 +45,7 @@ final class AttackedBroker implements AutoCloseable {
 
   /** A client as services have it, which tries again if it is taken for one of the attackers. */
   Connection remote(Receiver receiver) {
-    return new MqttTransport("127.0.0.1", port, "cessna", new MessageCodec(TYPES))
-        .waiting(30.0)
-        .connect("Remote", receiver);
-  }
-
-  static PercentageCommand command(double percent) {
-    PercentageCommand command = PercentageCommand.of("RUDDER", percent);
-    command.systemId("cessna");
-    command.timestamp(1);
-    command.freeze();
-    return command;
+    return TestManager.transport(port).waiting(30.0).connect("Remote", receiver);
   }
 
   static ConditionFactory soon() {
@@ -109,8 +89,7 @@ final class AttackedBroker implements AutoCloseable {
   @Override
   public void close() throws IOException {
     leaveStrangers();
-    bus.close();
-    manager.close();
+    broker.close();
     assertThat(log).noneMatch(line -> line.contains("the broker failed"));
   }
 }

@@ -18,7 +18,7 @@ import org.u2sa.messages.PercentageCommand;
 @Timeout(120)
 class BrokerAttackTest {
   private static final String ACTUATION = "u2sa/cessna/actuation/ActuatorCommand/PercentageCommand";
-  private static final byte[] COMMAND = AttackedBroker.command(3.0).serialize();
+  private static final byte[] COMMAND = BrokerTraffic.command(3.0).serialize();
   private static final int REFUSED = 0x80;
 
   private AttackedBroker broker;

@@ -1,6 +1,7 @@
 package org.u2sa.core.communication;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.u2sa.core.communication.BrokerTraffic.frozen;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -34,13 +35,6 @@ class BrokerFloodTest {
   @AfterEach
   void stop() throws IOException {
     broker.close();
-  }
-
-  private static <T extends U2SAData> T frozen(T message) {
-    message.systemId("cessna");
-    message.timestamp(1);
-    message.freeze();
-    return message;
   }
 
   @Test

@@ -4,9 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.time.Duration;
 import java.util.List;
@@ -20,6 +18,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.MessageTypes;
+import org.u2sa.testkit.FreePort;
 
 /** What is done about an embedded broker that fails. */
 @Timeout(120)
@@ -29,14 +28,11 @@ class BrokerKeeperTest {
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final List<Runnable> died = new CopyOnWriteArrayList<>();
   private final AtomicInteger failuresToCome = new AtomicInteger();
-  private InetSocketAddress address;
+  private final InetSocketAddress address = new InetSocketAddress("127.0.0.1", FreePort.find());
   private BrokerKeeper keeper;
 
   @BeforeEach
-  void start() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      address = new InetSocketAddress("127.0.0.1", probe.getLocalPort());
-    }
+  void start() {
     keeper = new BrokerKeeper(this::broker, log::add);
   }
 

@@ -3,9 +3,6 @@ package org.u2sa.core.communication;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +18,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.messages.MessageTypes;
+import org.u2sa.testkit.FreePort;
 
 /** Brokers that are found by multicast DNS, on loopback: no word of these leaves the host. */
 @Timeout(180)
@@ -31,19 +29,16 @@ class BrokerSearchTest {
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final String system = "boat-" + UUID.randomUUID(); // others may announce theirs meanwhile
 
-  private CommunicationManager manager(String systemId, Map<String, Object> variables)
-      throws IOException {
+  private CommunicationManager manager(String systemId, Map<String, Object> variables) {
     Map<String, Object> all = new HashMap<>(variables);
     if (!all.containsKey("BROKER")) {
-      try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-        all.put("COMMUNICATION MANAGER PORT", probe.getLocalPort());
-      }
+      all.put("COMMUNICATION MANAGER PORT", FreePort.find());
     }
     return CommunicationManager.start(
         systemId, XmlConfiguration.inMemory("test", all), TYPES, log::add);
   }
 
-  private CommunicationManager announced() throws IOException {
+  private CommunicationManager announced() {
     return manager(system, Map.of("ANNOUNCE", "yes"));
   }
 
@@ -82,7 +77,7 @@ class BrokerSearchTest {
       try (Connection here = manager.transport().connect("Here", new RecordingReceiver());
           Connection there = other.transport().connect("There", inbox)) {
         assertThat(there.subscribe(Channels.ACTUATION)).isTrue();
-        BrokerTraffic.publishUntilReceived(here, inbox);
+        BrokerTraffic.publishUntilReceived(here, inbox, BrokerTraffic.command(1.0));
       }
       assertThat(log).anyMatch(line -> line.contains("found by mDNS"));
     }

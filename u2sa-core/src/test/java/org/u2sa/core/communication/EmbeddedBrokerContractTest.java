@@ -1,18 +1,14 @@
 package org.u2sa.core.communication;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.util.Map;
 import org.u2sa.interfaces.XmlConfiguration;
-import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.MessageTypes;
+import org.u2sa.testkit.FreePort;
 
+/** MQTT through the embedded broker. */
 class EmbeddedBrokerContractTest extends TransportContract {
-  private final int port = freePort();
+  private final int port = FreePort.find();
   private final CommunicationManager manager =
       CommunicationManager.start(
           "cessna",
@@ -22,18 +18,9 @@ class EmbeddedBrokerContractTest extends TransportContract {
             throw new AssertionError(line);
           });
 
-  private static int freePort() {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return probe.getLocalPort();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
   @Override
   Transport transport() {
-    return new MqttTransport(
-        "127.0.0.1", port, "cessna", new MessageCodec(MessageTypes.standard()));
+    return TestManager.transport(port);
   }
 
   @Override

@@ -20,4 +20,12 @@ final class RecordingReceiver implements Receiver {
   public void trouble(String what) {
     troubles.add(what);
   }
+
+  void awaitMessage(U2SAData message) {
+    BrokerTraffic.soon().until(() -> messages.contains(message));
+  }
+
+  void awaitTrouble(String word) {
+    BrokerTraffic.soon().until(() -> troubles.stream().anyMatch(line -> line.contains(word)));
+  }
 }

@@ -1,22 +1,17 @@
 package org.u2sa.core.communication;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.u2sa.core.communication.BrokerTraffic.frozen;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
-import java.util.Map;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.messages.GoalList;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
@@ -28,35 +23,19 @@ class RetainFlagTest {
   private static final int LIVE = 0x32; // PUBLISH, QoS 1
   private static final int RETAINED = 0x33;
 
-  private int port;
-  private CommunicationManager manager;
-  private Connection service;
-
-  @BeforeEach
-  void start() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = probe.getLocalPort();
-    }
-    manager =
-        CommunicationManager.start(
-            "cessna",
-            XmlConfiguration.inMemory("test", Map.of("COMMUNICATION MANAGER PORT", port)),
-            MessageTypes.standard(),
-            line -> {});
-    service = manager.transport().connect("Service", new RecordingReceiver());
-  }
+  private final TestManager broker = new TestManager();
+  private final Connection service = broker.local("Service", new RecordingReceiver());
 
   @AfterEach
   void stop() {
-    service.close();
-    manager.close();
+    broker.close();
   }
 
   @Test
   void subscription_toWhatIsRetained_bringsItWithTheFlagAndNewOnesWithout() throws IOException {
     retain(GOALS, Channels.GOALS, GoalList::new);
     retain(ANNOUNCED, Channels.ACTUATORS, () -> announced("RUDDER"));
-    try (RawClient late = new RawClient(port).introduced("late")) {
+    try (RawClient late = new RawClient(broker.port).introduced("late")) {
       assertThat(late.subscribe(GOALS, 1)).isEqualTo(1);
       assertThat(late.next()).isEqualTo(RETAINED);
 
@@ -75,9 +54,9 @@ class RetainFlagTest {
 
   @Test
   void subscription_toWhatAnotherClientRetained_bringsItWithTheFlag() throws IOException {
-    try (RawClient elsewhere = new RawClient(port).introduced("elsewhere");
-        RawClient early = new RawClient(port).introduced("early");
-        RawClient late = new RawClient(port).introduced("late")) {
+    try (RawClient elsewhere = new RawClient(broker.port).introduced("elsewhere");
+        RawClient early = new RawClient(broker.port).introduced("early");
+        RawClient late = new RawClient(broker.port).introduced("late")) {
       early.subscribe(GOALS, 1);
       elsewhere.publishRetained("u2sa/cessna/goals/GoalList", new GoalList().serialize());
       elsewhere.publishRetained("u2sa/cessna/goals/GoalList", new GoalList().serialize());
@@ -93,7 +72,7 @@ class RetainFlagTest {
   /** Publishes twice: when somebody got the second one, the broker holds the first. */
   private void retain(String filter, Channel<?> channel, Supplier<U2SAData> message)
       throws IOException {
-    try (RawClient witness = new RawClient(port).introduced("witness")) {
+    try (RawClient witness = new RawClient(broker.port).introduced("witness")) {
       witness.subscribe(filter, 1);
       for (int i = 0; i < 2; i++) {
         publish(channel, message.get());
@@ -103,9 +82,7 @@ class RetainFlagTest {
   }
 
   private void publish(Channel<?> channel, U2SAData message) {
-    message.systemId("cessna");
-    message.freeze();
-    assertThat(service.publish(channel, message)).isTrue();
+    assertThat(service.publish(channel, frozen(message))).isTrue();
   }
 
   private static ActuatorAnnouncement announced(String name) {

@@ -1,7 +1,9 @@
 package org.u2sa.core.communication;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.awaitility.Awaitility.await;
+import static org.u2sa.core.communication.BrokerTraffic.command;
+import static org.u2sa.core.communication.BrokerTraffic.frozen;
+import static org.u2sa.core.communication.BrokerTraffic.soon;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -23,7 +25,7 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
  * What every way to the Communication Manager does alike, so that a service cannot tell which it
  * uses.
  */
-@Timeout(60)
+@Timeout(90)
 abstract class TransportContract {
   private final RecordingReceiver inbox = new RecordingReceiver();
   private Connection publisher;
@@ -49,21 +51,14 @@ abstract class TransportContract {
     close();
   }
 
-  private static <T extends U2SAData> T frozen(T message) {
-    message.systemId("cessna");
-    message.timestamp(1);
-    message.freeze();
-    return message;
-  }
-
   @Test
   void publish_subclass_arrivesWholeAndFrozen() {
     subscriber.subscribe(Channels.ACTUATION);
-    PercentageCommand command = frozen(PercentageCommand.of("RUDDER", 5.0));
+    PercentageCommand command = command(5.0);
 
     assertThat(publisher.publish(Channels.ACTUATION, command)).isTrue();
 
-    await().until(() -> inbox.messages.size() == 1);
+    soon().until(() -> inbox.messages.size() == 1);
     assertThat(inbox.messages.get(0)).isEqualTo(command).isInstanceOf(PercentageCommand.class);
     assertThat(inbox.messages.get(0).isFrozen()).isTrue();
   }
@@ -74,31 +69,30 @@ abstract class TransportContract {
     subscriber.subscribe(Channels.ACTUATION);
     List<U2SAData> sent = new CopyOnWriteArrayList<>();
     for (int i = 0; i < 200; i++) {
-      PercentageCommand command = frozen(PercentageCommand.of("RUDDER", i / 2.0));
+      PercentageCommand command = command(i / 2.0);
       sent.add(command);
       publisher.publish(Channels.ACTUATION, command);
     }
 
-    await().until(() -> inbox.messages.size() >= sent.size());
+    soon().until(() -> inbox.messages.size() >= sent.size());
     assertThat(inbox.messages).containsExactlyElementsOf(sent);
   }
 
   @Test
   void publish_onAnotherChannel_doesNotArrive() {
     subscriber.subscribe(Channels.ACTUATION);
-    ActuatorCommand command = frozen(PercentageCommand.of("RUDDER", 5.0));
+    ActuatorCommand command = command(5.0);
 
     publisher.publish(Channels.STATE, frozen(new StateInformation().sensorName("a").x(1.0)));
     publisher.publish(Channels.ACTUATION, command);
 
-    await().until(() -> inbox.messages.contains(command));
+    soon().until(() -> inbox.messages.contains(command));
     assertThat(inbox.messages).containsExactly(command);
   }
 
   @Test
   void publish_notOfTheChannelsType_isRefusedAndCounted() {
-    assertThat(publisher.publish(Channels.STATE, frozen(PercentageCommand.of("RUDDER", 5.0))))
-        .isFalse();
+    assertThat(publisher.publish(Channels.STATE, command(5.0))).isFalse();
     assertThat(publisher.refused()).isEqualTo(1);
   }
 
@@ -109,10 +103,10 @@ abstract class TransportContract {
     subscriber.unsubscribe(Channels.ACTUATION);
     StateInformation last = frozen(new StateInformation().sensorName("a").x(1.0));
 
-    publisher.publish(Channels.ACTUATION, frozen(PercentageCommand.of("RUDDER", 5.0)));
+    publisher.publish(Channels.ACTUATION, command(5.0));
     publisher.publish(Channels.STATE, last);
 
-    await().until(() -> inbox.messages.contains(last));
+    soon().until(() -> inbox.messages.contains(last));
     assertThat(inbox.messages).containsExactly(last);
   }
 
@@ -121,7 +115,7 @@ abstract class TransportContract {
     GoalList goals = frozen(new GoalList());
     publisher.publish(Channels.GOALS, goals);
 
-    await()
+    soon()
         .until(
             () -> {
               subscriber.subscribe(Channels.GOALS);
@@ -136,7 +130,7 @@ abstract class TransportContract {
     publisher.publish(Channels.ACTUATORS, elevator);
     publisher.publish(Channels.ACTUATORS, rudder);
 
-    await()
+    soon()
         .until(
             () -> {
               subscriber.subscribe(Channels.ACTUATORS);
@@ -159,13 +153,13 @@ abstract class TransportContract {
     subscriber.subscribe(Channels.ACTUATION);
     List<U2SAData> sent = new CopyOnWriteArrayList<>();
     for (int i = 0; i < 500; i++) {
-      PercentageCommand command = frozen(PercentageCommand.of("RUDDER", i / 5.0));
+      PercentageCommand command = command(i / 5.0);
       sent.add(command);
       publisher.publish(Channels.ACTUATION, command);
     }
     publisher.close();
 
-    await().until(() -> inbox.messages.size() >= sent.size());
+    soon().until(() -> inbox.messages.size() >= sent.size());
     assertThat(inbox.messages).containsExactlyElementsOf(sent);
     assertThat(publisher.refused()).isZero();
   }
@@ -175,8 +169,7 @@ abstract class TransportContract {
     publisher.close();
     publisher.close();
 
-    assertThat(publisher.publish(Channels.ACTUATION, frozen(PercentageCommand.of("RUDDER", 5.0))))
-        .isFalse();
+    assertThat(publisher.publish(Channels.ACTUATION, command(5.0))).isFalse();
   }
 
   @Test

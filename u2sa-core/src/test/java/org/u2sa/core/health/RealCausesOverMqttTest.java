@@ -1,14 +1,13 @@
 package org.u2sa.core.health;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.testkit.FreePort;
 
 /** The same with Communication Manager, victim and monitor apart, as in three processes. */
 class RealCausesOverMqttTest extends RealCausesTest {
@@ -16,7 +15,7 @@ class RealCausesOverMqttTest extends RealCausesTest {
 
   @Override
   List<RunningSystem> start(SystemFile file, Supplier<LaunchOptions> options) throws IOException {
-    int port = freePort();
+    int port = FreePort.find();
     List<RunningSystem> parts = new ArrayList<>();
     parts.add(RunningSystem.start(file.withoutServices(), at(port, options.get())));
     for (SystemFile.Entry entry : file.services()) {
@@ -30,11 +29,5 @@ class RealCausesOverMqttTest extends RealCausesTest {
 
   private static LaunchOptions at(int port, LaunchOptions options) {
     return options.override(MANAGER, "COMMUNICATION MANAGER PORT", port);
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return probe.getLocalPort();
-    }
   }
 }

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,6 +20,7 @@ import org.u2sa.messages.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.testkit.FreePort;
 
 /** A system that cannot be started leaves nothing behind. */
 @Timeout(30)
@@ -43,10 +42,7 @@ class FailedStartTest {
 
   @Test
   void start_constructorFailsWithAnExternalBroker_leavesNoConnectionBehind() throws IOException {
-    int port;
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = probe.getLocalPort();
-    }
+    int port = FreePort.find();
     SystemFile file =
         SystemFile.read(
             Files.writeString(

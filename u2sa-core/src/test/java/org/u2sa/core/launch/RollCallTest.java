@@ -3,16 +3,14 @@ package org.u2sa.core.launch;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.testkit.FreePort;
 
 /** Two processes of one system that are both to run a service of the same name. */
 @Timeout(180)
@@ -20,14 +18,7 @@ class RollCallTest {
   private static final int ATTEMPTS = 20; // a busy machine may answer later than is waited for
 
   @TempDir private Path folder;
-  private int port;
-
-  @BeforeEach
-  void choosePort() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = probe.getLocalPort();
-    }
-  }
+  private final int port = FreePort.find();
 
   private SystemFile system() throws IOException {
     Files.writeString(

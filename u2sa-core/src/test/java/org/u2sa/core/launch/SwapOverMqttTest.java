@@ -2,9 +2,6 @@ package org.u2sa.core.launch;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +28,7 @@ import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.ServiceSwap;
+import org.u2sa.testkit.FreePort;
 
 /** Many swaps of a service that is reached over MQTT: no message is lost, none handled twice. */
 @Timeout(120)
@@ -71,12 +69,6 @@ class SwapOverMqttTest {
     }
   }
 
-  private static int freePort() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return probe.getLocalPort();
-    }
-  }
-
   private ServiceContext.Builder context(MqttTransport transport, XmlConfiguration configuration) {
     return ServiceContext.of("stress", configuration)
         .clock(new SystemClock())
@@ -86,7 +78,7 @@ class SwapOverMqttTest {
 
   @Test
   void swap_overMqtt_eachMessageIsHandledOnce() throws Exception {
-    int port = freePort();
+    int port = FreePort.find();
     XmlConfiguration manager =
         XmlConfiguration.inMemory("test", Map.of("COMMUNICATION MANAGER PORT", port));
     MqttTransport transport =

@@ -3,14 +3,10 @@ package org.u2sa.core.launch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.core.communication.CommunicationManager;
@@ -24,13 +20,14 @@ import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.testkit.FreePort;
 
 /** Two vehicles on one broker: neither hears the other unless it asks to. */
 @Timeout(120)
 class TwoVehiclesTest {
   private static final Duration SOON = Duration.ofSeconds(30);
 
-  private int port;
+  private int port = FreePort.find();
 
   private static final class Ears implements Receiver {
     private final List<U2SAData> heard = new CopyOnWriteArrayList<>();
@@ -43,13 +40,6 @@ class TwoVehiclesTest {
     @Override
     public void trouble(String what) {
       throw new IllegalStateException(what);
-    }
-  }
-
-  @BeforeEach
-  void choosePort() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = probe.getLocalPort();
     }
   }
 

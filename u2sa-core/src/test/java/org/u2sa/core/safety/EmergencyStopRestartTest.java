@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -37,6 +35,7 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
+import org.u2sa.testkit.FreePort;
 
 /**
  * An emergency stop outlives actuator, Safety Manager and broker, all of them as on other hosts.
@@ -92,9 +91,7 @@ class EmergencyStopRestartTest {
 
   @BeforeEach
   void start() throws IOException {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      port = probe.getLocalPort();
-    }
+    port = FreePort.find();
     startBroker();
     connectOperator();
   }

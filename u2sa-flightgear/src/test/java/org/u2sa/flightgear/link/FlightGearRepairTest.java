@@ -5,7 +5,6 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -17,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.aircraft.ControlInputs;
+import org.u2sa.testkit.FreePort;
 
 /** A link that was cut comes back over the property server. */
 final class FlightGearRepairTest {
@@ -60,11 +60,7 @@ final class FlightGearRepairTest {
 
   @Test
   void linkIsStartedAfterFlightGear_flightGearIsAskedToConnect() throws IOException {
-    int unused;
-    try (ServerSocket socket = new ServerSocket(0)) {
-      unused = socket.getLocalPort();
-    }
-    standIn.start("127.0.0.1", unused);
+    standIn.start("127.0.0.1", FreePort.find());
     readUntil(AircraftReading::connected);
     link.write(throttle(0.7));
     awaitThrottle(0.7);

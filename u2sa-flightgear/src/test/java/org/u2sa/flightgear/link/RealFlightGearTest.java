@@ -3,9 +3,7 @@ package org.u2sa.flightgear.link;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.io.IOException;
 import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -25,6 +23,7 @@ import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.aircraft.ControlInputs;
+import org.u2sa.testkit.FreePort;
 
 /** The link against the installed FlightGear: {@code mvn verify -Pflightgear}, half a minute. */
 @Tag("flightgear")
@@ -42,8 +41,8 @@ final class RealFlightGearTest {
   @BeforeEach
   void start() throws Exception {
     ProtocolFiles.writeTo(data);
-    inPort = unused();
-    propertyPort = unused();
+    inPort = FreePort.find();
+    propertyPort = FreePort.find();
     link = new FlightGearLink("127.0.0.1", 0, inPort, propertyPort, clock);
     script(
         "start",
@@ -110,12 +109,6 @@ final class RealFlightGearTest {
         .pollDelay(Duration.ZERO)
         .pollInterval(Duration.ofMillis(5))
         .atMost(Duration.ofSeconds(40));
-  }
-
-  private static int unused() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0)) {
-      return socket.getLocalPort();
-    }
   }
 
   private void script(String name, String... arguments) throws Exception {

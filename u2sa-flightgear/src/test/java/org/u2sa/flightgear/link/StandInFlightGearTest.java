@@ -23,6 +23,7 @@ import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.RunwayStart;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.testkit.FreePort;
 
 /**
  * The stand-in is worth what it shares with the real one: docs/flightgear.md lists what was seen
@@ -71,7 +72,7 @@ final class StandInFlightGearTest {
 
   @Test
   void told_fullThrottleWhileTheEngineStarts_engineDies() throws IOException {
-    start(new StandInSetup(100.0, 10.0, 0.0, 7.5), unused());
+    start(new StandInSetup(100.0, 10.0, 0.0, 7.5), FreePort.find());
     try (Socket controls = controls()) {
       say(controls, "0,0,0,0,1,1,0,0,1\n");
       until(() -> standIn.said().get(OutField.ELAPSED) > 9.0);
@@ -81,7 +82,7 @@ final class StandInFlightGearTest {
 
   @Test
   void told_closedAfterAWholeLine_nextClientIsHeard() throws IOException {
-    start(StandInSetup.ready(200.0, 1.0), unused());
+    start(StandInSetup.ready(200.0, 1.0), FreePort.find());
     hear(ROLL_RIGHT);
     until(() -> standIn.told().controls().aileron() == 0.5);
     hear("-0.25\n");
@@ -91,7 +92,7 @@ final class StandInFlightGearTest {
 
   @Test
   void told_closedInTheMiddleOfALine_nobodyIsHeardAgain() throws IOException {
-    start(StandInSetup.ready(200.0, 1.0), unused());
+    start(StandInSetup.ready(200.0, 1.0), FreePort.find());
     hear("0.25\n0.5,0");
     until(() -> standIn.told().controls().aileron() == 0.25);
     try (Socket controls = controls()) {
@@ -104,14 +105,14 @@ final class StandInFlightGearTest {
 
   @Test
   void told_nan_channelIsGoneAndSaysWhy() throws IOException {
-    start(StandInSetup.ready(200.0, 1.0), unused());
+    start(StandInSetup.ready(200.0, 1.0), FreePort.find());
     hear("nan\n");
     until(() -> standIn.trouble().contains("would poison the flight model"));
   }
 
   @Test
   void propertyServer_getAndExit_answersLikeFlightGear() throws IOException {
-    start(StandInSetup.ready(200.0, 1.0), unused());
+    start(StandInSetup.ready(200.0, 1.0), FreePort.find());
     try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), standIn.propertyPort())) {
       BufferedReader answers =
           new BufferedReader(
@@ -133,12 +134,6 @@ final class StandInFlightGearTest {
             new RunwayStart(-157.943183, 21.325247, 5.3, 1.57), Wind.calm(), running);
     standIn = new StandInFlightGear(aircraft, setup, "127.0.0.1", 0, 0, clock);
     standIn.start("127.0.0.1", outPort);
-  }
-
-  private static int unused() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0)) {
-      return socket.getLocalPort();
-    }
   }
 
   private Socket controls() throws IOException {

@@ -4,8 +4,6 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.gcs.Main;
+import org.u2sa.testkit.FreePort;
 
 /** A system that runs in a Java process of its own, started by {@code u2sa run}. */
 public final class ForeignSystem implements AutoCloseable {
@@ -31,7 +30,7 @@ public final class ForeignSystem implements AutoCloseable {
    * @param services the full names of their classes
    */
   public static ForeignSystem start(Path directory, String systemId, String... services) {
-    int port = freePort();
+    int port = FreePort.find();
     try {
       Files.writeString(
           directory.resolve("Manager.xml"),
@@ -114,15 +113,6 @@ public final class ForeignSystem implements AutoCloseable {
     } catch (InterruptedException e) {
       process.destroyForcibly();
       Thread.currentThread().interrupt();
-    }
-  }
-
-  /** A TCP port of loopback that nobody listens on. */
-  public static int freePort() {
-    try (ServerSocket probe = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return probe.getLocalPort();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 }

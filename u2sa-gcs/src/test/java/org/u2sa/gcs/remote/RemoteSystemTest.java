@@ -33,6 +33,7 @@ import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.testkit.FreePort;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -144,7 +145,7 @@ class RemoteSystemTest {
 
   @Test
   void connect_noBroker_saysWhereInOneLine() {
-    String nobody = "127.0.0.1:" + ForeignSystem.freePort();
+    String nobody = "127.0.0.1:" + FreePort.find();
 
     assertThatThrownBy(() -> remote("--broker", nobody).connect())
         .isInstanceOf(CommunicationException.class)
@@ -155,7 +156,7 @@ class RemoteSystemTest {
 
   @Test
   void connect_brokerWithoutSystem_saysSo() {
-    int port = ForeignSystem.freePort();
+    int port = FreePort.find();
     XmlConfiguration configuration =
         XmlConfiguration.inMemory("test", java.util.Map.of("COMMUNICATION MANAGER PORT", port));
     CommunicationManager silent =

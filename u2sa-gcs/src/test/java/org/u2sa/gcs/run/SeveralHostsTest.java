@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.Main;
 import org.u2sa.gcs.remote.ForeignSystem;
+import org.u2sa.testkit.FreePort;
 
 /** One system file, run in parts: as on several hosts. */
 @Timeout(180)
@@ -25,7 +26,7 @@ class SeveralHostsTest {
   @TempDir private Path folder;
   private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();
-  private final int port = ForeignSystem.freePort();
+  private final int port = FreePort.find();
   private final String system = "boat-" + UUID.randomUUID(); // mDNS is everybody's
   private Path file;
 

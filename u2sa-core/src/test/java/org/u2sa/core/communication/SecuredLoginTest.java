@@ -1,0 +1,133 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.u2sa.core.communication.BrokerTraffic.command;
+import static org.u2sa.core.communication.BrokerTraffic.publishUntilReceived;
+import static org.u2sa.core.communication.BrokerTraffic.soon;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.interfaces.communication.BrokerAccess;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.PercentageCommand;
+
+/** Whom the embedded broker lets in, and which broker a client trusts. */
+@Timeout(60)
+class SecuredLoginTest extends SecuredClients {
+  @TempDir static Path otherFolder;
+
+  @Test
+  void connect_withAnotherUsersClientId_isRefusedAndTheFirstStays()
+      throws IOException, GeneralSecurityException {
+    try (RawClient first = new RawClient(TestAuthority.socket(directory), broker.port);
+        RawClient second = new RawClient(TestAuthority.socket(directory), broker.port)) {
+      assertThat(first.introduce("twin", "sensor", "sensor")).isZero();
+      assertThat(second.introduce("twin", "boatman", "boatman")).isEqualTo(2);
+      assertThat(first.subscribe("u2sa/cessna/state/#")).isZero();
+    }
+    awaitLog("log-in refused, the client ID is another user's", "\"boatman\"");
+  }
+
+  @Test
+  void connect_asAClientOfAnotherSystem_isRefused() {
+    assertThatThrownBy(() -> connect("boatman"))
+        .isInstanceOf(CommunicationException.class)
+        .hasMessageContaining("Not authorized");
+    awaitLog("log-in refused, it is another system", "\"boatman\"");
+  }
+
+  @Test
+  void connect_observerWhoseWillItsRoleForbids_isLetInWithoutIt() {
+    RecordingReceiver screenHears = new RecordingReceiver();
+    PercentageCommand command = command(1.0);
+
+    assertThat(connect("screen", screenHears).subscribe(Channels.ACTUATION)).isTrue();
+    publishUntilReceived(connect("control"), screenHears, command);
+    awaitLog("will refused, role observer may not publish on health", "\"screen\"");
+  }
+
+  @Test
+  void connect_wrongPassword_isRefusedAndLoggedWithUserAndAddress() throws IOException {
+    Files.writeString(folder.resolve("pilot.password"), "guess\n");
+
+    assertThatThrownBy(() -> connect("pilot"))
+        .isInstanceOf(CommunicationException.class)
+        .hasMessageContaining("ssl://localhost:" + broker.port)
+        .hasMessageContaining("Bad user name or password");
+
+    awaitLog("log-in refused, wrong password", "\"pilot\"", "127.0.0.1");
+  }
+
+  @Test
+  void connect_rightPasswordAfterAFloodOfWrongOnes_isKnownAtOnceIfItCameBefore()
+      throws IOException {
+    connect("pilot").close();
+    BrokerAccess right = accessOf("pilot");
+    Files.writeString(folder.resolve("pilot.password"), "guess\n");
+    soon()
+        .until(
+            () -> {
+              assertThatThrownBy(() -> connect("pilot")).isInstanceOf(CommunicationException.class);
+              return broker.log.stream()
+                  .anyMatch(line -> line.contains("too soon after a wrong password"));
+            });
+
+    broker.keep(transport(right, "cessna").connect("Remote", new RecordingReceiver()));
+  }
+
+  @Test
+  void connect_withoutUser_isRefused() {
+    BrokerAccess nobody = BrokerAccess.of("", "", true, directory.authority().toString());
+    assertThatThrownBy(() -> transport(nobody, "cessna").connect("Remote", inbox))
+        .isInstanceOf(CommunicationException.class);
+    awaitLog("log-in refused, it says no user");
+  }
+
+  @Test
+  void connect_withoutEncryption_isRefused() {
+    assertThatThrownBy(() -> transport(BrokerAccess.open(), "cessna").connect("Remote", inbox))
+        .isInstanceOf(CommunicationException.class);
+  }
+
+  @Test
+  void connect_brokerOfAnotherAuthority_isNotTrusted()
+      throws IOException, InterruptedException, GeneralSecurityException {
+    SecurityDirectory other = TestAuthority.in(otherFolder);
+    BrokerAccess access =
+        BrokerAccess.of(
+            "pilot",
+            folder.resolve("pilot.password").toString(),
+            true,
+            other.authority().toString());
+    assertThatThrownBy(() -> transport(access, "cessna").connect("Remote", inbox))
+        .isInstanceOf(CommunicationException.class)
+        .hasMessageContaining("PKIX");
+  }
+
+  @Test
+  void connect_certificateOfAnotherName_isNotTrusted() {
+    MqttTransport otherName =
+        new MqttTransport(
+            "127.0.0.2",
+            broker.port,
+            "cessna",
+            new MessageCodec(MessageTypes.standard()),
+            accessOf("pilot"));
+    broker.replace(Map.of("SECURITY DIRECTORY", folder.toString(), "BIND ADDRESS", "0.0.0.0"));
+    assertThatThrownBy(() -> otherName.connect("Remote", inbox))
+        .isInstanceOf(CommunicationException.class)
+        .hasMessageContaining("127.0.0.2");
+  }
+}

@@ -1,0 +1,78 @@
+package org.u2sa.core.communication;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.testkit.FreePort;
+
+/** A Communication Manager of system cessna on a free port, and clients that end with it. */
+final class TestManager implements AutoCloseable {
+  private static final MessageTypes TYPES = MessageTypes.standard();
+
+  final List<String> log = new CopyOnWriteArrayList<>();
+  final int port = FreePort.find();
+  private final Deque<Connection> clients = new ArrayDeque<>(); // the latest first
+  private CommunicationManager manager;
+
+  TestManager() {
+    this(Map.of());
+  }
+
+  TestManager(Map<String, Object> variables) {
+    manager = another(variables);
+  }
+
+  CommunicationManager manager() {
+    return manager;
+  }
+
+  /** Starts one more, at the same port unless the variables say another; the test closes it. */
+  CommunicationManager another(Map<String, Object> variables) {
+    Map<String, Object> all = new HashMap<>(variables);
+    all.putIfAbsent("COMMUNICATION MANAGER PORT", port);
+    return CommunicationManager.start(
+        "cessna", XmlConfiguration.inMemory("test", all), TYPES, log::add);
+  }
+
+  /** Ends it, if that is still to be done, and starts its successor. */
+  void replace(Map<String, Object> variables) {
+    manager.close();
+    manager = another(variables);
+  }
+
+  /** A client within the manager's process. */
+  Connection local(String name, Receiver receiver) {
+    return keep(manager.transport().connect(name, receiver));
+  }
+
+  /** A client by TCP. */
+  Connection remote(String name, Receiver receiver) {
+    return keep(transport(port).connect(name, receiver));
+  }
+
+  /** A client's way to the manager, or to what stands before it at another port. */
+  static MqttTransport transport(int port) {
+    return new MqttTransport("127.0.0.1", port, "cessna", new MessageCodec(TYPES));
+  }
+
+  /** Has the manager end a client before itself. */
+  Connection keep(Connection client) {
+    clients.push(client);
+    return client;
+  }
+
+  @Override
+  public void close() {
+    clients.forEach(Connection::close);
+    manager.close();
+  }
+}
