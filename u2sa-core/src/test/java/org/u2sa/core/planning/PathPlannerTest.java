@@ -3,60 +3,18 @@ package org.u2sa.core.planning;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.MessageType;
 import org.u2sa.messages.NavigationPoint;
-import org.u2sa.messages.Schema;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.testkit.ServiceKit;
 
-class PathPlannerTest {
-  private final ServiceKit kit = new ServiceKit();
-
-  @AfterEach
-  void close() {
-    kit.close();
-  }
-
-  private static Waypoint waypoint(String name, double north, double east) {
-    return new Waypoint()
-        .uid(name)
-        .referenceFrame(ReferenceFrame.LOCAL_NED)
-        .x(north)
-        .y(east)
-        .horizontalThreshold(2.0);
-  }
-
-  private static StateInformation state(double north, double east, double heading) {
-    return new StateInformation()
-        .referenceFrame(ReferenceFrame.LOCAL_NED)
-        .x(north)
-        .y(east)
-        .psi(heading);
-  }
-
-  private void goals(GoalInformation... goals) {
-    kit.publish(Channels.GOALS, new GoalList().goals(List.of(goals)).upcoming(List.of()));
-  }
-
-  private Point point() {
-    return kit.latest(Channels.NAVIGATION).orElseThrow().point();
-  }
-
-  private long logged(String what) {
-    return kit.log("PathPlanner").stream().filter(line -> line.contains(what)).count();
-  }
-
+/** From a state to the point steered for: frames, ages, altitudes, and variables that change. */
+class PathPlannerTest extends PlannedVehicle {
   @Test
   void state_withoutMission_givesNoNavigationPoint() {
     kit.start(PathPlanner::new);
@@ -176,97 +134,6 @@ class PathPlannerTest {
   }
 
   @Test
-  void state_withinThreshold_reportsOnceUntilTheIntervalIsOver() {
-    kit.start(PathPlanner::new);
-    goals(waypoint("1", 0, 1));
-    for (int i = 0; i < 12; i++) {
-      kit.publish(Channels.STATE, state(0, 0, 0));
-      kit.advance(0.1);
-    }
-
-    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(2);
-    assertThat(kit.published(Channels.GOAL_REPORTS))
-        .allMatch(report -> report.completed() && !report.abandoned());
-  }
-
-  @Test
-  void state_fastVehicleCrossesThresholdBetweenTwoStates_isReached() {
-    kit.start(PathPlanner::new);
-    goals(waypoint("1", 50, 1));
-    kit.publish(Channels.STATE, state(0, 0, 0));
-    kit.advance(1.0);
-    kit.publish(Channels.STATE, state(100, 0, 0));
-
-    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(1);
-  }
-
-  @Test
-  void goals_several_nearestIsPursued() {
-    kit.with("LOOK AHEAD", 5.0).start(PathPlanner::new);
-    goals(waypoint("far", 100, 0), waypoint("near", -50, 0));
-    kit.publish(Channels.STATE, state(0, 0, 0));
-
-    assertThat(point().x()).isCloseTo(-5.0, within(1.0e-9));
-    assertThat(logged("goal \"near\" begins")).isEqualTo(1);
-  }
-
-  @Test
-  void goals_sameSingleGoalAgainAfterItWasReached_mustBeLeftFirst() {
-    kit.start(PathPlanner::new);
-    goals(waypoint("1", 0, 0));
-    kit.publish(Channels.STATE, state(0, 0, 0));
-    goals(waypoint("1", 0, 0));
-    kit.advance(0.1);
-    kit.publish(Channels.STATE, state(0, 0.5, 0));
-    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(1);
-
-    kit.advance(0.1);
-    kit.publish(Channels.STATE, state(0, 9, 0));
-    kit.advance(0.1);
-    kit.publish(Channels.STATE, state(0, 1, 0));
-    assertThat(kit.published(Channels.GOAL_REPORTS)).hasSize(2);
-  }
-
-  @Test
-  void goals_ofAClassWithoutState_saidOnceAndHeldWhereItIs() {
-    kit.with("AT END", "HOLD").start(PathPlanner::new);
-    goals(new Dance().uid("waltz"));
-    kit.publish(Channels.STATE, state(7, 0, 0));
-    kit.advance(0.1);
-    kit.publish(Channels.STATE, state(9, 0, 0));
-
-    assertThat(logged("goal \"waltz\" is a [GoalInformation, Dance]: no planner state for that"))
-        .isEqualTo(1);
-    assertThat(point().x()).isCloseTo(-2.0, within(1.0e-9)); // back to where it was
-  }
-
-  @Test
-  void goals_newOnesAfterHolding_legBeginsWhereTheVehicleIs() {
-    kit.with("LOOK AHEAD", 5.0).with("AT END", "HOLD").start(PathPlanner::new);
-    goals(waypoint("1", 0, 0));
-    kit.publish(Channels.STATE, state(0, 0, 0));
-    goals();
-    kit.advance(0.1);
-    kit.publish(Channels.STATE, state(50, 0, 0));
-    assertThat(point().x()).isCloseTo(-50.0, within(1.0e-9)); // back to the last waypoint
-
-    goals(waypoint("2", 50, 100));
-    kit.advance(0.1);
-    kit.publish(Channels.STATE, state(50, 0, 0));
-    assertThat(point().x()).isCloseTo(0.0, within(1.0e-9));
-    assertThat(point().y()).isCloseTo(-5.0, within(1.0e-9));
-  }
-
-  @Test
-  void goals_emptyAndStopAtEnd_givesNoNavigationPoint() {
-    kit.with("AT END", "STOP").start(PathPlanner::new);
-    goals();
-    kit.publish(Channels.STATE, state(0, 0, 0));
-
-    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
-  }
-
-  @Test
   void altitudeProfileLinear_pointIsOnTheSlope() {
     kit.with("ALTITUDE PROFILE", "LINEAR").with("LOOK AHEAD", 10.0).start(PathPlanner::new);
     goals(waypoint("1", 100, 0).z(-100.0));
@@ -299,22 +166,5 @@ class PathPlannerTest {
     kit.publish(
         Channels.CONFIGURATION,
         new ConfigurationChange().serviceName("PathPlanner").variableName(variable).value(value));
-  }
-
-  /** A goal that no planner state knows. */
-  static final class Dance extends GoalInformation {
-    private static final MessageType<Dance> TYPE =
-        Schema.of("Dance", Dance.class, Dance::new, GoalInformation.TYPE).build();
-
-    @Override
-    public MessageType<Dance> type() {
-      return TYPE;
-    }
-
-    @Override
-    public Dance uid(String uid) {
-      super.uid(uid);
-      return this;
-    }
   }
 }

@@ -22,8 +22,7 @@ class PlannerStatesTest {
 
   @Test
   void forGoal_onlyAncestorKnown_isTaken() {
-    assertThat(new PlannerStates(List.of(any, waypoints)).forGoal(new PathPlannerTest.Dance()))
-        .containsSame(any);
+    assertThat(new PlannerStates(List.of(any, waypoints)).forGoal(new Dance())).containsSame(any);
   }
 
   @Test
@@ -37,8 +36,7 @@ class PlannerStatesTest {
 
   @Test
   void forGoal_noneKnown_isEmpty() {
-    assertThat(new PlannerStates(List.of(waypoints)).forGoal(new PathPlannerTest.Dance()))
-        .isEmpty();
+    assertThat(new PlannerStates(List.of(waypoints)).forGoal(new Dance())).isEmpty();
   }
 
   private record Fixed(Class<? extends GoalInformation> goalClass) implements PlannerState {

@@ -2,190 +2,19 @@ package org.u2sa.core.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.GoalList;
-import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.OperatorHeartbeat;
-import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.testkit.ServiceKit;
 
+/** Which failsafe follows from what is lost, and when it is over. */
 @Timeout(30)
-class SafetyManagerTest {
-  private final ServiceKit kit = new ServiceKit();
-  private double sigmaM = 1.0;
-  private boolean position = true;
-
-  @BeforeEach
-  void configure() {
-    kit.with("ACTUATOR SERVICES", "Motor, Rudder").with("LOW BATTERY VOLTAGE", 11.0);
-    kit.with("CRITICAL BATTERY REMAINING", 10.0).with("ON CRITICAL BATTERY", "STOP");
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
-  }
-
-  private void live(double seconds) {
-    for (double t = 0.0; t < seconds - 1e-9; t += 0.1) {
-      StateInformation state = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_ENU);
-      if (position) {
-        state.x(0.0).y(0.0);
-      }
-      state.xSigma(sigmaM);
-      kit.send(Channels.STATE, state);
-      kit.advance(0.1);
-    }
-  }
-
-  private SafetyManager start() {
-    SafetyManager manager = startManager();
-    kit.publish(Channels.GOALS, new GoalList().goals(List.of(waypoint())));
-    kit.publish(
-        Channels.ACTUATORS,
-        new ActuatorAnnouncement().actuatorName("MOTOR").minimum(0.0).maximum(100.0));
-    battery(12.5, 80.0);
-    return manager;
-  }
-
-  /** And waits until no predecessor can be there. */
-  private SafetyManager startManager() {
-    SafetyManager manager = kit.start(SafetyManager::new);
-    kit.advance(0.6);
-    return manager;
-  }
-
-  private static Waypoint waypoint() {
-    return new Waypoint().uid("1").x(1.0).y(1.0).horizontalThreshold(1.0);
-  }
-
-  private void battery(double volts, double percent) {
-    kit.publish(
-        Channels.POWER, new BatteryState().sensorName("main").voltage(volts).remaining(percent));
-  }
-
-  private ArmingState arm(boolean arm) {
-    kit.publish(Channels.ARMING, new ArmCommand().requestId("7").arm(arm).operator("Ann"));
-    kit.advance(0.1);
-    return kit.published(Channels.ARMING_STATE).stream()
-        .filter(state -> state.requestId().isPresent())
-        .reduce((first, second) -> second)
-        .orElseThrow();
-  }
-
-  private void startArmed() {
-    startArmedManager();
-  }
-
-  private SafetyManager startArmedManager() {
-    SafetyManager manager = start();
-    live(0.3);
-    assertThat(arm(true).armed()).isTrue();
-    return manager;
-  }
-
-  private FailsafeState failsafe() {
-    return kit.latest(Channels.FAILSAFE).orElseThrow();
-  }
-
-  private void condition(String service, Condition condition) {
-    kit.publish(Channels.CONDITIONS, given(service, condition));
-  }
-
-  private static ServiceCondition given(String service, Condition condition) {
-    return new ServiceCondition().serviceName(service).condition(condition).reason("seen so");
-  }
-
-  @Test
-  void arm_everythingThere_armsAndAnswers() {
-    startArmed();
-
-    assertThat(arm(true).reasons()).isEmpty();
-    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
-  }
-
-  @Test
-  void arm_nothingThere_saysAllReasons() {
-    kit.with("OPERATOR REQUIRED", true).with("HEALTH MONITOR REQUIRED", true);
-    kit.with("ON FENCE", "LAND");
-    startManager();
-    condition("PathPlanner", Condition.HUNG);
-
-    ArmingState state = arm(true);
-
-    assertThat(state.armed()).isFalse();
-    assertThat(state.requestId()).contains("7");
-    assertThat(state.reasons())
-        .containsExactly(
-            "service PathPlanner is HUNG: seen so",
-            "operator link: no operator was heard",
-            "position: no state yet",
-            "health monitor: no HealthMonitor was heard",
-            "low battery: a level is configured, but no battery was heard",
-            "critical battery: a level is configured, but no battery was heard",
-            "mission: no goals",
-            "actuators: none is there",
-            "failsafe matrix: ON FENCE is LAND, but no Mission Manager has answered whether it has a LAND MISSION");
-  }
-
-  @Test
-  void arm_outsideTheFenceUncertainAndLow_saysSoWithTheValues(@TempDir Path directory)
-      throws IOException {
-    Path fence = directory.resolve("fence.xml");
-    String text =
-        "<fence><reference>Local ENU</reference><keepIn><corner><x>10</x><y>10</y></corner>"
-            + "<corner><x>90</x><y>10</y></corner><corner><x>90</x><y>90</y></corner></keepIn></fence>";
-    Files.write(fence, text.getBytes(StandardCharsets.UTF_8));
-    kit.with("FENCE", fence.toString()).with("REQUIRED ACTUATORS", "MOTOR, RUDDER");
-    start();
-    battery(10.5, 80.0);
-    sigmaM = 60.0;
-    live(0.3);
-
-    assertThat(arm(true).reasons())
-        .containsExactly(
-            "position: uncertain by 60 m, limit 50 m",
-            "low battery: main, voltage 10.5 below 11.0 V",
-            "geofence: outside the keep-in area, or inside a keep-out one",
-            "actuators: not there: RUDDER");
-  }
-
-  @Test
-  void armAtStart_checksPassLater_armsOnceByItself() {
-    kit.with("ARM AT START", true);
-    start();
-    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
-
-    live(0.3);
-    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isTrue();
-    arm(false);
-    live(1.0);
-
-    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
-  }
-
+class SafetyManagerTest extends WatchedVehicle {
   @Test
   void failsafe_notArmed_isContinueWhateverIsWrong() {
     startManager();
@@ -350,53 +179,6 @@ class SafetyManagerTest {
     assertThat(kit.published(Channels.EMERGENCY_STOP)).hasSize(1).allMatch(clear::equals);
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
     assertThat(arm(true).armed()).isTrue();
-  }
-
-  @Test
-  void start_anewInAFailsafe_staysArmedAndGoesOnWithIt() {
-    SafetyManager before = startArmedManager();
-    kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
-    live(5.3);
-    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
-    before.kill();
-    kit.forget();
-    live(5.0);
-
-    startManager();
-    live(3.0);
-
-    assertThat(kit.published(Channels.FAILSAFE))
-        .isNotEmpty()
-        .allMatch(state -> state.action() == FailsafeAction.RETURN);
-    assertThat(failsafe().causes().get(0))
-        .startsWith("operator link: \"Ann\" silent for ")
-        .endsWith("s (over; goes on until armed anew)");
-    assertThat(kit.published(Channels.ARMING_STATE)).isNotEmpty().allMatch(ArmingState::armed);
-    arm(true);
-    live(0.2);
-    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
-  }
-
-  @Test
-  void start_longAfterAnother_isAnotherRun() {
-    startArmedManager().kill();
-    kit.advance(25.0);
-
-    startManager();
-
-    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
-  }
-
-  @Test
-  void start_anewAfterADisarm_staysDisarmed() {
-    SafetyManager before = startArmedManager();
-    arm(false);
-    before.kill();
-
-    startManager();
-    live(3.0);
-
-    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
   }
 
   @Test

@@ -1,0 +1,87 @@
+package org.u2sa.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.FailsafeAction;
+
+/** What must be there before the vehicle is armed. */
+@Timeout(30)
+class ArmingTest extends WatchedVehicle {
+  @Test
+  void arm_everythingThere_armsAndAnswers() {
+    startArmed();
+
+    assertThat(arm(true).reasons()).isEmpty();
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void arm_nothingThere_saysAllReasons() {
+    kit.with("OPERATOR REQUIRED", true).with("HEALTH MONITOR REQUIRED", true);
+    kit.with("ON FENCE", "LAND");
+    startManager();
+    condition("PathPlanner", Condition.HUNG);
+
+    ArmingState state = arm(true);
+
+    assertThat(state.armed()).isFalse();
+    assertThat(state.requestId()).contains("7");
+    assertThat(state.reasons())
+        .containsExactly(
+            "service PathPlanner is HUNG: seen so",
+            "operator link: no operator was heard",
+            "position: no state yet",
+            "health monitor: no HealthMonitor was heard",
+            "low battery: a level is configured, but no battery was heard",
+            "critical battery: a level is configured, but no battery was heard",
+            "mission: no goals",
+            "actuators: none is there",
+            "failsafe matrix: ON FENCE is LAND, but no Mission Manager has answered whether it has a LAND MISSION");
+  }
+
+  @Test
+  void arm_outsideTheFenceUncertainAndLow_saysSoWithTheValues(@TempDir Path directory)
+      throws IOException {
+    Path fence = directory.resolve("fence.xml");
+    String text =
+        "<fence><reference>Local ENU</reference><keepIn><corner><x>10</x><y>10</y></corner>"
+            + "<corner><x>90</x><y>10</y></corner><corner><x>90</x><y>90</y></corner></keepIn></fence>";
+    Files.write(fence, text.getBytes(StandardCharsets.UTF_8));
+    kit.with("FENCE", fence.toString()).with("REQUIRED ACTUATORS", "MOTOR, RUDDER");
+    start();
+    battery(10.5, 80.0);
+    sigmaM = 60.0;
+    live(0.3);
+
+    assertThat(arm(true).reasons())
+        .containsExactly(
+            "position: uncertain by 60 m, limit 50 m",
+            "low battery: main, voltage 10.5 below 11.0 V",
+            "geofence: outside the keep-in area, or inside a keep-out one",
+            "actuators: not there: RUDDER");
+  }
+
+  @Test
+  void armAtStart_checksPassLater_armsOnceByItself() {
+    kit.with("ARM AT START", true);
+    start();
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+
+    live(0.3);
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isTrue();
+    arm(false);
+    live(1.0);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+  }
+}
