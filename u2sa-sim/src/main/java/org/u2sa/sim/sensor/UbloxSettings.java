@@ -13,6 +13,9 @@ import java.util.Set;
  */
 public record UbloxSettings(int baud, double rateHz, Set<GpsMessage> messages, int minuteDecimals) {
   private static final int FACTORY_BAUD = 9600;
+  private static final int BITS_A_BYTE = 10;
+  private static final int NMEA_BYTES = 250; // at most, of the four sentences
+  private static final int UBX_BYTES = 104;
 
   /** Takes a copy of the set. */
   public UbloxSettings {
@@ -30,19 +33,37 @@ public record UbloxSettings(int baud, double rateHz, Set<GpsMessage> messages, i
    * NMEA with all the digits that a survey receiver has: 11 characters more a sentence.
    *
    * @param baud 38400 is needed for four sentences ten times a second
+   * @throws IllegalArgumentException if the line does not carry that much
    */
   public static UbloxSettings precise(int baud, double rateHz) {
-    return new UbloxSettings(baud, rateHz, nmea(), 7);
+    return fitting(baud, rateHz, nmea(), 7, NMEA_BYTES);
   }
 
   /**
    * POSLLH, STATUS and VELNED, 104 bytes a position, which is all that a LEA-6 needs to say.
    *
    * @param baud 9600 carries nine positions a second
+   * @throws IllegalArgumentException if the line does not carry that much
    */
   public static UbloxSettings binary(int baud, double rateHz) {
-    return new UbloxSettings(
-        baud, rateHz, EnumSet.of(GpsMessage.POSLLH, GpsMessage.STATUS, GpsMessage.VELNED), 5);
+    Set<GpsMessage> messages = EnumSet.of(GpsMessage.POSLLH, GpsMessage.STATUS, GpsMessage.VELNED);
+    return fitting(baud, rateHz, messages, 5, UBX_BYTES);
+  }
+
+  private static UbloxSettings fitting(
+      int baud, double rateHz, Set<GpsMessage> messages, int minuteDecimals, int bytes) {
+    double wanted = bytes * rateHz * BITS_A_BYTE;
+    if (wanted > baud) {
+      throw new IllegalArgumentException(
+          "baud: "
+              + baud
+              + " carries less than "
+              + rateHz
+              + " positions of "
+              + bytes
+              + " bytes a second");
+    }
+    return new UbloxSettings(baud, rateHz, messages, minuteDecimals);
   }
 
   private static Set<GpsMessage> nmea() {

@@ -1,6 +1,7 @@
 package org.u2sa.sim.sensor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
@@ -101,13 +102,22 @@ class UbloxReceiverTest {
 
   @Test
   void advance_moreThanTheLineCarries_dropsWholeMessagesOnly() {
-    UbloxReceiver flooded = receiver(UbloxSettings.precise(9_600, 10.0));
+    UbloxReceiver flooded =
+        receiver(new UbloxSettings(9_600, 10.0, UbloxSettings.factory().messages(), 7));
     run(flooded, 20.0, 9_600);
     assertThat(flooded.line().dropped()).isPositive();
     String[] lines = heard.toString().split("\r\n");
     for (int i = 0; i < lines.length - 1; i++) {
       assertThat(lines[i]).matches("\\$GP[A-Z]{3},.*\\*[0-9A-F]{2}");
     }
+  }
+
+  @Test
+  void binary_moreThanTheLineCarries_isRefused() {
+    assertThat(UbloxSettings.binary(9_600, 9.0).rateHz()).isEqualTo(9.0);
+    assertThatThrownBy(() -> UbloxSettings.binary(9_600, 10.0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("baud: 9600 carries less than 10.0 positions of 104 bytes a second");
   }
 
   private static byte[] ubx(int messageClass, int id, int... payload) {
