@@ -24,15 +24,29 @@ android {
     }
     packaging {
         resources {
-            excludes += setOf("META-INF/*.md", "META-INF/LICENSE*", "META-INF/NOTICE*", "META-INF/INDEX.LIST", "META-INF/DEPENDENCIES", "about.html")
+            excludes += setOf(
+                "META-INF/*.md", "META-INF/LICENSE*", "META-INF/NOTICE*", "META-INF/INDEX.LIST", "META-INF/DEPENDENCIES", "META-INF/*.versions.properties",
+                "about.html")
+            pickFirsts += "version.properties" // JmDNS's and IOIOLibCore's; neither needs it
         }
     }
+    sourceSets.getByName("main").assets.srcDir(layout.buildDirectory.dir("vehicle-assets"))
 }
+
+// The vehicle's files, by the same paths as ./u2sa apk gives them.
+val vehicleAssets = tasks.register<Sync>("vehicleAssets") {
+    for (folder in listOf("config/ugv", "missions/ugv")) {
+        from(rootProject.file(folder)) { into(folder) }
+    }
+    into(layout.buildDirectory.dir("vehicle-assets"))
+}
+tasks.named("preBuild") { dependsOn(vehicleAssets) }
 
 dependencies {
     api(project(":u2sa-core"))
     api(project(":u2sa-drivers"))
     api(libs.kotlin.stdlib)
+    api(libs.stax)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
 }

@@ -32,7 +32,7 @@ public class JavaConventionsPlugin implements Plugin<Project> {
           "-Xdoclint:all/protected,-missing",
           "-Werror",
           "-parameters");
-  private static final String EXCLUDED_TAGS = "long,flightgear,network,chaos";
+  private static final String EXCLUDED_TAGS = "long,flightgear,network,chaos,android";
 
   @Override
   public void apply(Project project) {

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  * kind of drift.
  */
 class BuildsAgreeTest {
-  private static final Path ROOT = Paths.get("").toAbsolutePath().getParent();
+  static final Path ROOT = Paths.get("").toAbsolutePath().getParent();
   private static final List<String> FILES =
       List.of(
           "pom.xml",
