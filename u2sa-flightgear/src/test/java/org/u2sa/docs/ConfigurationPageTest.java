@@ -8,11 +8,16 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.control.VelocityControl;
 import org.u2sa.core.control.ground.AckermannPursuitControl;
 import org.u2sa.core.control.ground.DifferentialDriveControl;
 import org.u2sa.core.control.ground.DifferentialPursuitControl;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.planning.VectorFieldPlanner;
+import org.u2sa.drivers.mavlink.MavlinkAutopilot;
+import org.u2sa.drivers.motor.WheelMotors;
+import org.u2sa.drivers.range.LidarSensor;
+import org.u2sa.drivers.range.RangeSensor;
 import org.u2sa.flightgear.control.ThesisControl;
 import org.u2sa.interfaces.ConfigurationReference;
 import org.u2sa.interfaces.Variable;
@@ -68,6 +73,11 @@ class ConfigurationPageTest {
     services.put("DifferentialPursuitControl", declaredBy(DifferentialPursuitControl.class));
     services.put("DifferentialDriveControl", declaredBy(DifferentialDriveControl.class));
     services.put("AckermannPursuitControl", declaredBy(AckermannPursuitControl.class));
+    services.put("VelocityControl", declaredBy(VelocityControl.class));
+    services.put("WheelMotors", declaredBy(WheelMotors.class));
+    services.put("RangeSensor", declaredBy(RangeSensor.class));
+    services.put("LidarSensor", declaredBy(LidarSensor.class));
+    services.put("MavlinkAutopilot", declaredBy(MavlinkAutopilot.class));
     List<Variable<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
     section(page, "Every service", common);
@@ -88,9 +98,11 @@ class ConfigurationPageTest {
   }
 
   private List<Variable<?>> declaredBy(Class<?> service) throws ReflectiveOperationException {
-    // Neither of the two changes what is declared: they only need a mission to begin with.
+    // Neither changes what is declared: some need a mission to begin with, drivers look for
+    // devices.
     XmlConfiguration configuration =
-        XmlConfiguration.inMemory("the page", Map.of("MISSION", MISSION));
+        XmlConfiguration.inMemory(
+            "the page", Map.of("MISSION", MISSION, "CONNECTION", "tcp:127.0.0.1:9"));
     ServiceContext context =
         ServiceContext.of("docs", configuration)
             .transport(new LocalBus("docs"))

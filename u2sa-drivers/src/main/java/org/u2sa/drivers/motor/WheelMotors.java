@@ -6,6 +6,7 @@ import java.util.Set;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
@@ -64,6 +65,9 @@ public final class WheelMotors extends PeriodicService {
     super(context, ServiceRole.ACTUATOR, "WheelMotors", STEPS_PER_S);
     leftName = getVariable(WheelVariables.LEFT_NAME);
     rightName = getVariable(WheelVariables.RIGHT_NAME);
+    if (leftName.equals(rightName)) {
+      throw new BadInputException("LEFT ACTUATOR and RIGHT ACTUATOR are both \"" + leftName + "\"");
+    }
     leftIsSecond = getVariable(WheelVariables.LEFT_IS_SECOND);
     leftSign = getVariable(WheelVariables.LEFT_REVERSED) ? -1.0 : 1.0;
     rightSign = getVariable(WheelVariables.RIGHT_REVERSED) ? -1.0 : 1.0;

@@ -1,6 +1,7 @@
 package org.u2sa.drivers.motor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
@@ -9,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.drivers.link.MemoryLink;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
@@ -205,6 +207,14 @@ class WheelMotorsTest {
     HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
     assertThat(health.exceptions()).isZero();
     assertThat(health.lastError()).isPresent();
+  }
+
+  @Test
+  void constructor_bothWheelsOfOneName_isRefused() {
+    kit.with("RIGHT ACTUATOR", "LEFT MOTOR");
+    assertThatThrownBy(this::start)
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("both \"LEFT MOTOR\"");
   }
 
   @Test
