@@ -1,31 +1,10 @@
 package org.u2sa.drivers.compass;
 
 import java.util.Optional;
+import org.u2sa.drivers.link.ByteParser;
 
-/**
- * Makes headings of a compass's bytes, however they came. The bytes may be cut anywhere, and be
- * garbage: what cannot be understood is counted and passed over.
- *
- * <p>For one thread.
- */
-public interface CompassParser {
-  /**
-   * Takes the next bytes of the stream.
-   *
-   * @param length how many of {@code bytes} count, from the beginning
-   * @param nowMicros when they came [µs of the run's clock]: the time of the headings in them
-   */
-  void accept(byte[] bytes, int length, long nowMicros);
-
+/** Makes headings of a compass's bytes. */
+public interface CompassParser extends ByteParser {
   /** The newest heading; empty before the first. A new object for each, the same until the next. */
   Optional<Heading> latest();
-
-  /** Forgets what is half received, as after a loss of the device; {@link #latest} stays. */
-  void reset();
-
-  /** How many messages were refused so far: wrong checksum, cut off, out of range. */
-  long refused();
-
-  /** Why the last of {@link #refused} was, for the log; empty if none was. */
-  String lastRefusal();
 }

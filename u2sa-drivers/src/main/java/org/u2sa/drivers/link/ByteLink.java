@@ -7,7 +7,7 @@ package org.u2sa.drivers.link;
  *
  * <p>One thread reads and writes; {@link #close} may come from any.
  */
-public interface ByteLink extends AutoCloseable {
+public interface ByteLink extends Attached, AutoCloseable {
   /**
    * Takes what has come since the last call.
    *
@@ -26,19 +26,6 @@ public interface ByteLink extends AutoCloseable {
    */
   boolean write(byte[] bytes);
 
-  /** Whether the device is there. */
-  boolean isConnected();
-
-  /**
-   * How often the device was found so far: a parser that sees another number than before starts
-   * anew, and a device that needs to be set up is set up again.
-   */
-  int connections();
-
-  /** What is wrong, for the log and the health report; empty if nothing. */
-  String trouble();
-
-  /** Ends the link; what was handed over for sending before is still sent if that goes at once. */
   @Override
   void close();
 }

@@ -12,7 +12,7 @@ public final class LinkWatch {
 
   private final U2SAService service;
   private final String device;
-  private final ByteLink link;
+  private final Attached link;
   private final long silentMicros;
   private int connections;
   private boolean wasConnected = true; // so that one that is absent from the start is said, too
@@ -27,7 +27,7 @@ public final class LinkWatch {
    * @param silentAfterS time without anything readable after which a device that is there counts as
    *     silent [s]
    */
-  public LinkWatch(U2SAService service, String device, ByteLink link, double silentAfterS) {
+  public LinkWatch(U2SAService service, String device, Attached link, double silentAfterS) {
     this.service = service;
     this.device = device;
     this.link = link;

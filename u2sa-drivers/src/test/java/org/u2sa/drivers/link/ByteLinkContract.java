@@ -18,41 +18,10 @@ abstract class ByteLinkContract {
   private final StringBuilder heard = new StringBuilder();
   ByteLink link;
 
-  /** The far end of the link. */
-  interface Device {
-    /** Opens the link to it. */
-    ByteLink open();
-
-    /** Says something. Where a device is found by what it says, it is found by this. */
-    void says(String text) throws Exception;
-
-    /** All that it was told so far. */
-    String wasTold();
-
-    /** Goes away. */
-    void unplug() throws Exception;
-
-    /** Comes back. */
-    void plug() throws Exception;
-
-    /** Whether it can be told something. */
-    default boolean listens() {
-      return true;
-    }
-
-    /** Whether it still gets what was written just before the link was closed. */
-    default boolean hearsTheLast() {
-      return listens();
-    }
-
-    /** Frees all that the test took. */
-    void end() throws Exception;
-  }
-
   /** A device that is there and has said nothing yet. */
-  abstract Device device() throws Exception;
+  abstract FarEnd device() throws Exception;
 
-  private Device device;
+  private FarEnd device;
 
   @BeforeEach
   void open() throws Exception {
@@ -209,12 +178,7 @@ abstract class ByteLinkContract {
     assertThat(
             Thread.getAllStackTraces().keySet().stream()
                 .map(Thread::getName)
-                .filter(name -> name.startsWith("link ") && name.endsWith(address())))
+                .filter(name -> name.startsWith("link ") && name.endsWith(device.address())))
         .isEmpty();
-  }
-
-  /** What the link's threads are called after; nobody's name if it has none. */
-  String address() {
-    return " no thread";
   }
 }

@@ -1,6 +1,5 @@
 package org.u2sa.drivers.link;
 
-import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -17,41 +16,8 @@ class RecordingLinkTest extends ByteLinkContract {
   @TempDir Path folder;
 
   @Override
-  Device device() {
-    MemoryLink memory = new MemoryLink();
-    StringBuilder told = new StringBuilder();
-    memory.with(bytes -> told.append(new String(bytes, US_ASCII)));
-    return new Device() {
-      @Override
-      public ByteLink open() {
-        return new RecordingLink(memory, folder.resolve("contract.rec"), new SystemClock());
-      }
-
-      @Override
-      public void says(String text) {
-        memory.fromDevice(text.getBytes(US_ASCII));
-      }
-
-      @Override
-      public String wasTold() {
-        return told.toString();
-      }
-
-      @Override
-      public void unplug() {
-        memory.unplug();
-      }
-
-      @Override
-      public void plug() {
-        memory.plug();
-      }
-
-      @Override
-      public void end() {
-        memory.close();
-      }
-    };
+  FarEnd device() {
+    return FarEnds.recorded(folder.resolve("contract.rec"));
   }
 
   @Test

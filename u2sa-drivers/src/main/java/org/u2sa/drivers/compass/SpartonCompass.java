@@ -1,0 +1,121 @@
+package org.u2sa.drivers.compass;
+
+import java.util.Optional;
+
+/**
+ * Sparton's SP3004D smart compass (thesis 4.6.3) and its successors DC-4, GEDC-6 and AHRS-8, in
+ * their legacy binary protocol (Software Interface User's Manual 130-7524-001): {@code A4 command
+ * data A0}, high byte first. It answers only when asked: {@link #request} for the magnetic heading,
+ * answered by {@code A4 09 hh hh A0}; true headings (02) are understood as well. A turn is 4096.
+ * The protocol has no checksum: an answer counts if it is of the right length, ends with A0, and is
+ * less than a turn.
+ *
+ * <p>It also understands the sentences that the same compass sends when it was told to speak NMEA
+ * 0183: no byte of a sentence can begin an answer.
+ */
+public final class SpartonCompass implements CompassParser {
+  private static final int BEGIN = 0xA4;
+  private static final int END = 0xA0;
+  private static final int TRUE_HEADING = 0x02;
+  private static final int MAGNETIC_HEADING = 0x09;
+  private static final int UNITS_A_TURN = 4_096;
+  private static final double DEG_PER_UNIT = 360.0 / UNITS_A_TURN;
+  private static final int ANSWER = 5; // bytes
+
+  private final NmeaCompass nmea = new NmeaCompass();
+  private final byte[] one = new byte[1];
+  private final int[] answer = new int[ANSWER];
+  private int count;
+  private Optional<Heading> binary = Optional.empty();
+  private boolean isBinaryNewest;
+  private long refused;
+  private String lastRefusal = "";
+
+  /** Asks for the magnetic heading. */
+  public static byte[] request() {
+    return new byte[] {(byte) BEGIN, MAGNETIC_HEADING, (byte) END};
+  }
+
+  @Override
+  public void accept(byte[] bytes, int length, long now) {
+    for (int i = 0; i < length; i++) {
+      accept(bytes[i], now);
+    }
+  }
+
+  private void accept(byte next, long now) {
+    int octet = next & 0xFF;
+    if (count == 0 && octet != BEGIN) {
+      acceptText(next, now);
+      return;
+    }
+    answer[count++] = octet;
+    boolean isHeading = count < 2 || answer[1] == MAGNETIC_HEADING || answer[1] == TRUE_HEADING;
+    if (!isHeading) {
+      resync("an answer that nobody asked for", now);
+    } else if (count == ANSWER) {
+      end(now);
+    }
+  }
+
+  private void acceptText(byte next, long now) {
+    one[0] = next;
+    Optional<Heading> before = nmea.latest();
+    nmea.accept(one, 1, now);
+    if (nmea.latest() != before) {
+      isBinaryNewest = false;
+    }
+  }
+
+  private void end(long now) {
+    int units = answer[2] << 8 | answer[3];
+    if (answer[ANSWER - 1] != END) {
+      resync("an answer that does not end with A0", now);
+    } else if (units >= UNITS_A_TURN) {
+      resync("a heading of " + units + " of 4096", now);
+    } else {
+      binary = Optional.of(Heading.ofDegrees(now, units * DEG_PER_UNIT, answer[1] == TRUE_HEADING));
+      isBinaryNewest = true;
+      count = 0;
+    }
+  }
+
+  /** Refuses what was taken for an answer, and looks for one from its second byte on. */
+  private void resync(String why, long now) {
+    StringBuilder text = new StringBuilder(why).append(":");
+    int[] again = new int[count - 1];
+    for (int i = 0; i < count; i++) {
+      text.append(String.format(" %02X", answer[i]));
+      if (i > 0) {
+        again[i - 1] = answer[i];
+      }
+    }
+    refused++;
+    lastRefusal = text.toString();
+    count = 0;
+    for (int octet : again) {
+      accept((byte) octet, now);
+    }
+  }
+
+  @Override
+  public Optional<Heading> latest() {
+    return isBinaryNewest ? binary : nmea.latest();
+  }
+
+  @Override
+  public void reset() {
+    count = 0;
+    nmea.reset();
+  }
+
+  @Override
+  public long refused() {
+    return refused + nmea.refused();
+  }
+
+  @Override
+  public String lastRefusal() {
+    return lastRefusal.isEmpty() ? nmea.lastRefusal() : lastRefusal;
+  }
+}

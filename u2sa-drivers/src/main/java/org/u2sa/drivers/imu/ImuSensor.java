@@ -1,0 +1,126 @@
+package org.u2sa.drivers.imu;
+
+import java.util.Optional;
+import org.u2sa.drivers.compass.TrueNorth;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkWatch;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.ProprioceptiveSensor;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Publishes an IMU's attitude and its rates, in GLOBAL, once for each that it says (thesis 4.1.1).
+ * Heading is left out while true north is not known. In: state, for the magnetic declination where
+ * the vehicle is. Out: sensed-state.
+ */
+public final class ImuSensor extends ProprioceptiveSensor {
+  private static final double STEPS_PER_S = 100.0;
+
+  static final Variable<String> CONNECTION =
+      Variable.text("CONNECTION")
+          .ifAbsent("serial:/dev/ttyUSB2?baud=115200")
+          .describedAs("Where the IMU, a VectorNav, is: " + ByteLinks.FORMS);
+
+  static final Variable<Double> TIMEOUT =
+      Variable.number("TIMEOUT", "s")
+          .range(Range.of(0.05, 60.0))
+          .ifAbsent(0.5)
+          .describedAs("Time without a readable message after which the IMU counts as silent.");
+
+  static final Variable<Double> ATTITUDE_SIGMA =
+      Variable.number("ATTITUDE SIGMA", "rad")
+          .range(Range.of(0.0, Math.PI))
+          .ifAbsent(Math.toRadians(1.0))
+          .describedAs("Standard deviation of roll and pitch, as the data sheet says it.");
+
+  static final Variable<Double> HEADING_SIGMA =
+      Variable.number("HEADING SIGMA", "rad")
+          .range(Range.of(0.0, Math.PI))
+          .ifAbsent(Math.toRadians(2.0))
+          .describedAs("Standard deviation of the heading, as the data sheet says it.");
+
+  private final Imu imu;
+  private final LinkWatch watch;
+  private final TrueNorth north;
+  private final double attitudeSigmaRad;
+  private final double headingSigmaRad;
+  private Optional<Orientation> last = Optional.empty();
+
+  /** Called by the launcher: opens the link that CONNECTION names. */
+  public ImuSensor(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** With an IMU that the host made: the phone's, a simulated one. */
+  public ImuSensor(ServiceContext context, Imu imu) {
+    this(context, Optional.of(imu));
+  }
+
+  private ImuSensor(ServiceContext context, Optional<Imu> given) {
+    super(context, "ImuSensor", STEPS_PER_S);
+    String address = getVariable(CONNECTION);
+    double timeoutS = getVariable(TIMEOUT);
+    attitudeSigmaRad = getVariable(ATTITUDE_SIGMA);
+    headingSigmaRad = getVariable(HEADING_SIGMA);
+    north = new TrueNorth(this);
+    registerSubscriber(Channels.STATE);
+    imu =
+        given.orElseGet(
+            () ->
+                new LinkedImu(
+                    ByteLinks.open(
+                        address,
+                        context.clock(),
+                        path -> context.configuration().resolve(path.toString()))));
+    watch = new LinkWatch(this, "the IMU", imu, timeoutS);
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof StateInformation state) {
+      north.at(state, clock().micros());
+    } else {
+      unexpected(data);
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    watch.look(now);
+    Optional<Orientation> orientation = imu.read(now).orientation();
+    watch.malformed(imu.malformed());
+    if (orientation.isPresent() && orientation.get() != last.orElse(null)) {
+      last = orientation;
+      watch.heard(now);
+      publish(Channels.SENSED_STATE, state(orientation.get()));
+    }
+  }
+
+  private StateInformation state(Orientation said) {
+    StateInformation state =
+        new StateInformation()
+            .sensorName(sensorName())
+            .referenceFrame(ReferenceFrame.GLOBAL)
+            .phi(said.rollRad())
+            .theta(said.pitchRad())
+            .phiSigma(attitudeSigmaRad)
+            .thetaSigma(attitudeSigmaRad)
+            .phiDot(said.rollRateRadPerS())
+            .thetaDot(said.pitchRateRadPerS())
+            .psiDot(said.headingRateRadPerS());
+    north.of(said.heading(), 0.0).ifPresent(psi -> state.psi(psi).psiSigma(headingSigmaRad));
+    state.timestamp(said.measuredAtMicros());
+    return state;
+  }
+
+  @Override
+  protected void release() {
+    imu.close();
+  }
+}

@@ -1,0 +1,83 @@
+package org.u2sa.drivers.imu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.drivers.link.MemoryLink;
+import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.testkit.ServiceKit;
+
+class ImuSensorTest {
+  private static final double TINY = 1e-9;
+  private static final String LINE = "VNYMR,+090.000,-010.000,+020.000,0,0,0,0,0,0,0.1,0.2,0.3";
+
+  private final ServiceKit kit = new ServiceKit();
+  private final MemoryLink link = new MemoryLink();
+
+  @BeforeEach
+  void start() {
+    kit.start(context -> new ImuSensor(context, new LinkedImu(link)));
+  }
+
+  @AfterEach
+  void end() {
+    kit.close();
+  }
+
+  private StateInformation state() {
+    link.fromDevice(Nmea.bytes(LINE));
+    kit.advance(0.1);
+    return kit.latest(Channels.SENSED_STATE).orElseThrow();
+  }
+
+  private Optional<String> lastError() {
+    kit.advance(0.3);
+    return kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError);
+  }
+
+  @Test
+  void step_attitude_isPublishedInGlobal() {
+    StateInformation state = state();
+
+    assertThat(state.referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
+    assertThat(state.phi().orElseThrow()).isCloseTo(Math.toRadians(20.0), within(TINY));
+    assertThat(state.theta().orElseThrow()).isCloseTo(Math.toRadians(-10.0), within(TINY));
+    assertThat(state.phiSigma()).isPresent();
+    assertThat(state.phiDot().orElseThrow())
+        .isCloseTo(
+            0.1 + Math.sin(state.theta().getAsDouble()) * state.psiDot().getAsDouble(),
+            within(TINY));
+    assertThat(state.thetaDot()).isPresent();
+    assertThat(state.psi()).as("true north is not known yet").isEmpty();
+  }
+
+  @Test
+  void step_positionKnown_headingIsTrue() {
+    kit.publish(
+        Channels.STATE,
+        new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(-80.42336).y(37.22957));
+
+    assertThat(Math.toDegrees(state().psi().orElseThrow())).isBetween(80.0, 83.0);
+  }
+
+  @Test
+  void step_silentAndLost_isSaid() {
+    state();
+    kit.advance(1.0);
+    assertThat(lastError()).hasValue("the IMU says nothing readable for more than 0.5 s");
+    link.unplug();
+    assertThat(lastError()).hasValue("the IMU is lost: unplugged");
+    link.plug();
+    kit.advance(0.1);
+    kit.forget();
+    assertThat(state().phi()).isPresent();
+  }
+}
