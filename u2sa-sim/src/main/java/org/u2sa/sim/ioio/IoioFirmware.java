@@ -128,6 +128,7 @@ public final class IoioFirmware {
       hasTicked = true;
       tickMicros = nowMicros;
       world.advance(nowMicros);
+      peripherals.tick(nowMicros); // what is configured before the next tick counts from now
     }
     while (nowMicros - tickMicros >= TICK_MICROS) {
       tickMicros += TICK_MICROS;

@@ -44,6 +44,7 @@ public final class IoioTcpServer implements AutoCloseable {
     } catch (IOException e) {
       throw new UncheckedIOException("simulated IOIO: port " + port + ": " + e.getMessage(), e);
     }
+    firmware.advance(clock.micros()); // before a host may come: it would count from 1970
     for (Thread thread : new Thread[] {hosts, time, sender}) {
       thread.setDaemon(true);
       thread.start();
