@@ -45,7 +45,7 @@ final class AttackedBroker implements AutoCloseable {
 
   /** A client as services have it, which tries again if it is taken for one of the attackers. */
   Connection remote(Receiver receiver) {
-    return TestManager.transport(port).waiting(30.0).connect("Remote", receiver);
+    return TestManager.transport(port).connect("Remote", receiver);
   }
 
   static ConditionFactory soon() {

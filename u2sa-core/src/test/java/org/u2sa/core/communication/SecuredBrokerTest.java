@@ -25,7 +25,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.EmergencyStop;
 
 /** What a user of the embedded broker may do, and what a broker needs to ask for users at all. */
-@Timeout(60)
+@Timeout(120)
 class SecuredBrokerTest extends SecuredClients {
   @Test
   void publish_actuation_isTakenFromControlOnly() {

@@ -57,7 +57,8 @@ abstract class SecuredClients {
 
   MqttTransport transport(BrokerAccess access, String system) {
     return new MqttTransport(
-        "localhost", broker.port, system, new MessageCodec(MessageTypes.standard()), access);
+            "localhost", broker.port, system, new MessageCodec(MessageTypes.standard()), access)
+        .waiting(TestManager.PATIENCE_S);
   }
 
   BrokerAccess accessOf(String user) {

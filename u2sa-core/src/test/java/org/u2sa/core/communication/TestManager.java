@@ -16,6 +16,9 @@ import org.u2sa.testkit.FreePort;
 
 /** A Communication Manager of system cessna on a free port, and clients that end with it. */
 final class TestManager implements AutoCloseable {
+  /** How long a client tries [s]: one attempt may take longer than it may where much else runs. */
+  static final double PATIENCE_S = 30.0;
+
   private static final MessageTypes TYPES = MessageTypes.standard();
 
   final List<String> log = new CopyOnWriteArrayList<>();
@@ -61,7 +64,8 @@ final class TestManager implements AutoCloseable {
 
   /** A client's way to the manager, or to what stands before it at another port. */
   static MqttTransport transport(int port) {
-    return new MqttTransport("127.0.0.1", port, "cessna", new MessageCodec(TYPES));
+    return new MqttTransport("127.0.0.1", port, "cessna", new MessageCodec(TYPES))
+        .waiting(PATIENCE_S);
   }
 
   /** Has the manager end a client before itself. */
