@@ -1,46 +1,14 @@
 package org.u2sa.interfaces;
 
-import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
-/** Whole messages: they are what a user gets. */
-class ConfigurationFileErrorsTest {
-  @TempDir Path folder;
-  private Path file;
-
-  @BeforeEach
-  void name() {
-    file = folder.resolve("Control.xml");
-  }
-
-  private void write(String text) {
-    try {
-      Files.write(file, text.getBytes(StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new IllegalStateException(e);
-    }
-  }
-
-  private XmlConfiguration configuration(String variables) {
-    write("<configuration>\n" + variables + "\n</configuration>\n");
-    return XmlConfiguration.load(file);
-  }
-
-  private void assertRefused(ThrowingCallable call, String afterTheFile) {
-    assertThatExceptionOfType(ConfigurationException.class)
-        .isThrownBy(call)
-        .withMessage(file + afterTheFile);
-  }
-
+/** What a file must be. */
+class ConfigurationFileErrorsTest extends RefusedFile {
   private void assertLoadRefused(String text, String afterTheFile) {
     write(text);
     assertRefused(() -> XmlConfiguration.load(file), afterTheFile);

@@ -1,19 +1,11 @@
 package org.u2sa.interfaces;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
-/** Whole messages: they are what a user gets. */
-class VariableErrorsTest {
+/** What a variable must be, to be got. */
+class VariableErrorsTest extends RefusedFile {
   private static final Variable<Double> BANK_LIMIT =
       Variable.number("BANK LIMIT", "rad")
           .range(Range.of(0.0, Math.toRadians(60.0)))
@@ -22,33 +14,6 @@ class VariableErrorsTest {
       Variable.integer("PORT").range(Range.of(1, 65535)).ifAbsent(1883);
   private static final Variable<String> LEVEL =
       Variable.text("LOG LEVEL").oneOf("debug", "info").ifAbsent("info");
-
-  @TempDir Path folder;
-  private Path file;
-
-  @BeforeEach
-  void name() {
-    file = folder.resolve("Control.xml");
-  }
-
-  private void write(String text) {
-    try {
-      Files.write(file, text.getBytes(StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new IllegalStateException(e);
-    }
-  }
-
-  private XmlConfiguration configuration(String variables) {
-    write("<configuration>\n" + variables + "\n</configuration>\n");
-    return XmlConfiguration.load(file);
-  }
-
-  private void assertRefused(ThrowingCallable call, String afterTheFile) {
-    assertThatExceptionOfType(ConfigurationException.class)
-        .isThrownBy(call)
-        .withMessage(file + afterTheFile);
-  }
 
   private void assertDeclarationRefused(Variable<?> variable, String attributes, String after) {
     XmlConfiguration configuration = configuration("<variable " + attributes + "/>");

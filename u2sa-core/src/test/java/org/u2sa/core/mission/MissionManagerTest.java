@@ -6,51 +6,16 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.GoalCommand;
-import org.u2sa.testkit.ServiceKit;
 
-class MissionManagerTest {
-  private final ServiceKit kit = new ServiceKit();
-  @TempDir private Path directory;
-  private Path file;
-
-  @BeforeEach
-  void writeMission() throws IOException {
-    file = directory.resolve("three.xml");
-    Files.writeString(
-        file,
-        "<mission><waypoint><x>1</x></waypoint><waypoint><x>2</x></waypoint><waypoint><x>3</x></waypoint></mission>");
-    kit.with("MISSION", file.toString());
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
-  }
-
-  private GoalList goals() {
-    return kit.latest(Channels.GOALS).orElseThrow();
-  }
-
-  private static Waypoint report(String uid) {
-    return new Waypoint().uid(uid).x(1.0).horizontalThreshold(5.0);
-  }
-
-  private boolean logged(String what) {
-    return kit.log("MissionManager").stream().anyMatch(line -> line.contains(what));
-  }
-
+/** What a MissionManager publishes, and what it does about reports, commands and changes. */
+class MissionManagerTest extends ThreeWaypoints {
   @Test
   void start_publishesTheFirstGoalAndWhatComesNext() {
     kit.with("DEFAULT THRESHOLD", 12.0).start(MissionManager::new);
@@ -197,80 +162,5 @@ class MissionManagerTest {
     }
 
     assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("1");
-  }
-
-  private List<String> current() {
-    return goals().goals().stream().map(GoalInformation::uid).toList();
-  }
-
-  private void complete(String uid) {
-    Waypoint done = report(uid);
-    done.completed(true);
-    kit.publish(Channels.GOAL_REPORTS, done);
-  }
-
-  @Test
-  void restart_inTheMiddle_goesOnAtTheGoalItWasAt() {
-    MissionManager before = kit.start(MissionManager::new);
-    complete("1");
-    kit.publish(Channels.GOAL_UPDATES, new Waypoint().uid("3").y(7.0).horizontalThreshold(5.0));
-
-    kit.forget();
-    kit.restart(before, MissionManager::new);
-
-    assertThat(current()).containsExactly("2");
-    complete("2");
-    assertThat(((Waypoint) goals().goals().get(0)).y()).hasValue(7.0);
-    complete("3");
-    assertThat(goals().goals()).isEmpty();
-    assertThat(logged("completed [1, 2, 3], given up []")).isTrue();
-  }
-
-  @Test
-  void restart_again_goesOnFromTheLastRestart() {
-    MissionManager first = kit.start(MissionManager::new);
-    complete("1");
-    MissionManager second = kit.restart(first, MissionManager::new);
-    complete("2");
-
-    kit.restart(second, MissionManager::new);
-
-    assertThat(current()).containsExactly("3");
-  }
-
-  @Test
-  void restart_anotherMissionMeanwhile_beginsIt() throws IOException {
-    MissionManager before = kit.start(MissionManager::new);
-    complete("1");
-    Path other = directory.resolve("other.xml");
-    Files.writeString(other, "<mission><waypoint><name>A</name><x>1</x></waypoint></mission>");
-    kit.with("MISSION", other.toString());
-
-    kit.restart(before, MissionManager::new);
-
-    assertThat(current()).containsExactly("A");
-    assertThat(logged("the mission is another one now")).isTrue();
-  }
-
-  @Test
-  void start_whatAnotherRunLeft_isForgotten() {
-    MissionManager before = kit.start(MissionManager::new);
-    complete("1");
-    before.kill();
-
-    kit.start(MissionManager::new);
-
-    assertThat(current()).containsExactly("1");
-  }
-
-  @Test
-  void swap_forItsOwnClass_goesOnAtTheGoalItWasAt() {
-    MissionManager before = kit.start(MissionManager::new);
-    complete("1");
-
-    kit.swap(before, MissionManager::new);
-    complete("2");
-
-    assertThat(current()).containsExactly("3");
   }
 }
