@@ -1,7 +1,6 @@
 package org.u2sa.flightgear.link;
 
 import java.io.IOException;
-import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
@@ -17,7 +16,7 @@ import org.u2sa.flightgear.protocol.OutLine;
  * mid-line, without a word or by a reset it accepts connections and ignores them for ever.
  */
 final class StandInInput implements StandInChannel {
-  private final ServerSocketChannel server = ServerSocketChannel.open();
+  private final ServerSocketChannel server;
   private final ByteBuffer buffer = ByteBuffer.allocate(16_384);
   private final List<SocketChannel> ignored = new ArrayList<>();
   private SocketChannel client;
@@ -31,13 +30,7 @@ final class StandInInput implements StandInChannel {
    * @throws IOException if the port is taken
    */
   StandInInput(String host, int port) throws IOException {
-    try {
-      server.bind(new InetSocketAddress(host, port));
-      server.configureBlocking(false);
-    } catch (IOException e) {
-      server.close();
-      throw new IOException("cannot listen on " + host + ":" + port + ": " + e.getMessage(), e);
-    }
+    server = StandInPort.listen(host, port);
   }
 
   int port() {

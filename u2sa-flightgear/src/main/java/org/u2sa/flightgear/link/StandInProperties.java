@@ -2,7 +2,6 @@ package org.u2sa.flightgear.link;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
@@ -17,7 +16,7 @@ import org.u2sa.flightgear.protocol.LineSplitter;
  * scripts/flightgear/property} use.
  */
 final class StandInProperties implements Closeable {
-  private final ServerSocketChannel server = ServerSocketChannel.open();
+  private final ServerSocketChannel server;
   private final List<Client> clients = new ArrayList<>();
   private final ByteBuffer buffer = ByteBuffer.allocate(4_096);
 
@@ -37,13 +36,7 @@ final class StandInProperties implements Closeable {
    * @throws IOException if the port is taken
    */
   StandInProperties(String host, int port) throws IOException {
-    try {
-      server.bind(new InetSocketAddress(host, port));
-      server.configureBlocking(false);
-    } catch (IOException e) {
-      server.close();
-      throw new IOException("cannot listen on " + host + ":" + port + ": " + e.getMessage(), e);
-    }
+    server = StandInPort.listen(host, port);
   }
 
   int port() {

@@ -1,6 +1,5 @@
 package org.u2sa.gcs.configuration;
 
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.ExitCode;
@@ -10,10 +9,7 @@ import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa config list}. */
 @Command(
@@ -24,17 +20,14 @@ import picocli.CommandLine.Spec;
       "Of all services it collects answers for as long as --timeout says."
     })
 final class ListCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
+  @Mixin private AnswerFormat format;
 
   @Parameters(
       arity = "0..1",
       paramLabel = "SERVICE",
       description = "The service. Default: all of them.")
   private String service;
-
-  @Option(names = "--json", description = "Print JSON.")
-  private boolean json;
 
   @Override
   public Integer call() throws InterruptedException {
@@ -50,13 +43,9 @@ final class ListCommand implements Callable<Integer> {
                 + link.timeoutS()
                 + " s");
       }
-      PrintWriter out = command.commandLine().getOut();
-      if (json) {
-        out.println(ConfigurationJson.text(link.systemId(), answers));
-      } else {
-        ConfigurationTable.lines(answers).forEach(out::println);
-      }
-      out.flush();
+      format.print(
+          () -> ConfigurationJson.text(link.systemId(), answers),
+          () -> ConfigurationTable.lines(answers));
       return ExitCode.DONE;
     }
   }

@@ -1,6 +1,5 @@
 package org.u2sa.gcs.configuration;
 
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -30,6 +29,7 @@ import picocli.CommandLine.Spec;
 final class SetCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
+  @Mixin private AnswerFormat format;
 
   @Parameters(index = "0", paramLabel = "SERVICE", description = "The service.")
   private String service;
@@ -46,9 +46,6 @@ final class SetCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "Change nothing if the configuration is no longer at this revision.")
   private Long revision;
-
-  @Option(names = "--json", description = "Print JSON.")
-  private boolean json;
 
   @Override
   public Integer call() throws InterruptedException {
@@ -74,7 +71,9 @@ final class SetCommand implements Callable<Integer> {
       if (revision != null) {
         transaction.revision(revision);
       }
-      print(configuration.change(transaction), before);
+      ConfigurationTransactionResult result = configuration.change(transaction);
+      format.print(
+          () -> ConfigurationJson.text(result), () -> RemoteConfiguration.told(result, before));
       return ExitCode.DONE;
     }
   }
@@ -91,15 +90,5 @@ final class SetCommand implements Callable<Integer> {
                       RemoteConfiguration.variable(before, one.variable()), before.serviceName())));
     }
     return all;
-  }
-
-  private void print(ConfigurationTransactionResult result, ConfigurationResponse before) {
-    PrintWriter out = command.commandLine().getOut();
-    if (json) {
-      out.println(ConfigurationJson.text(result));
-    } else {
-      RemoteConfiguration.told(result, before).forEach(out::println);
-    }
-    out.flush();
   }
 }

@@ -1,6 +1,5 @@
 package org.u2sa.gcs.configuration;
 
-import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -9,10 +8,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa config undo}. */
 @Command(
@@ -23,14 +19,11 @@ import picocli.CommandLine.Spec;
       "Once more takes the one before it back."
     })
 final class UndoCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
+  @Mixin private AnswerFormat format;
 
   @Parameters(index = "0", paramLabel = "SERVICE", description = "The service.")
   private String service;
-
-  @Option(names = "--json", description = "Print JSON.")
-  private boolean json;
 
   @Override
   public Integer call() throws InterruptedException {
@@ -38,13 +31,8 @@ final class UndoCommand implements Callable<Integer> {
       RemoteConfiguration configuration = new RemoteConfiguration(link);
       ConfigurationResponse before = configuration.of(service);
       ConfigurationTransactionResult result = configuration.undo(service);
-      PrintWriter out = command.commandLine().getOut();
-      if (json) {
-        out.println(ConfigurationJson.text(result));
-      } else {
-        RemoteConfiguration.told(result, before).forEach(out::println);
-      }
-      out.flush();
+      format.print(
+          () -> ConfigurationJson.text(result), () -> RemoteConfiguration.told(result, before));
       return ExitCode.DONE;
     }
   }

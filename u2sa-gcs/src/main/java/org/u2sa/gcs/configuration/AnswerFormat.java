@@ -1,0 +1,27 @@
+package org.u2sa.gcs.configuration;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.function.Supplier;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** How a command prints its answer: in lines, or as JSON. */
+final class AnswerFormat {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  @Option(names = "--json", description = "Print JSON.")
+  private boolean json;
+
+  void print(Supplier<String> asJson, Supplier<List<String>> asLines) {
+    PrintWriter out = command.commandLine().getOut();
+    if (json) {
+      out.println(asJson.get());
+    } else {
+      asLines.get().forEach(out::println);
+    }
+    out.flush();
+  }
+}
