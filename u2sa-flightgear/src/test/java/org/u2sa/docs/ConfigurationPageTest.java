@@ -14,6 +14,7 @@ import org.u2sa.core.control.ground.DifferentialDriveControl;
 import org.u2sa.core.control.ground.DifferentialPursuitControl;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.planning.VectorFieldPlanner;
+import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.drivers.mavlink.MavlinkAutopilot;
 import org.u2sa.drivers.motor.WheelMotors;
 import org.u2sa.drivers.range.LidarSensor;
@@ -74,6 +75,7 @@ class ConfigurationPageTest {
     services.put("DifferentialDriveControl", declaredBy(DifferentialDriveControl.class));
     services.put("AckermannPursuitControl", declaredBy(AckermannPursuitControl.class));
     services.put("VelocityControl", declaredBy(VelocityControl.class));
+    services.put("IoioService", declaredBy(IoioService.class));
     services.put("WheelMotors", declaredBy(WheelMotors.class));
     services.put("RangeSensor", declaredBy(RangeSensor.class));
     services.put("LidarSensor", declaredBy(LidarSensor.class));

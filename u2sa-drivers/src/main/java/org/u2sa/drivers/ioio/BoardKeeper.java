@@ -13,7 +13,6 @@ final class BoardKeeper implements AutoCloseable {
   private static final long RETRY_MICROS = 1000 * RETRY_MS;
   private static final long ANSWER_WITHIN_MICROS = 3_000_000;
   private static final long END_WITHIN_MS = 1_000;
-  private static final String NEVER_TRIED = "not yet connected";
 
   private final BoardConnection connection;
   private final PinPlan plan;
@@ -23,14 +22,14 @@ final class BoardKeeper implements AutoCloseable {
   private volatile boolean closed;
   private volatile BoardSession attempt; // the present one, connected or not; null between
   private volatile BoardSession session; // the present one if connected, or null
-  private volatile String trouble = NEVER_TRIED;
+  private volatile String trouble = "";
   private BoardSession watched; // whose sign of life was seen last
   private long seenBytes;
   private long seenMicros;
   private long retryMicros = Long.MIN_VALUE;
 
   /**
-   * Begins to connect, in real time.
+   * Does nothing before {@link #start}.
    *
    * @param silentAfterS time without a byte of the board after which it counts as lost [s]
    */
@@ -39,6 +38,10 @@ final class BoardKeeper implements AutoCloseable {
     this.plan = plan;
     silentMicros = Clock.micros(silentAfterS);
     connector.setDaemon(true);
+  }
+
+  /** Begins to connect; in lockstep that happens in {@link #step}. */
+  void start() {
     if (!connection.isLockstep()) {
       connector.start();
     }
@@ -49,7 +52,7 @@ final class BoardKeeper implements AutoCloseable {
     return Optional.ofNullable(session).filter(BoardSession::isUp);
   }
 
-  /** Why the board is not there; what was wrong last if it is. */
+  /** Why the board is not there; empty if it is, or was not yet looked for. */
   String trouble() {
     return trouble;
   }

@@ -5,6 +5,7 @@ import ioio.lib.api.IOIOFactory;
 import ioio.lib.api.exception.ConnectionLostException;
 import ioio.lib.api.exception.IncompatibilityException;
 import ioio.lib.api.exception.OutOfResourceException;
+import java.util.Optional;
 
 /** One attempt to reach the board, and if it succeeds, the connection until its end. */
 final class BoardSession {
@@ -64,6 +65,11 @@ final class BoardSession {
   /** The pins; only after {@link #connect} has succeeded. */
   BoardPins pins() {
     return pins;
+  }
+
+  /** What tells in lockstep that the library has sent; empty in real time. */
+  Optional<FlushCounter> lockstep() {
+    return guarded.flushes();
   }
 
   GuardedConnection link() {

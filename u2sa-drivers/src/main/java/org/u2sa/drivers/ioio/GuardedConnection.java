@@ -5,6 +5,7 @@ import ioio.lib.api.exception.ConnectionLostException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
 
@@ -83,9 +84,11 @@ final class GuardedConnection implements IOIOConnection {
     return received.get();
   }
 
-  /** What counts the library's writing, in lockstep. */
-  FlushCounter flushes() {
-    return (FlushCounter) out;
+  /**
+   * What counts the library's writing in lockstep; empty in real time, or before the connection.
+   */
+  Optional<FlushCounter> flushes() {
+    return out instanceof FlushCounter counter ? Optional.of(counter) : Optional.empty();
   }
 
   /**

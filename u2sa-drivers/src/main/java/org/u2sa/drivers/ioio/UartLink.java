@@ -10,26 +10,21 @@ import org.u2sa.drivers.link.ByteLink;
  */
 final class UartLink implements ByteLink {
   private static final int MOST_WAITING = 512;
+  private static final String NOT_THERE = "the IOIO is not there";
 
   private Optional<UartLine> line = Optional.empty(); // of the present connection
   private int connections;
   private boolean isUnseen; // the owner does not know of the present connection yet
-  private String trouble = "the IOIO is not there";
+  private String trouble = NOT_THERE;
 
-  /** The board is there, with this line. */
-  void attach(UartLine newLine) {
-    if (line.filter(newLine::equals).isEmpty()) {
-      line = Optional.of(newLine);
+  /** Takes note of the line of the present connection to the board, or that there is none. */
+  void attach(Optional<UartLine> newLine) {
+    if (newLine.isPresent() && newLine.get() != line.orElse(null)) {
       connections++;
       isUnseen = true;
-      trouble = "";
     }
-  }
-
-  /** The board is not there. */
-  void detach() {
-    line = Optional.empty();
-    trouble = "the IOIO is not there";
+    line = newLine;
+    trouble = line.isPresent() ? "" : NOT_THERE;
   }
 
   /**
@@ -52,8 +47,7 @@ final class UartLink implements ByteLink {
     try {
       return line.get().read(buffer);
     } catch (IOException e) {
-      trouble = "the IOIO is lost: " + e.getMessage();
-      line = Optional.empty();
+      trouble = "the IOIO is lost: " + e.getMessage(); // which the keeper of the board notices, too
       return 0;
     }
   }
@@ -85,6 +79,6 @@ final class UartLink implements ByteLink {
 
   @Override
   public void close() {
-    detach();
+    attach(Optional.empty());
   }
 }

@@ -88,7 +88,7 @@ class BoardKeeperTest {
     bench.send(6, sent);
     for (int i = 0; i < 150; i++) {
       advance(STEP_S);
-      line.send(nowMicros, Optional.of(keeper.session().orElseThrow().link().flushes()));
+      line.send(nowMicros, keeper.session().orElseThrow().lockstep());
       byte[] part = new byte[1024];
       int count = line.read(part);
       System.arraycopy(part, 0, buffer, read, count);
@@ -192,7 +192,7 @@ class BoardKeeperTest {
     line.write("$PSPA,QUEST\r\n".getBytes(StandardCharsets.US_ASCII));
     for (int i = 0; i < 3; i++) {
       advance(STEP_S);
-      line.send(nowMicros, Optional.of(keeper.session().orElseThrow().link().flushes()));
+      line.send(nowMicros, keeper.session().orElseThrow().lockstep());
     }
     advance(STEP_S);
     assertThat(new String(bench.received(14), StandardCharsets.US_ASCII))

@@ -6,15 +6,33 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 
-/** Another connection whose first attempt breaks after so many bytes in one direction. */
+/**
+ * Another connection whose first attempt breaks after so many bytes in one direction, or has one
+ * byte changed.
+ */
 final class CutConnection implements BoardConnection {
+  private static final int CHANGE = 0x55;
+
   private final BoardConnection whole;
   private int inputBytes;
   private int outputBytes;
+  private final int changedAt; // index of the byte from the board
   private boolean used;
+  private int read;
 
+  /** One whose byte from the board at an index is changed. */
+  static CutConnection garbled(BoardConnection whole, int index) {
+    return new CutConnection(whole, Integer.MAX_VALUE, Integer.MAX_VALUE, index);
+  }
+
+  /** One that breaks. */
   CutConnection(BoardConnection whole, int inputBytes, int outputBytes) {
+    this(whole, inputBytes, outputBytes, -1);
+  }
+
+  private CutConnection(BoardConnection whole, int inputBytes, int outputBytes, int changedAt) {
     this.whole = whole;
+    this.changedAt = changedAt;
     this.inputBytes = inputBytes;
     this.outputBytes = outputBytes;
   }
@@ -76,7 +94,8 @@ final class CutConnection implements BoardConnection {
         @Override
         public int read() throws IOException {
           if (mayRead()) {
-            return source.read();
+            int octet = source.read();
+            return read++ == changedAt && octet >= 0 ? octet ^ CHANGE : octet;
           }
           connection.disconnect();
           return -1;

@@ -16,6 +16,8 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.ioio.IoioTcpServer;
@@ -45,6 +47,11 @@ class TcpBoardTest {
   }
 
   private BoardSession awaitBoard(BoardKeeper keeper) {
+    keeper.start();
+    return awaitBoardAgain(keeper);
+  }
+
+  private BoardSession awaitBoardAgain(BoardKeeper keeper) {
     await("the board")
         .atMost(PATIENCE)
         .until(
@@ -124,14 +131,14 @@ class TcpBoardTest {
               })
           .isInstanceOf(ConnectionLostException.class);
       server.power(true);
-      awaitBoard(keeper).pins().pulse(0, 1.5e-3);
+      awaitBoardAgain(keeper).pins().pulse(0, 1.5e-3);
       awaitWidth(1.5e-3);
     }
   }
 
   @Test
   void session_cutAtManyBytes_boardIsBackAndNoThreadIsLeft() {
-    for (int bytes = 0; bytes < 110; bytes += 9) {
+    for (int bytes = 0; bytes < 110; bytes += 27) {
       try (BoardKeeper in =
           new BoardKeeper(
               new CutConnection(connection(), bytes, Integer.MAX_VALUE),
@@ -149,6 +156,29 @@ class TcpBoardTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 7, 28, 30, 31, 32, 33, 34, 35, 37, 41, 50, 75, 150})
+  void session_oneByteOfTheBoardIsChanged_servesOrIsConnectedAnew(int index) throws Exception {
+    try (BoardKeeper keeper =
+        new BoardKeeper(
+            CutConnection.garbled(connection(), index), BoardKeeperTest.PLAN, SILENT_AFTER_S)) {
+      keeper.start();
+      await("a board that serves")
+          .atMost(PATIENCE)
+          .dontCatchUncaughtExceptions() // the library's own thread may end by one
+          .ignoreException(ConnectionLostException.class)
+          .until(
+              () -> {
+                keeper.step(clock.micros());
+                if (keeper.session().isEmpty()) {
+                  return false;
+                }
+                keeper.session().get().pins().pulse(0, 1.6e-3);
+                return Math.abs(bench.width(10) - 1.6e-3) < RESOLUTION_S;
+              });
+    }
+  }
+
   @Test
   void step_somethingThatDoesNotAnswer_isGivenUpWithTheReason() throws IOException {
     try (ServerSocket mute = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
@@ -157,6 +187,7 @@ class TcpBoardTest {
                 BoardConnection.of("tcp:127.0.0.1:" + mute.getLocalPort()),
                 BoardKeeperTest.PLAN,
                 SILENT_AFTER_S)) {
+      keeper.start();
       long[] time = {0};
       await()
           .atMost(PATIENCE)
@@ -203,6 +234,7 @@ class TcpBoardTest {
               BoardConnection.of("tcp:127.0.0.1:" + other.getLocalPort()),
               BoardKeeperTest.PLAN,
               SILENT_AFTER_S)) {
+        keeper.start();
         await()
             .atMost(PATIENCE)
             .until(

@@ -36,7 +36,7 @@ public interface Pins {
   /**
    * The board sent bytes to the device at this transmit pin of a UART.
    *
-   * @param baud the UART's rate [bit/s]
+   * @param baud the UART's rate [bit/s]; the usual one if the board's divider comes near it
    * @param bytes the first {@code length} are new; the board uses the array again
    */
   default void transmitted(int pin, int baud, byte[] bytes, int length) {}

@@ -9,6 +9,10 @@ final class UartModule {
   private static final int FRAME_BITS = 10; // start, 8 data, stop
   private static final double TICK_S = 1.0e-3;
   private static final int NO_PIN = -1;
+  private static final double TOLERANCE = 0.025; // by which the two ends of a line may differ
+  private static final int[] USUAL_BAUDS = {
+    1200, 2400, 4800, 9600, 14_400, 19_200, 38_400, 57_600, 115_200, 230_400
+  };
 
   private final int number;
   private final PinBank pins;
@@ -45,11 +49,21 @@ final class UartModule {
     freedSinceReport = 0;
     baud = 0;
     if (rate > 0) {
-      baud = (int) Math.round((fast ? FAST_HZ : SLOW_HZ) / (rate + 1));
+      baud = nominal((fast ? FAST_HZ : SLOW_HZ) / (rate + 1));
       int bits = FRAME_BITS + (twoStopBits ? 1 : 0) + (parity > 0 ? 1 : 0);
       bytesPerTick = baud * TICK_S / bits;
       freedSinceReport = BUFFER;
     }
+  }
+
+  /** The usual rate that a device has which understands this one. */
+  private static int nominal(double exact) {
+    for (int usual : USUAL_BAUDS) {
+      if (Math.abs(exact - usual) <= TOLERANCE * usual) {
+        return usual;
+      }
+    }
+    return (int) Math.round(exact);
   }
 
   void reportStatus() {

@@ -73,7 +73,7 @@ class IoioFirmwareTest {
 
     bench.send(0x0E, 1, 'h', 'i').advance(0.004);
     assertThat(bench.sent.get(7).toString(StandardCharsets.US_ASCII)).isEqualTo("hi");
-    assertThat(bench.baud).isEqualTo(9592);
+    assertThat(bench.baud).as("what a device of 9600 baud understands").isEqualTo(9600);
   }
 
   @Test

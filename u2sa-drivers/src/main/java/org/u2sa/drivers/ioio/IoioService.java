@@ -1,0 +1,201 @@
+package org.u2sa.drivers.ioio;
+
+import ioio.lib.api.exception.ConnectionLostException;
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.drivers.motor.PulseOutput;
+import org.u2sa.drivers.motor.PulseVariables;
+import org.u2sa.drivers.rc.RcSwitch;
+import org.u2sa.drivers.rc.RcSwitchVariables;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.ProprioceptiveSensor;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Joins a vehicle to the system through a IOIO board (thesis 4.6.2.1): GPS and compass at its
+ * UARTs, motors at its PWM pins, the radio's switch, the battery, a status LED. In: actuation,
+ * emergency-stop, arming-state. Out: sensed-state, power, actuators.
+ *
+ * <p>Motors get neutral pulses without a command in time, at an emergency stop, while not armed,
+ * and while the radio's switch is not at automatic. Without a connection the board itself gives no
+ * pulses. No call here waits for the board.
+ */
+public final class IoioService extends ProprioceptiveSensor {
+  private static final double STEPS_PER_S = 100.0;
+  private static final double ANNOUNCE_EVERY_S = 5.0;
+  private static final double BATTERY_EVERY_S = 1.0;
+
+  private final BoardConnection connection;
+  private final CommandedActuators commands;
+  private final MotorOutputs motors;
+  private final PinSensors sensors;
+  private final Optional<RcSwitch> radio;
+  private final Optional<Double> batteryDivider;
+  private final BoardKeeper keeper;
+  private final Presence board;
+  private RcSwitch.Position position = RcSwitch.Position.AUTOMATIC;
+  private double announceDueS;
+  private double batteryDueS;
+
+  /** Called by the launcher: the connection is the one that the configuration names. */
+  public IoioService(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** For connections that the host makes: a phone's, or a simulated board's. */
+  public IoioService(ServiceContext context, BoardConnection connection) {
+    this(context, Optional.of(connection));
+  }
+
+  private IoioService(ServiceContext context, Optional<BoardConnection> made) {
+    super(context, "IoioService", STEPS_PER_S);
+    String address = getVariable(IoioVariables.CONNECTION);
+    List<IoioVariables.ActuatorPin> actuators = IoioVariables.actuators(this);
+    Map<String, PulseOutput> outputs = new LinkedHashMap<>();
+    actuators.forEach(
+        actuator -> outputs.put(actuator.name(), PulseVariables.read(this, actuator.name())));
+    PinPlan plan = IoioVariables.plan(this, actuators);
+    commands = new CommandedActuators(this, outputs.keySet());
+    motors = new MotorOutputs(outputs, commands, getVariable(IoioVariables.TOGETHER));
+    RcSwitch rcSwitch = RcSwitchVariables.read(this);
+    radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(rcSwitch);
+    double divider = getVariable(IoioVariables.DIVIDER);
+    batteryDivider = plan.battery() == PinPlan.NONE ? Optional.empty() : Optional.of(divider);
+    sensors = new PinSensors(this, plan);
+    registerPublisher(Channels.POWER);
+    connection = made.orElseGet(() -> configured(address));
+    board = new Presence(this, "the IOIO at " + connection.address());
+    keeper = new BoardKeeper(connection, plan, getVariable(IoioVariables.SILENT_AFTER));
+  }
+
+  private static BoardConnection configured(String address) {
+    try {
+      return BoardConnection.of(address);
+    } catch (BadInputException e) {
+      throw new BadInputException("variable \"CONNECTION\": " + e.getMessage(), e);
+    }
+  }
+
+  @Override
+  protected void begin() {
+    announce();
+    keeper.start();
+  }
+
+  private void announce() {
+    motors.announce();
+    announceDueS = nowS() + ANNOUNCE_EVERY_S;
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof ActuatorCommand command) {
+      commands.obey(command);
+    } else if (!commands.heed(data)) {
+      unexpected(data);
+    } else if (!commands.mayMove()) {
+      with(keeper.session(), pins -> drive(pins, clock().micros())); // does not wait for the step
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    keeper.step(now);
+    Optional<BoardSession> session = keeper.session();
+    sensors.attach(session.map(BoardSession::pins));
+    with(session, pins -> act(pins, now));
+    sensors.read(now).ifPresent(state -> publish(Channels.SENSED_STATE, state));
+    with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
+    report(session); // last, so that it is the last error in the health report
+    if (nowS >= announceDueS) {
+      announce();
+    }
+  }
+
+  private void report(Optional<BoardSession> session) {
+    if (session.isPresent()) {
+      board.there(": " + session.get().versions());
+    } else if (!keeper.trouble().isEmpty()) {
+      board.gone(keeper.trouble());
+    }
+  }
+
+  /** Something done with the pins, if the board is there; at a loss the connection is given up. */
+  private void with(Optional<BoardSession> session, PinWork work) {
+    try {
+      work.on(session.map(BoardSession::pins));
+    } catch (ConnectionLostException | IOException e) {
+      session.ifPresent(lost -> keeper.giveUp(lost, "the connection was lost while writing"));
+    }
+  }
+
+  private interface PinWork {
+    void on(Optional<BoardPins> pins) throws ConnectionLostException, IOException;
+  }
+
+  private void act(Optional<BoardPins> pins, long now) throws ConnectionLostException {
+    listenToRadio(pins, now);
+    drive(pins, now);
+    if (pins.isPresent()) {
+      pins.get().light(led(now).isLit(now));
+      reportBattery(pins.get());
+    }
+  }
+
+  private void listenToRadio(Optional<BoardPins> pins, long now) throws ConnectionLostException {
+    if (radio.isEmpty()) {
+      return;
+    }
+    RcSwitch rcSwitch = radio.get();
+    if (pins.isPresent()) {
+      OptionalDouble widthS = pins.get().nextRadioPulse();
+      while (widthS.isPresent()) {
+        rcSwitch.accept(widthS.getAsDouble(), now);
+        widthS = pins.get().nextRadioPulse();
+      }
+    }
+    RcSwitch.Position newPosition = rcSwitch.position(now);
+    if (newPosition != position) {
+      position = newPosition;
+      log("radio: " + position);
+    }
+  }
+
+  private void drive(Optional<BoardPins> pins, long now) throws ConnectionLostException {
+    boolean isAutomatic = position == RcSwitch.Position.AUTOMATIC;
+    motors.drive(isAutomatic && commands.mayMove(), pins, now);
+  }
+
+  private StatusLed led(long now) {
+    if (!commands.mayMove()) {
+      return StatusLed.STOPPED;
+    }
+    return position == RcSwitch.Position.AUTOMATIC ? StatusLed.OBEYS : StatusLed.MANUAL;
+  }
+
+  private void reportBattery(BoardPins pins) throws ConnectionLostException {
+    OptionalDouble volts = pins.volts();
+    if (batteryDivider.isEmpty() || volts.isEmpty() || nowS() < batteryDueS) {
+      return;
+    }
+    batteryDueS = nowS() + BATTERY_EVERY_S;
+    double batteryV = volts.getAsDouble() * batteryDivider.get();
+    publish(Channels.POWER, new BatteryState().sensorName(sensorName()).voltage(batteryV));
+  }
+
+  @Override
+  protected void release() {
+    with(keeper.session(), pins -> motors.drive(false, pins, clock().micros()));
+    keeper.close();
+  }
+}

@@ -1,0 +1,75 @@
+package org.u2sa.drivers.ioio;
+
+import ioio.lib.api.exception.ConnectionLostException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.drivers.motor.PulseOutput;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.CommandedActuators;
+
+/** The actuators at the board: from commands to pulses. Belongs to the service's thread. */
+final class MotorOutputs {
+  private static final double FULL_PERCENT = 100.0;
+  private static final Map<String, String> EFFECTS =
+      Map.of(
+          "LEFT MOTOR", "drives the left side forward",
+          "RIGHT MOTOR", "drives the right side forward",
+          "THROTTLE", "drives forward",
+          "STEERING", "steers to the right");
+
+  private final Map<String, PulseOutput> outputs; // in the order of the pins
+  private final CommandedActuators commands;
+  private final boolean together;
+
+  /**
+   * @param together whether all are neutral while one has no command
+   */
+  MotorOutputs(Map<String, PulseOutput> outputs, CommandedActuators commands, boolean together) {
+    this.outputs = new LinkedHashMap<>(outputs);
+    this.commands = commands;
+    this.together = together;
+  }
+
+  /** Tells control systems of each. */
+  void announce() {
+    outputs.forEach(
+        (name, output) ->
+            commands.announce(
+                new ActuatorAnnouncement()
+                    .actuatorName(name)
+                    .minimum(-FULL_PERCENT)
+                    .maximum(FULL_PERCENT)
+                    .effect(EFFECTS.getOrDefault(name, "moves"))));
+  }
+
+  /**
+   * Sets each output's pulse.
+   *
+   * @param mayMove false: neutral, whatever is commanded
+   * @param pins none: the board is not there, and the outputs begin at neutral when it is
+   */
+  void drive(boolean mayMove, Optional<BoardPins> pins, long nowMicros)
+      throws ConnectionLostException {
+    List<OptionalDouble> percentages = new ArrayList<>();
+    boolean isMissing = false;
+    for (String name : outputs.keySet()) {
+      OptionalDouble percentage = commands.percentage(name);
+      isMissing |= percentage.isEmpty();
+      percentages.add(percentage);
+    }
+    boolean isNeutral = !mayMove || pins.isEmpty() || together && isMissing;
+    int index = 0;
+    for (PulseOutput output : outputs.values()) {
+      OptionalDouble wanted = isNeutral ? OptionalDouble.empty() : percentages.get(index);
+      double widthS = output.seconds(wanted, nowMicros);
+      if (pins.isPresent()) {
+        pins.get().pulse(index, widthS);
+      }
+      index++;
+    }
+  }
+}

@@ -1,0 +1,123 @@
+package org.u2sa.drivers.ioio;
+
+import org.u2sa.drivers.compass.Compass;
+import org.u2sa.drivers.compass.LinkedCompass;
+import org.u2sa.drivers.compass.NmeaCompass;
+import org.u2sa.drivers.compass.TrueNorth;
+import org.u2sa.drivers.gps.GpsReceiver;
+import org.u2sa.drivers.gps.LinkedGps;
+import org.u2sa.drivers.gps.NmeaGps;
+import org.u2sa.drivers.gps.UbloxModel;
+import org.u2sa.drivers.gps.UbxGps;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+
+/** The configuration variables that say what the GPS and the compass are. */
+final class SensorVariables {
+  private static final String NMEA = "NMEA";
+  private static final String SPARTON = "SPARTON";
+
+  static final Variable<String> GPS_RECEIVER =
+      Variable.text("GPS RECEIVER")
+          .oneOf(NMEA, "UBLOX 6", "UBLOX 8")
+          .ifAbsent("UBLOX 6")
+          .describedAs(
+              "NMEA: any, only listened to; UBLOX 6: LEA-6 and older, UBLOX 8: 7 and newer, both set up at each connection.");
+
+  static final Variable<Double> SOLUTION_RATE =
+      Variable.number("GPS SOLUTION RATE", "Hz")
+          .range(Range.of(0.1, 25.0))
+          .ifAbsent(5.0)
+          .describedAs("Fixes a second that a u-blox receiver is asked for.");
+
+  static final Variable<Double> FIX_TIMEOUT =
+      Variable.number("FIX TIMEOUT", "s")
+          .range(Range.of(0.1, 60.0))
+          .ifAbsent(2.0)
+          .describedAs("Age at which a GPS fix says nothing any more.");
+
+  static final Variable<String> COMPASS =
+      Variable.text("COMPASS")
+          .oneOf(NMEA, SPARTON)
+          .ifAbsent(SPARTON)
+          .describedAs(
+              "NMEA: any that sends HDG, HDM or HDT by itself; SPARTON: SP3004D and its successors, asked for each heading.");
+
+  static final Variable<Double> MOUNTING_ANGLE =
+      Variable.number("COMPASS MOUNTING ANGLE", "rad")
+          .range(Range.of(-Math.PI, Math.PI))
+          .ifAbsent(0.0)
+          .describedAs("Where the compass's front points, clockwise from the vehicle's.");
+
+  static final Variable<Double> HEADING_SIGMA =
+      Variable.number("HEADING SIGMA", "rad")
+          .range(Range.of(0.0, Math.PI))
+          .ifAbsent(Math.toRadians(1.0))
+          .describedAs("Standard deviation of the heading, as the data sheet says it.");
+
+  private final String receiver;
+  private final double solutionHz;
+  private final double fixTimeoutS;
+  private final String compass;
+  private final double mountingRad;
+  private final double headingSigmaRad;
+  private final TrueNorth north;
+
+  /** Declares and reads them. */
+  SensorVariables(Configurator variables) {
+    receiver = variables.getVariable(GPS_RECEIVER);
+    solutionHz = variables.getVariable(SOLUTION_RATE);
+    fixTimeoutS = variables.getVariable(FIX_TIMEOUT);
+    compass = variables.getVariable(COMPASS);
+    mountingRad = variables.getVariable(MOUNTING_ANGLE);
+    headingSigmaRad = variables.getVariable(HEADING_SIGMA);
+    north = new TrueNorth(variables);
+  }
+
+  /** The receiver at a line; if no pin leads to it, it is only listened to. */
+  GpsReceiver gps(ByteLink link, UartPins pins) {
+    if (receiver.equals(NMEA)) {
+      return LinkedGps.listening(link, new NmeaGps());
+    }
+    if (pins.transmit() == PinPlan.NONE) {
+      return LinkedGps.listening(link, new UbxGps());
+    }
+    UbloxModel model = UbloxModel.valueOf(receiver.replace(' ', '_'));
+    return LinkedGps.ublox(link, model, pins.baud(), solutionHz);
+  }
+
+  /**
+   * The compass at a line.
+   *
+   * @throws BadInputException if it has to be asked and no pin leads to it
+   */
+  Compass compass(ByteLink link, UartPins pins) {
+    if (compass.equals(NMEA)) {
+      return LinkedCompass.listening(link, new NmeaCompass());
+    }
+    if (pins.transmit() == PinPlan.NONE) {
+      throw new BadInputException(
+          "variable \"COMPASS TX PIN\": pin -1 is none, and a " + SPARTON + " compass is asked");
+    }
+    return LinkedCompass.sparton(link);
+  }
+
+  TrueNorth north() {
+    return north;
+  }
+
+  double fixTimeoutS() {
+    return fixTimeoutS;
+  }
+
+  double mountingRad() {
+    return mountingRad;
+  }
+
+  double headingSigmaRad() {
+    return headingSigmaRad;
+  }
+}

@@ -1,0 +1,114 @@
+package org.u2sa.drivers.ioio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.SystemClock;
+import org.u2sa.sim.ioio.IoioTcpServer;
+
+/** A board at a serial port: a pseudo terminal that socat joins to the simulated one. */
+class SerialBoardTest {
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
+  private static final double SILENT_AFTER_S = 20.0;
+
+  private final Clock clock = new SystemClock();
+  private final Bench bench = new Bench();
+  private final IoioTcpServer server = new IoioTcpServer(bench.firmware, clock, 0);
+  @TempDir private Path directory;
+  private Path port;
+  private Process socat;
+
+  @BeforeEach
+  void plug() throws IOException, InterruptedException {
+    boolean isThere = hasSocat();
+    if ("true".equals(System.getenv("CI"))) {
+      assertThat(isThere).as("CI needs socat").isTrue();
+    }
+    assumeTrue(isThere, "socat, which makes the serial port, is not here");
+    port = directory.resolve("board");
+    plugIn();
+  }
+
+  private static boolean hasSocat() throws InterruptedException {
+    try {
+      return new ProcessBuilder("socat", "-V")
+              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+              .start()
+              .waitFor()
+          == 0;
+    } catch (IOException e) {
+      return false; // no such program
+    }
+  }
+
+  private void plugIn() throws IOException {
+    socat =
+        new ProcessBuilder("socat", "pty,raw,echo=0,link=" + port, "tcp:127.0.0.1:" + server.port())
+            .redirectErrorStream(true)
+            .redirectOutput(directory.resolve("socat.log").toFile())
+            .start();
+    await().atMost(PATIENCE).until(() -> Files.exists(port));
+  }
+
+  private void unplug() throws InterruptedException {
+    socat.destroy();
+    if (!socat.waitFor(30, TimeUnit.SECONDS)) {
+      socat.destroyForcibly().waitFor();
+    }
+  }
+
+  @AfterEach
+  void close() throws InterruptedException {
+    if (socat != null) {
+      unplug();
+    }
+    server.close();
+    LibraryThreads.awaitNone();
+  }
+
+  private void awaitBoard(BoardKeeper keeper) {
+    await("the board")
+        .atMost(PATIENCE)
+        .until(
+            () -> {
+              keeper.step(clock.micros());
+              return keeper.session().isPresent();
+            });
+  }
+
+  @Test
+  void connect_serialPort_drivesThePinsAndComesBackAfterUnplugging() throws Exception {
+    try (BoardKeeper keeper =
+        new BoardKeeper(
+            BoardConnection.of("serial:" + port), BoardKeeperTest.PLAN, SILENT_AFTER_S)) {
+      keeper.start();
+      awaitBoard(keeper);
+      keeper.session().orElseThrow().pins().pulse(0, 1.7e-3);
+      await().atMost(PATIENCE).until(() -> bench.width(10) > 1.6e-3);
+
+      unplug();
+      await()
+          .atMost(PATIENCE)
+          .until(
+              () -> {
+                keeper.step(clock.micros());
+                return keeper.session().isEmpty() && bench.width(10) == 0.0;
+              });
+      plugIn();
+      awaitBoard(keeper);
+      keeper.session().orElseThrow().pins().pulse(0, 1.7e-3);
+      await().atMost(PATIENCE).until(() -> bench.width(10) > 1.6e-3);
+    }
+  }
+}
