@@ -1,0 +1,141 @@
+package org.u2sa.drivers.ioio;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import ioio.lib.api.exception.ConnectionLostException;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.Clock;
+
+/** Boards over TCP that hang, stay silent, garble, or are none: given up, and connected anew. */
+class BadBoardTest {
+  private final TcpBench on = new TcpBench();
+
+  @AfterEach
+  void close() {
+    on.close();
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 7, 28, 30, 31, 32, 33, 34, 35, 37, 41, 50, 75, 150})
+  void session_oneByteOfTheBoardIsChanged_servesOrIsConnectedAnew(int index) throws Exception {
+    try (BoardKeeper keeper = TcpBench.keeper(CutConnection.garbled(on.connection(), index))) {
+      keeper.start();
+      await("a board that serves")
+          .atMost(TcpBench.PATIENCE)
+          .dontCatchUncaughtExceptions() // the library's own thread may end by one
+          .ignoreException(ConnectionLostException.class)
+          .until(
+              () -> {
+                keeper.step(on.clock.micros());
+                if (keeper.session().isEmpty()) {
+                  return false;
+                }
+                keeper.session().get().pins().pulse(0, 1.6e-3);
+                return Math.abs(on.bench.width(10) - 1.6e-3) < TcpBench.RESOLUTION_S;
+              });
+    }
+  }
+
+  @Test
+  void step_somethingThatDoesNotAnswer_isGivenUpWithTheReason() throws IOException {
+    try (ServerSocket mute = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
+        BoardKeeper keeper =
+            TcpBench.keeper(BoardConnection.of("tcp:127.0.0.1:" + mute.getLocalPort()))) {
+      keeper.start();
+      long[] time = {0};
+      await()
+          .atMost(TcpBench.PATIENCE)
+          .until(
+              () -> {
+                time[0] += 1_000_000; // of the run: 3 s pass in three calls
+                keeper.step(time[0]);
+                return keeper.trouble().equals("no answer within 3.0 s");
+              });
+    }
+  }
+
+  @Test
+  void step_boardThatFallsSilent_isGivenUpAndConnectedAnew() {
+    try (BoardKeeper keeper = on.keeper()) {
+      BoardSession before = on.awaitBoard(keeper);
+      long now = on.clock.micros();
+      on.server.hold(true);
+      keeper.step(now);
+      await()
+          .atMost(TcpBench.PATIENCE)
+          .until(
+              () -> {
+                long bytes = before.link().received();
+                keeper.step(now);
+                return bytes == before.link().received();
+              });
+      keeper.step(now + Clock.micros(TcpBench.SILENT_AFTER_S) + 1);
+      assertThat(keeper.session()).isEmpty();
+      on.server.hold(false);
+      await()
+          .atMost(TcpBench.PATIENCE)
+          .until(() -> keeper.session().filter(after -> after != before).isPresent());
+    }
+  }
+
+  @Test
+  void step_garbageInsteadOfABoard_isRefusedAndNoThreadIsLeft() throws IOException {
+    try (ServerSocket other = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
+      Thread talker = new Thread(() -> talk(other), "garbage");
+      talker.start();
+      try (BoardKeeper keeper =
+          TcpBench.keeper(BoardConnection.of("tcp:127.0.0.1:" + other.getLocalPort()))) {
+        keeper.start();
+        await()
+            .atMost(TcpBench.PATIENCE)
+            .until(
+                () -> {
+                  keeper.step(on.clock.micros());
+                  return keeper.trouble().contains("does not answer");
+                });
+        assertThat(keeper.session()).isEmpty();
+      }
+    }
+  }
+
+  @Test
+  void pulse_boardThatTakesNothing_neverWaits() {
+    try (BoardKeeper keeper = on.keeper()) {
+      BoardSession session = on.awaitBoard(keeper);
+      on.server.hold(true);
+      assertThatThrownBy(
+              () -> {
+                for (int i = 0; i < 10_000_000; i++) {
+                  session.pins().pulse(0, i % 2 == 0 ? 1.4e-3 : 1.6e-3);
+                }
+              })
+          .as("what piles up ends the connection")
+          .isInstanceOf(ConnectionLostException.class);
+      on.server.hold(false);
+    }
+  }
+
+  private static void talk(ServerSocket other) {
+    byte[] garbage = new byte[256];
+    for (int i = 0; i < garbage.length; i++) {
+      garbage[i] = (byte) (i * 37 + 36);
+    }
+    while (!other.isClosed()) {
+      try (Socket host = other.accept()) {
+        host.getOutputStream().write(garbage);
+        host.getInputStream().read();
+      } catch (IOException e) {
+        continue; // the host has gone, or the test is over
+      }
+    }
+  }
+}
