@@ -12,7 +12,7 @@ import org.u2sa.interfaces.Clock;
  * acknowledged that, it is told duty 0 only: also if only its answers are lost.
  */
 final class RoboClaw implements MotorController {
-  private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.06); // USB adapters take 0.016 s
+  private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.1); // USB adapters take 0.016 s
   // A packet with a pause of 10 ms in it is discarded ("Packet Timeout"): so both begin anew.
   private static final long QUIET_MICROS = Clock.micros(0.02);
   private static final long LOST_AFTER_MICROS = Clock.micros(0.5);

@@ -2,88 +2,47 @@ package org.u2sa.drivers.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static org.awaitility.Awaitility.await;
 
 import java.nio.file.Path;
-import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
-import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.drivers.link.RealTime;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.service.ServiceContext;
 
 /** The outside judge: pymavlink plays the vehicle, over TCP and UDP, in real time. */
 class PymavlinkTest {
-  private static final Duration PATIENCE = Duration.ofSeconds(60);
-  private static final String SYSTEM_ID = "judged";
-
   @TempDir Path logs;
 
-  private final SystemClock clock = new SystemClock();
-  private final LocalBus bus = new LocalBus(SYSTEM_ID);
-  private final Map<String, U2SAData> latest = new ConcurrentHashMap<>(); // by channel
-  private final Map<String, Object> variables = new HashMap<>();
+  private RealTime real;
   private PymavlinkVehicle vehicle;
-  private MavlinkAutopilot service;
+
+  @BeforeEach
+  void begin() {
+    real = new RealTime(logs);
+  }
 
   private void start(String kind) throws Exception {
     vehicle = PymavlinkVehicle.start(kind);
-    bus.attach((channel, message) -> latest.put(channel.name(), message));
-    variables.put("CONNECTION", kind + ":127.0.0.1:" + vehicle.port());
-    service =
-        new MavlinkAutopilot(
-            ServiceContext.of(SYSTEM_ID, XmlConfiguration.inMemory("the test", variables))
-                .clock(clock)
-                .transport(bus)
-                .logDirectory(logs)
-                .build());
-    service.start();
+    real.with("CONNECTION", kind + ":127.0.0.1:" + vehicle.port()).start(MavlinkAutopilot::new);
   }
 
   @AfterEach
   void end() throws Exception {
-    if (service != null) {
-      service.kill();
-    }
+    real.close();
     if (vehicle != null) {
       vehicle.close();
     }
-  }
-
-  private static void until(Callable<Boolean> condition) {
-    await().atMost(PATIENCE).pollInterval(Duration.ofMillis(50)).until(condition);
-  }
-
-  private <T extends U2SAData> Optional<T> latest(Channel<T> channel) {
-    return Optional.ofNullable(latest.get(channel.name())).map(channel.type().messageClass()::cast);
-  }
-
-  private void command(String actuator, double percent) {
-    PercentageCommand command = PercentageCommand.of(actuator, percent);
-    command.systemId(SYSTEM_ID);
-    command.timestamp(clock.micros());
-    command.freeze();
-    bus.deliver(Channels.ACTUATION, command);
   }
 
   /** A number in a line of JSON. */
@@ -102,8 +61,8 @@ class PymavlinkTest {
   @ValueSource(strings = {"tcp", "udp"})
   void vehicleSpeaks_stateAndPowerArePublished(String kind) throws Exception {
     start(kind);
-    until(() -> latest(Channels.SENSED_STATE).flatMap(s -> optional(s)).isPresent());
-    StateInformation state = latest(Channels.SENSED_STATE).orElseThrow();
+    real.until(() -> real.latest(Channels.SENSED_STATE).flatMap(s -> optional(s)).isPresent());
+    StateInformation state = real.latest(Channels.SENSED_STATE).orElseThrow();
     assertThat(state.y().getAsDouble()).isCloseTo(47.397742, within(1.0e-9));
     assertThat(state.x().getAsDouble()).isCloseTo(8.545594, within(1.0e-9));
     assertThat(state.z()).hasValue(488.1);
@@ -114,13 +73,13 @@ class PymavlinkTest {
     assertThat(state.theta().getAsDouble()).isCloseTo(-0.2, within(1.0e-6));
     assertThat(state.psi().getAsDouble()).isCloseTo(2.0 * Math.PI - 1.5, within(1.0e-6));
     assertThat(state.xSigma()).hasValue(0.8);
-    until(() -> latest(Channels.POWER).isPresent());
-    BatteryState battery = latest(Channels.POWER).orElseThrow();
+    real.until(() -> real.latest(Channels.POWER).isPresent());
+    BatteryState battery = real.latest(Channels.POWER).orElseThrow();
     assertThat(battery.voltage().getAsDouble()).isCloseTo(15.2, within(1.0e-9));
     assertThat(battery.current().getAsDouble()).isCloseTo(12.3, within(1.0e-9));
     assertThat(battery.remaining()).hasValue(64.0);
 
-    until(() -> vehicle.heard("HEARTBEAT").size() >= 2);
+    real.until(() -> vehicle.heard("HEARTBEAT").size() >= 2);
     String heartbeat = last("HEARTBEAT");
     assertThat(heartbeat).contains("\"from\": [255, 191]");
     assertThat(number(heartbeat, "type")).as("onboard controller").isEqualTo(18.0);
@@ -137,15 +96,15 @@ class PymavlinkTest {
 
   @Test
   void commandsToRadioChannels_overrideNeutralAndGiveBack() throws Exception {
-    variables.put("COMMANDS", "rc");
-    variables.put("CHANNEL 1 ACTUATOR", "STEERING");
-    variables.put("CHANNEL 3 ACTUATOR", "THROTTLE");
-    variables.put("NEUTRAL TIME", 0.5);
+    real.with("COMMANDS", "rc");
+    real.with("CHANNEL 1 ACTUATOR", "STEERING");
+    real.with("CHANNEL 3 ACTUATOR", "THROTTLE");
+    real.with("NEUTRAL TIME", 0.5);
     start("tcp");
-    until(
+    real.until(
         () -> {
-          command("STEERING", 50.0);
-          command("THROTTLE", -20.0);
+          real.command("STEERING", 50.0);
+          real.command("THROTTLE", -20.0);
           String override = last("RC_CHANNELS_OVERRIDE");
           return !override.isEmpty() && number(override, "chan3_raw") == 1400.0;
         });
@@ -155,7 +114,7 @@ class PymavlinkTest {
     assertThat(number(override, "target_system")).isEqualTo(7.0);
     assertThat(number(override, "target_component")).isEqualTo(1.0);
 
-    until(() -> number(last("RC_CHANNELS_OVERRIDE"), "chan1_raw") == 0.0);
+    real.until(() -> number(last("RC_CHANNELS_OVERRIDE"), "chan1_raw") == 0.0);
     assertThat(number(last("RC_CHANNELS_OVERRIDE"), "chan3_raw")).as("given back").isZero();
     assertThat(vehicle.heard("RC_CHANNELS_OVERRIDE"))
         .as("neutral before")
@@ -165,14 +124,14 @@ class PymavlinkTest {
 
   @Test
   void commandsAsVelocities_untilTheEmergencyStop() throws Exception {
-    variables.put("COMMANDS", "velocity");
+    real.with("COMMANDS", "velocity");
     start("udp");
-    until(
+    real.until(
         () -> {
-          command("FORWARD SPEED", 50.0);
-          command("LEFT SPEED", 20.0);
-          command("CLIMB SPEED", 25.0);
-          command("TURN RATE", -25.0);
+          real.command("FORWARD SPEED", 50.0);
+          real.command("LEFT SPEED", 20.0);
+          real.command("CLIMB SPEED", 25.0);
+          real.command("TURN RATE", -25.0);
           String target = last("SET_POSITION_TARGET_LOCAL_NED");
           return !target.isEmpty() && number(target, "yaw_rate") == 0.25;
         });
@@ -184,24 +143,21 @@ class PymavlinkTest {
     assertThat(number(target, "vz")).isEqualTo(-0.5);
 
     EmergencyStop stop = new EmergencyStop().operator("the test").reason("test").active(true);
-    stop.systemId(SYSTEM_ID);
-    stop.timestamp(clock.micros());
-    stop.freeze();
-    bus.deliver(Channels.EMERGENCY_STOP, stop);
-    until(() -> number(last("SET_POSITION_TARGET_LOCAL_NED"), "vx") == 0.0);
+    real.send(Channels.EMERGENCY_STOP, stop);
+    real.until(() -> number(last("SET_POSITION_TARGET_LOCAL_NED"), "vx") == 0.0);
     assertThat(number(last("SET_POSITION_TARGET_LOCAL_NED"), "yaw_rate")).isZero();
   }
 
   @Test
   void commandsAsAttitude_anglesArePymavlinks() throws Exception {
-    variables.put("COMMANDS", "attitude");
+    real.with("COMMANDS", "attitude");
     start("tcp");
-    until(
+    real.until(
         () -> {
-          command("ROLL ANGLE", 40.0);
-          command("PITCH ANGLE", -20.0);
-          command("YAW RATE", 30.0);
-          command("THRUST", 75.0);
+          real.command("ROLL ANGLE", 40.0);
+          real.command("PITCH ANGLE", -20.0);
+          real.command("YAW RATE", 30.0);
+          real.command("THRUST", 75.0);
           String target = last("SET_ATTITUDE_TARGET");
           return !target.isEmpty() && number(target, "body_yaw_rate") > 0.2;
         });
@@ -216,18 +172,13 @@ class PymavlinkTest {
 
   @Test
   void heartbeatsEnd_healthSaysSoAndItGoesOnWhenTheyReturn() throws Exception {
-    variables.put("HEARTBEAT TIMEOUT", 1.5);
+    real.with("HEARTBEAT TIMEOUT", 1.5);
     start("tcp");
-    until(() -> latest(Channels.SENSED_STATE).isPresent());
+    real.until(() -> real.latest(Channels.SENSED_STATE).isPresent());
     vehicle.tell("quiet");
-    until(
-        () ->
-            latest(Channels.HEALTH)
-                .flatMap(HealthReport::lastError)
-                .filter(error -> error.startsWith("the autopilot "))
-                .isPresent());
-    latest.remove(Channels.SENSED_STATE.name());
+    real.until(() -> real.lastError().startsWith("the autopilot "));
+    real.forget(Channels.SENSED_STATE);
     vehicle.tell("speak");
-    until(() -> latest(Channels.SENSED_STATE).isPresent());
+    real.until(() -> real.latest(Channels.SENSED_STATE).isPresent());
   }
 }

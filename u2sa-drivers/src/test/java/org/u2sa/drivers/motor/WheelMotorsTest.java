@@ -111,6 +111,7 @@ class WheelMotorsTest {
       kit.advance(0.05);
     }
     assertThat(isDriving()).isFalse();
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().exceptions()).isZero();
   }
 
   @Test
