@@ -5,7 +5,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.ioio.Pins;
 import org.u2sa.sim.ioio.PulseTrain;
 import org.u2sa.sim.sensor.LocalPlane;
-import org.u2sa.sim.sensor.SpartonCompass;
+import org.u2sa.sim.sensor.SpartonDevice;
 import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UartTransmitter;
 import org.u2sa.sim.sensor.UbloxReceiver;
@@ -30,7 +30,7 @@ public final class MiniMolle implements Pins {
   private final GroundVehicle vehicle;
   private final LocalPlane plane;
   private final UbloxReceiver gps;
-  private final SpartonCompass compass;
+  private final SpartonDevice compass;
   private final VoltmeterModel voltmeter;
   private final HazardPlay hazards;
   private final EscInput first = new EscInput();

@@ -6,7 +6,7 @@ import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.SpartonCompass;
+import org.u2sa.sim.sensor.SpartonDevice;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.sensor.UtcTime;
@@ -97,8 +97,8 @@ public final class MiniMolleBuilder {
     return new UbloxReceiver(gpsSettings, gps, plane, utc, streams);
   }
 
-  SpartonCompass compass() {
-    return new SpartonCompass(compassBaud, compass, streams);
+  SpartonDevice compass() {
+    return new SpartonDevice(compassBaud, compass, streams);
   }
 
   VoltmeterModel voltmeter() {

@@ -16,7 +16,7 @@ import java.io.ByteArrayOutputStream;
  * and AE for what it does not know. Its time moves in {@link #advance}. Not safe for several
  * threads.
  */
-public final class SpartonCompass {
+public final class SpartonDevice {
   private static final int BUFFER = 256;
   private static final int BEGIN = 0xA4;
   private static final int ERROR = 0xAE;
@@ -44,7 +44,7 @@ public final class SpartonCompass {
   /**
    * @param baud of its line [bit/s]; from the factory 115200
    */
-  public SpartonCompass(int baud, CompassParameters parameters, NoiseStreams streams) {
+  public SpartonDevice(int baud, CompassParameters parameters, NoiseStreams streams) {
     model = new CompassModel(parameters, streams);
     line = new UartTransmitter(baud, BUFFER);
     periodUs = Math.round(US_PER_S / parameters.rateHz());

@@ -4,7 +4,7 @@ package org.u2sa.sim.sensor;
  * A compass that sends its heading by itself, as NMEA 0183 sentences. Its time moves in {@link
  * #advance}. Not safe for several threads.
  */
-public final class NmeaCompass {
+public final class NmeaCompassDevice {
   /** Which sentence it sends. */
   public enum Sentence {
     /** Magnetic heading. */
@@ -29,7 +29,7 @@ public final class NmeaCompass {
   /**
    * @param baud of its line [bit/s]; 4800 is NMEA's own
    */
-  public NmeaCompass(
+  public NmeaCompassDevice(
       int baud, Sentence sentence, CompassParameters parameters, NoiseStreams streams) {
     this.sentence = sentence;
     this.declinationRad = parameters.declinationRad();

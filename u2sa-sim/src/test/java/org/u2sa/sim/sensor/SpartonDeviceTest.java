@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
-class SpartonCompassTest {
+class SpartonDeviceTest {
   private static final double EAST = Math.PI / 2.0;
-  private final SpartonCompass compass =
-      new SpartonCompass(9_600, CompassParameters.perfect(0.0), new NoiseStreams(1L));
+  private final SpartonDevice compass =
+      new SpartonDevice(9_600, CompassParameters.perfect(0.0), new NoiseStreams(1L));
   private long nowUs;
 
   @Test
