@@ -32,7 +32,7 @@ public final class AckermannPursuitControl extends PursuitControl {
           .ifAbsent("STEERING")
           .describedAs("Name of the actuator of the steering, to the right positive.");
 
-  private static final double SLOWEST_MPS = 1.0e-3; // slower, the steering stays where it is
+  private static final double SLOWEST_MPS = 0.1; // slower, the steering stays where it is
 
   /** Called by the launcher. */
   public AckermannPursuitControl(ServiceContext context) {
@@ -52,14 +52,14 @@ public final class AckermannPursuitControl extends PursuitControl {
   }
 
   @Override
-  void command(Drive drive, double trimMps) {
+  void command(Drive drive, Drive trim) {
     double steering = lastShare(getVariable(STEERING));
     if (drive.speedMps() > SLOWEST_MPS) {
-      double curvature = drive.yawRateRadPerS() / drive.speedMps();
+      double curvature = (drive.yawRateRadPerS() + trim.yawRateRadPerS()) / drive.speedMps();
       // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
       steering = -Math.atan(getVariable(WHEELBASE) * curvature) / steeringAngleRad();
     }
-    commandShare(getVariable(THROTTLE), calibration().share(drive.speedMps() + trimMps));
+    commandShare(getVariable(THROTTLE), calibration().share(drive.speedMps() + trim.speedMps()));
     commandShare(getVariable(STEERING), steering);
   }
 

@@ -4,7 +4,6 @@ import static org.u2sa.core.control.ground.PursuitVariables.number;
 
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.service.ServiceContext;
 
@@ -46,7 +45,7 @@ public final class DifferentialDriveControl extends GroundControl {
   }
 
   @Override
-  void drive(Optional<GroundTarget> target, OptionalDouble forwardMps, double stepS) {
+  void drive(Optional<GroundTarget> target, Measured measured, double stepS) {
     double ahead = 0.0; // [%]
     double turn = 0.0;
     if (target.isPresent() && target.get().distanceM() > getVariable(TOLERANCE)) {

@@ -56,8 +56,10 @@ public final class DifferentialPursuitControl extends PursuitControl {
   }
 
   @Override
-  void command(Drive drive, double trimMps) {
-    Drive trimmed = new Drive(drive.speedMps() + trimMps, drive.yawRateRadPerS());
+  void command(Drive drive, Drive trim) {
+    Drive trimmed =
+        new Drive(
+            drive.speedMps() + trim.speedMps(), drive.yawRateRadPerS() + trim.yawRateRadPerS());
     DriveCalibration motor = calibration();
     WheelSpeeds wheels = WheelSpeeds.of(trimmed, getVariable(TRACK), motor.maxMps());
     commandShare(Motors.left(this), motor.share(wheels.leftMps()));

@@ -17,19 +17,27 @@ abstract class GroundControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
 
   private boolean navigating;
+  private OptionalDouble headingRad = OptionalDouble.empty(); // of the state before
 
   GroundControl(ServiceContext context) {
     super(context, "Control");
   }
 
   /**
+   * How the vehicle moves.
+   *
+   * @param forwardMps speed ahead [m/s]; empty if unknown
+   * @param yawRateRadPerS [rad/s], to the left positive; empty if unknown
+   */
+  record Measured(OptionalDouble forwardMps, OptionalDouble yawRateRadPerS) {}
+
+  /**
    * Commands the motors. Called once for each state.
    *
    * @param target where to go; empty: nowhere, the vehicle is to stop and stand
-   * @param forwardMps measured speed ahead [m/s]; empty if unknown
    * @param stepS since the call before [s]; 0 for the first one and after a gap
    */
-  abstract void drive(Optional<GroundTarget> target, OptionalDouble forwardMps, double stepS);
+  abstract void drive(Optional<GroundTarget> target, Measured measured, double stepS);
 
   @Override
   protected final void control(StateInformation state, Optional<NavigationPoint> point) {
@@ -38,7 +46,9 @@ abstract class GroundControl extends ControlSystem {
       navigating = target.isPresent();
       log(LogLevelEnum.INFO, navigating ? "drives" : "no navigation: stands");
     }
-    drive(target, forwardMps(state), stepS());
+    Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state));
+    headingRad = state.psi();
+    drive(target, measured, stepS());
   }
 
   private Optional<GroundTarget> target(NavigationPoint point, StateInformation now) {
@@ -59,6 +69,19 @@ abstract class GroundControl extends ControlSystem {
     double north = northFirst ? x : y;
     double east = northFirst ? y : x;
     return OptionalDouble.of(north * Math.cos(heading) + east * Math.sin(heading));
+  }
+
+  /** As measured, or by how much the heading has changed since the state before. */
+  private OptionalDouble yawRateRadPerS(StateInformation state) {
+    if (state.psiDot().isPresent()) {
+      return OptionalDouble.of(-state.psiDot().getAsDouble());
+    }
+    if (state.psi().isEmpty() || headingRad.isEmpty() || stepS() == 0.0) {
+      return OptionalDouble.empty();
+    }
+    double turned =
+        Math.IEEEremainder(state.psi().getAsDouble() - headingRad.getAsDouble(), 2.0 * Math.PI);
+    return OptionalDouble.of(-turned / stepS());
   }
 
   /** Commands an actuator a share of all that it can [−1…1]. */

@@ -1,7 +1,6 @@
 package org.u2sa.core.control.ground;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -9,7 +8,8 @@ import org.u2sa.service.ServiceContext;
 /** Regulated pure pursuit, for whatever motors the vehicle has. */
 abstract class PursuitControl extends GroundControl {
   private final PursuitLaw law;
-  private final SpeedTrim trim = new SpeedTrim();
+  private final Trim speedTrim = new Trim("SPEED TRIM");
+  private final Trim turnTrim = new Trim("TURN TRIM");
 
   /** Subclasses must be able to answer {@link #settings} once this has returned. */
   PursuitControl(ServiceContext context) {
@@ -17,6 +17,8 @@ abstract class PursuitControl extends GroundControl {
     calibration(); // wrong values must fail before the drive
     getVariable(PursuitVariables.SPEED_GAIN);
     getVariable(PursuitVariables.SPEED_TRIM);
+    getVariable(PursuitVariables.TURN_GAIN);
+    getVariable(PursuitVariables.TURN_TRIM);
     law = new PursuitLaw(settings());
   }
 
@@ -26,9 +28,9 @@ abstract class PursuitControl extends GroundControl {
   /**
    * Commands the motors so that the vehicle moves so.
    *
-   * @param trimMps by how much faster the wheels must be told to go for that, straight ahead [m/s]
+   * @param trim what must be told more for that
    */
-  abstract void command(Drive drive, double trimMps);
+  abstract void command(Drive drive, Drive trim);
 
   /** The motion that the motors were commanded last, by whatever control. */
   abstract Drive lastDrive();
@@ -39,16 +41,26 @@ abstract class PursuitControl extends GroundControl {
   }
 
   @Override
-  final void drive(Optional<GroundTarget> target, OptionalDouble forwardMps, double stepS) {
+  final void drive(Optional<GroundTarget> target, Measured measured, double stepS) {
     Drive drive = law.step(target, stepS);
-    double trimMps =
-        trim.step(
-            drive,
-            forwardMps,
+    boolean moves = drive.speedMps() > 0.0;
+    double speedMps =
+        speedTrim.step(
+            moves,
+            drive.speedMps(),
+            measured.forwardMps(),
             getVariable(PursuitVariables.SPEED_GAIN),
             getVariable(PursuitVariables.SPEED_TRIM),
             stepS);
-    command(drive, trimMps);
+    double yawRate =
+        turnTrim.step(
+            moves,
+            drive.yawRateRadPerS(),
+            measured.yawRateRadPerS(),
+            getVariable(PursuitVariables.TURN_GAIN),
+            Math.toRadians(getVariable(PursuitVariables.TURN_TRIM)),
+            stepS);
+    command(drive, new Drive(speedMps, yawRate));
   }
 
   /** Drives on with other gains and limits. */
@@ -61,7 +73,8 @@ abstract class PursuitControl extends GroundControl {
   protected final void handOver(HandOver state) {
     super.handOver(state);
     law.handOver(state);
-    trim.handOver(state);
+    speedTrim.handOver(state);
+    turnTrim.handOver(state);
   }
 
   @Override
@@ -69,7 +82,8 @@ abstract class PursuitControl extends GroundControl {
     super.takeOver(state);
     if (state.className().equals(getClass().getName())) {
       law.takeOver(state);
-      trim.takeOver(state);
+      speedTrim.takeOver(state);
+      turnTrim.takeOver(state);
     } else {
       law.startFrom(lastDrive());
     }

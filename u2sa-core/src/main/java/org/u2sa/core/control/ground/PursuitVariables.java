@@ -61,6 +61,22 @@ final class PursuitVariables {
           10.0,
           0.3,
           "Most by which feedback changes the commanded speed.");
+  static final Variable<Double> TURN_GAIN =
+      number(
+          "TURN GAIN",
+          "1/s",
+          0.0,
+          10.0,
+          0.5,
+          "How fast the commanded yaw rate follows the error of the compass's; 0: no feedback.");
+  static final Variable<Double> TURN_TRIM =
+      number(
+          "TURN TRIM LIMIT",
+          "deg/s",
+          0.0,
+          90.0,
+          20.0,
+          "Most by which feedback changes the commanded yaw rate: motors that are not alike.");
 
   private PursuitVariables() {}
 

@@ -23,12 +23,19 @@ class GroundControlDriveTest {
   @TempDir private Path directory;
 
   private RoverDrive differential(Function<ServiceContext, ? extends ControlSystem> control) {
+    return differential(control, 0.0, Map.of());
+  }
+
+  private RoverDrive differential(
+      Function<ServiceContext, ? extends ControlSystem> control,
+      double mismatch,
+      Map<String, Object> variables) {
     return new RoverDrive(
-        new KinematicRover(KinematicRover.differential(), COMPASS_ERROR_RAD),
+        new KinematicRover(KinematicRover.differential(mismatch), COMPASS_ERROR_RAD),
         RoverDrive.mission(directory, THRESHOLD_M, CORNERS),
         PLANNER,
         control,
-        Map.of());
+        variables);
   }
 
   private static void requireAllWithin(RoverDrive drive, double missM) {
@@ -54,6 +61,19 @@ class GroundControlDriveTest {
       drive.until(() -> false, 10.0); // to the last waypoint itself
       requireStanding(drive, 20.0);
       assertThat(drive.missM(CORNERS[4])).isLessThan(0.2);
+    }
+  }
+
+  @Test
+  void pursuit_motorsThatAreNotAlike_feedbackHoldsTheLine() {
+    try (RoverDrive drive = differential(DifferentialPursuitControl::new, 0.05, Map.of());
+        RoverDrive without =
+            differential(DifferentialPursuitControl::new, 0.05, Map.of("TURN GAIN", 0.0))) {
+      requireAllWithin(drive, THRESHOLD_M);
+      requireAllWithin(without, 2.0 * THRESHOLD_M);
+
+      assertThat(drive.crossTrackRmsM(2.0, CORNERS))
+          .isLessThan(0.5 * without.crossTrackRmsM(2.0, CORNERS));
     }
   }
 

@@ -36,12 +36,16 @@ final class KinematicRover {
     this.headingErrorRad = headingErrorRad;
   }
 
-  /** Two motors, 2 m/s at 100 % and nothing below 8 %, 0.44 m apart. */
-  static Kinematics differential() {
+  /**
+   * Two motors, 2 m/s at 100 % and nothing below 8 %, 0.44 m apart.
+   *
+   * @param mismatch by which the right one is faster and the left one slower
+   */
+  static Kinematics differential(double mismatch) {
     return percent ->
         new WheelSpeeds(
-                MOTOR.speedMps(0.01 * percent.applyAsDouble("LEFT MOTOR")),
-                MOTOR.speedMps(0.01 * percent.applyAsDouble("RIGHT MOTOR")))
+                (1.0 - mismatch) * MOTOR.speedMps(0.01 * percent.applyAsDouble("LEFT MOTOR")),
+                (1.0 + mismatch) * MOTOR.speedMps(0.01 * percent.applyAsDouble("RIGHT MOTOR")))
             .drive(0.44);
   }
 
