@@ -86,7 +86,7 @@ public final class LiveStatus implements AutoCloseable {
         figures(
             s.sample(),
             "altitude %6.0f m   speed %5.1f m/s   bank %+4.0f deg   off track %+5.0f m",
-            "speed %5.2f m/s   heading %3.0f deg   off track %+6.2f m"),
+            "speed %5.2f m/s   heading %3d deg   off track %+6.2f m"),
         format("simulated %s   elapsed %s%s", clock(s.simulatedS()), clock(s.elapsedS()), rate(s)));
   }
 
@@ -99,7 +99,7 @@ public final class LiveStatus implements AutoCloseable {
         figures(
             s.sample(),
             "altitude %.0f m  speed %.1f m/s  bank %+.0f deg  off track %+.0f m",
-            "speed %.2f m/s  heading %.0f deg  off track %+.2f m"),
+            "speed %.2f m/s  heading %d deg  off track %+.2f m"),
         clock(s.elapsedS()));
   }
 
@@ -113,12 +113,9 @@ public final class LiveStatus implements AutoCloseable {
           Math.toDegrees(flight.rollRad()),
           sample.crossTrackM());
     }
-    double heading = Math.toDegrees(sample.headingRad());
+    long heading = Math.round(Math.toDegrees(sample.headingRad()));
     return format(
-        onGround,
-        sample.groundSpeedMps(),
-        heading - 360.0 * Math.floor(heading / 360.0),
-        sample.crossTrackM());
+        onGround, sample.groundSpeedMps(), Math.floorMod(heading, 360L), sample.crossTrackM());
   }
 
   private static String target(RunStatus s) {

@@ -21,7 +21,7 @@ public final class DifferentialPursuitControl extends PursuitControl {
           "deg",
           5.0,
           180.0,
-          50.0,
+          35.0,
           "Direction of the point to go to from which on the vehicle turns on the spot.");
   static final Variable<Double> SPOT_TURN_BELOW =
       number(
@@ -29,7 +29,7 @@ public final class DifferentialPursuitControl extends PursuitControl {
           "deg",
           1.0,
           180.0,
-          12.0,
+          8.0,
           "Direction of the point at which it has turned enough.");
   static final Variable<Double> SPOT_TURN_GAIN =
       number("SPOT TURN GAIN", "1/s", 0.1, 20.0, 2.0, "Yaw rate for each radian of direction.");

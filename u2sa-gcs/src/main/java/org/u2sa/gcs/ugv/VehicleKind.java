@@ -1,0 +1,45 @@
+package org.u2sa.gcs.ugv;
+
+import org.u2sa.sim.ground.AckermannParameters;
+import org.u2sa.sim.ground.AckermannVehicle;
+import org.u2sa.sim.ground.DifferentialParameters;
+import org.u2sa.sim.ground.DifferentialVehicle;
+import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.ground.GroundVehicle;
+
+/** What drives in the demo. */
+enum VehicleKind {
+  /** The thesis's Mini-Molle: two driven wheels and a castor. */
+  DIFFERENTIAL("Mini-Molle") {
+    @Override
+    GroundVehicle make(GroundStart start, double mismatch) {
+      return new DifferentialVehicle(
+          DifferentialParameters.miniMolle().withMismatch(mismatch), start);
+    }
+  },
+  /** A 1:10 truck with steered front wheels. */
+  ACKERMANN("1:10 truck") {
+    @Override
+    GroundVehicle make(GroundStart start, double mismatch) {
+      return new AckermannVehicle(AckermannParameters.truck(), start);
+    }
+  };
+
+  private final String words;
+
+  VehicleKind(String words) {
+    this.words = words;
+  }
+
+  /** What it is called in reports. */
+  String words() {
+    return words;
+  }
+
+  /**
+   * Makes one.
+   *
+   * @param mismatch by which the right one of two motors is stronger, as no two are alike
+   */
+  abstract GroundVehicle make(GroundStart start, double mismatch);
+}
