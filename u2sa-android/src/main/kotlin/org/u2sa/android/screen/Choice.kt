@@ -20,7 +20,8 @@ internal class Choice(private val activity: Activity, private val settings: Sett
 
     /** What is chosen. */
     fun words(): String {
-        val mission = settings.mission.ifEmpty { Text.MISSION_OF_SYSTEM.of(activity) }
+        val own = settings.mission
+        val mission = if (own.isEmpty()) Text.MISSION_OF_SYSTEM.of(activity) else Text.MISSION_WITHOUT_FENCE.of(activity, own)
         return Text.CHOSEN.of(activity, settings.system, mission)
     }
 

@@ -22,6 +22,7 @@ private const val TRACK_DP = 260
 private const val EMERGENCY_DP = 96
 private const val EMERGENCY_SP = 26f
 private const val STATUS_SP = 18f
+private const val PALE = 0.35f
 
 /** What [Panel]'s buttons ask for. */
 internal interface Orders {
@@ -99,6 +100,7 @@ internal class Panel(private val context: Context, private val orders: Orders) {
         disarm.visibility = if (snapshot.armed) View.VISIBLE else View.GONE
         clear.visibility = if (running && snapshot.emergency != null) View.VISIBLE else View.GONE
         emergency.isEnabled = running
+        emergency.alpha = if (running) 1f else PALE
     }
 
     private fun TextView.show(words: String) {
@@ -109,6 +111,7 @@ internal class Panel(private val context: Context, private val orders: Orders) {
     }
 
     private fun text(sp: Float? = null) = TextView(context).apply {
+        setTextColor(palette.text)
         setPadding(pixels(PAD_DP), pixels(PAD_DP) / 2, pixels(PAD_DP), pixels(PAD_DP) / 2)
         sp?.let { textSize = it }
     }

@@ -40,6 +40,12 @@ class TrackView(context: Context) : View(context) {
         }
     }
 
+    /** As high as it is told to be; at its least where it may choose, as between texts that scroll. */
+    override fun onMeasure(widthSpec: Int, heightSpec: Int) = setMeasuredDimension(
+        getDefaultSize(suggestedMinimumWidth, widthSpec),
+        if (MeasureSpec.getMode(heightSpec) == MeasureSpec.EXACTLY) MeasureSpec.getSize(heightSpec) else suggestedMinimumHeight,
+    )
+
     override fun onDraw(canvas: Canvas) {
         val geometry = TrackGeometry(snapshot, width.toDouble(), height.toDouble(), (MARGIN_DP * dp).toDouble())
         if (geometry.isEmpty || geometry.pixelsPerMetre <= 0.0) {

@@ -64,7 +64,10 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
         if (!settings.network) {
             options.override("CommunicationManager", "BROKER", "none")
         }
-        mission?.let { options.override("MissionManager", "MISSION", it.path) }
+        if (mission != null) {
+            options.override("MissionManager", "MISSION", mission.path)
+            options.override("SafetyManager", "FENCE", "") // that of the configuration is around its own mission
+        }
     }
 
     /** Null: the one that the configuration names. */

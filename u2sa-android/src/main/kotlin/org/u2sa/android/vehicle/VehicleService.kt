@@ -98,16 +98,15 @@ class VehicleService : Service() {
         }
         wakeLock.acquire()
         announcer = announcer ?: if (settings.speak) Announcer(this) else null
-        val plan = try {
-            VehiclePlan(this, settings, clock)
+        val plan = VehiclePlan(this, settings, clock)
+        boardTrouble = plan::boardTrouble
+        val order = try {
+            plan.order()
         } catch (e: BadInputException) {
             host.refuse(e.message.orEmpty())
             return
         }
-        boardTrouble = plan::boardTrouble
-        host.start(plan.order())
-        main.removeCallbacks(look)
-        main.post(look)
+        host.start(order)
     }
 
     private fun goToForeground(): Boolean {
@@ -167,14 +166,15 @@ class VehicleService : Service() {
             shown = words
             notification.show(words, running = true)
         }
-        if (host.state.isActive) {
-            main.postDelayed(look, LOOK_EVERY_MS)
-        }
+        main.postDelayed(look, LOOK_EVERY_MS)
     }
 
-    private fun changed(state: VehicleHost.State) {
-        if (!state.isActive && !host.state.isActive) {
-            main.removeCallbacks(look)
+    /** On the main thread, after [now] came to be; later changes come in further calls. */
+    private fun changed(now: VehicleHost.State) {
+        main.removeCallbacks(look)
+        if (now.isActive || host.state.isActive) {
+            look()
+        } else {
             wakeLock.release()
             announcer?.close()
             announcer = null
@@ -190,6 +190,9 @@ class VehicleService : Service() {
         wakeLock.release()
         super.onDestroy()
     }
+
+    /** Waits until the vehicle has ended after [onDestroy]. */
+    internal fun awaitEnd(seconds: Long): Boolean = host.awaitEnd(seconds)
 
     companion object {
         /** Starts the chosen vehicle, disarmed. */
