@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** All Java files of the repository by class name: tests of other modules are on no class path. */
+/** All Java and Kotlin files of the repository by class name: tests of other modules are on no class path. */
 final class SourceFiles {
   private final Map<String, Path> files = new HashMap<>();
 
@@ -17,20 +17,23 @@ final class SourceFiles {
     try (Stream<Path> modules = Files.list(Page.ROOT)) {
       for (Path module : modules.toList()) {
         for (String kind : List.of("main", "test", "testFixtures")) {
-          add(module.resolve("src").resolve(kind).resolve("java"));
+          add(module.resolve("src").resolve(kind).resolve("java"), ".java");
+        }
+        for (String kind : List.of("main", "test", "robolectric")) {
+          add(module.resolve("src").resolve(kind).resolve("kotlin"), ".kt");
         }
       }
     }
   }
 
-  private void add(Path folder) throws IOException {
+  private void add(Path folder, String ending) throws IOException {
     if (!Files.isDirectory(folder)) {
       return;
     }
     try (Stream<Path> found = Files.walk(folder)) {
       found
-          .filter(file -> file.toString().endsWith(".java"))
-          .forEach(file -> files.put(file.getFileName().toString().replace(".java", ""), file));
+          .filter(file -> file.toString().endsWith(ending))
+          .forEach(file -> files.put(file.getFileName().toString().replace(ending, ""), file));
     }
   }
 
@@ -47,7 +50,7 @@ final class SourceFiles {
   /** The class, if it is on the class path. */
   Optional<Class<?>> load(String className) {
     Path file = files.get(className);
-    if (file == null) {
+    if (file == null || file.toString().endsWith(".kt")) {
       return Optional.empty();
     }
     String path = file.toString().replace('\\', '/').replace('/', '.');

@@ -15,18 +15,18 @@ class Settings(context: Context) {
     /** The mission's name among the vehicle's files; empty: the one of the configuration. */
     var mission: String by text("mission", "")
 
-    /** The way to the board; "configured" if what is stored cannot be read. */
+    /** The way to the board; by the USB cable until another one is chosen, or if what is stored cannot be read. */
     var board: BoardAddress
         get() = try {
             BoardAddress.parse(boardText)
         } catch (e: BadInputException) {
-            BoardAddress.Configured.also { boardText = it.toString() }
+            BoardAddress.Usb.also { boardText = it.toString() }
         }
         set(value) {
             boardText = value.toString()
         }
 
-    private var boardText: String by text("board", BoardAddress.Configured.toString())
+    private var boardText: String by text("board", BoardAddress.Usb.toString())
 
     /** Charge of the phone below which the vehicle is stopped [%]. */
     var lowBatteryPercent: Int

@@ -14,6 +14,7 @@ import org.u2sa.android.file.vehicleFiles
 import org.u2sa.android.sensor.AndroidPhoneSensors
 import org.u2sa.android.sensor.PhoneStateSensor
 import org.u2sa.core.launch.LaunchOptions
+import org.u2sa.drivers.ioio.IoioService
 import org.u2sa.interfaces.BadInputException
 import org.u2sa.interfaces.Clock
 
@@ -60,7 +61,10 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
 
     private fun configure(options: LaunchOptions, mission: File?) {
         options.making(PhoneStateSensor::class.java) { PhoneStateSensor(it, AndroidPhoneSensors(application, clock)) }
-        (settings.board as? BoardAddress.Tcp)?.let { options.override("IoioService", "CONNECTION", it.toString()) }
+        when (val board = settings.board) {
+            is BoardAddress.Tcp -> options.override("IoioService", "CONNECTION", board.toString())
+            else -> link?.let { way -> options.making(IoioService::class.java) { IoioService(it, way) } }
+        }
         if (!settings.network) {
             options.override("CommunicationManager", "BROKER", "none")
         }

@@ -23,6 +23,9 @@ class LogProviderTest {
         File(application.filesDir, "logs/1/Phone.log").apply { parentFile!!.mkdirs() }.writeText("a line")
 
         val found = provider.openFile(uri, "r").use { descriptor ->
+            OnPhone().await("all of it") { // Robolectric's pipe is a file: its reader does not wait for the writer
+                Thread.getAllStackTraces().keys.none { it.name == "u2sa-log-archive" }
+            }
             ZipInputStream(java.io.FileInputStream(descriptor.fileDescriptor)).use { zip ->
                 zip.nextEntry.name to zip.readBytes().decodeToString()
             }

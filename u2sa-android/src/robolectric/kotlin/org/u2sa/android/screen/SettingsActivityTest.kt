@@ -67,7 +67,7 @@ class SettingsActivityTest {
             it.filterIsInstance<EditText>().first().setText("nowhere")
         }
         assertThat(ShadowToast.getTextOfLatestToast()).contains("tcp:nowhere").contains("expected")
-        assertThat(settings.board).isEqualTo(BoardAddress.Configured)
+        assertThat(settings.board).isEqualTo(BoardAddress.Usb)
     }
 
     @Test
