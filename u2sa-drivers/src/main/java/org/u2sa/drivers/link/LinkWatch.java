@@ -1,5 +1,6 @@
 package org.u2sa.drivers.link;
 
+import java.util.Optional;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.service.U2SAService;
 
@@ -9,13 +10,15 @@ import org.u2sa.service.U2SAService;
  */
 public final class LinkWatch {
   private static final long NEVER_HEARD = Long.MIN_VALUE;
+  private static final long GRACE_MICROS = Clock.micros(2.0); // to be found at the start
 
   private final U2SAService service;
   private final String device;
   private final Attached link;
   private final long silentMicros;
   private int connections;
-  private boolean wasConnected = true; // so that one that is absent from the start is said, too
+  private Optional<Boolean> told = Optional.empty(); // whether it was said to be there or lost
+  private long firstMicros = NEVER_HEARD;
   private boolean wasHeard = true;
   private long sinceMicros = NEVER_HEARD;
   private long heardMicros = NEVER_HEARD;
@@ -47,16 +50,25 @@ public final class LinkWatch {
       sinceMicros = nowMicros;
       heardMicros = NEVER_HEARD;
     }
-    if (isConnected != wasConnected) {
-      wasConnected = isConnected;
-      if (isConnected) {
-        service.log(device + " is there");
-      } else {
-        service.trouble(device + " is lost: " + link.trouble());
-      }
-    }
+    tell(isConnected, nowMicros);
     lookForSilence(nowMicros, isConnected);
     return isNew;
+  }
+
+  private void tell(boolean isConnected, long nowMicros) {
+    if (firstMicros == NEVER_HEARD) {
+      firstMicros = nowMicros;
+    }
+    boolean isLooking = told.isEmpty() && nowMicros - firstMicros < GRACE_MICROS;
+    if (told.equals(Optional.of(isConnected)) || !isConnected && isLooking) {
+      return;
+    }
+    told = Optional.of(isConnected);
+    if (isConnected) {
+      service.log(device + " is there");
+    } else {
+      service.trouble(device + " is lost: " + link.trouble());
+    }
   }
 
   private void lookForSilence(long nowMicros, boolean isConnected) {
@@ -83,8 +95,7 @@ public final class LinkWatch {
 
   /** Whether the device is there and said something readable lately. */
   public boolean isHeard(long nowMicros) {
-    return wasConnected
-        && heardMicros != NEVER_HEARD
+    return heardMicros != NEVER_HEARD
         && nowMicros - heardMicros <= silentMicros
         && link.isConnected();
   }

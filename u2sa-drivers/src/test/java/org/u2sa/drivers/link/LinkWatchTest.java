@@ -100,6 +100,30 @@ class LinkWatchTest {
   }
 
   @Test
+  void look_deviceThatIsFoundSoonAfterTheStart_isNoTrouble() {
+    MemoryLink late = new MemoryLink();
+    late.unplug();
+    kit.with("SERVICE NAME", "Late");
+    kit.start(context -> new Listener(context, late));
+    kit.advance(1.5);
+    assertThat(kit.log("Late")).noneMatch(line -> line.contains("WARN"));
+    late.plug();
+    kit.advance(0.2);
+    assertThat(kit.log("Late")).anyMatch(line -> line.contains("the sonar is there"));
+  }
+
+  @Test
+  void look_deviceThatIsNotFound_isSaid() {
+    MemoryLink absent = new MemoryLink();
+    absent.unplug();
+    kit.with("SERVICE NAME", "Lonely");
+    kit.start(context -> new Listener(context, absent));
+    kit.advance(2.5);
+    assertThat(kit.log("Lonely"))
+        .anyMatch(line -> line.contains("WARN") && line.contains("the sonar is lost: unplugged"));
+  }
+
+  @Test
   void malformed_flood_isSaidAtPowersOfTwo() {
     link.fromDevice(new byte[60]);
     assertThat(lastError()).hasValue("the sonar sent what cannot be read (32 times so far)");

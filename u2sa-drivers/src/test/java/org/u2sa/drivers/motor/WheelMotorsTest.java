@@ -222,7 +222,7 @@ class WheelMotorsTest {
   void begin_nobodyThere_runsAndSaysSo() {
     link.unplug();
     start();
-    command(50.0, 50.0, 0.5);
+    command(50.0, 50.0, 2.5);
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError))
         .hasValue("the motor controller is lost: unplugged");
     assertThat(kit.published(Channels.SENSED_STATE)).isEmpty();
