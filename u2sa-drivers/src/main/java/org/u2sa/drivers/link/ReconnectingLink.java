@@ -1,8 +1,6 @@
 package org.u2sa.drivers.link;
 
 import java.io.IOException;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 
@@ -23,13 +21,12 @@ final class ReconnectingLink implements ByteLink {
   private final Port.Opener opener;
   private final long silenceMicros; // 0: silence is no loss
   private final Clock stopwatch = new SystemClock(); // devices live in real time
-  private final Thread reader;
-  private final Thread writer;
+  private final LinkThread reader;
+  private final LinkThread writer;
 
   // guarded by this
   private final ByteRing unread = new ByteRing(UNREAD_BYTES);
-  private final Deque<byte[]> unsent = new ArrayDeque<>();
-  private int unsentBytes;
+  private final Outbox unsent = new Outbox(UNSENT_BYTES);
   private Port port; // null: none is open
   private boolean connected;
   private int found;
@@ -47,15 +44,8 @@ final class ReconnectingLink implements ByteLink {
   ReconnectingLink(String name, Port.Opener opener, double silenceS) {
     this.opener = opener;
     silenceMicros = Clock.micros(silenceS);
-    reader = begin("link reads " + name, this::readAlways);
-    writer = begin("link writes " + name, this::writeAlways);
-  }
-
-  private static Thread begin(String name, Runnable work) {
-    Thread thread = new Thread(work, name);
-    thread.setDaemon(true);
-    thread.start();
-    return thread;
+    reader = new LinkThread("link reads " + name, this::readAlways);
+    writer = new LinkThread("link writes " + name, this::writeAlways);
   }
 
   private void readAlways() {
@@ -131,7 +121,6 @@ final class ReconnectingLink implements ByteLink {
   private void found() {
     unread.clear();
     unsent.clear();
-    unsentBytes = 0;
     connected = true;
     found++;
     trouble = "";
@@ -163,8 +152,7 @@ final class ReconnectingLink implements ByteLink {
           if (unsent.isEmpty() || port == null) {
             return;
           }
-          next = unsent.remove();
-          unsentBytes -= next.length;
+          next = unsent.take();
           to = port;
         }
         send(to, next);
@@ -206,14 +194,9 @@ final class ReconnectingLink implements ByteLink {
 
   @Override
   public synchronized boolean write(byte[] bytes) {
-    if (closing
-        || port == null
-        || !port.isWritable()
-        || unsentBytes + bytes.length > UNSENT_BYTES) {
+    if (closing || port == null || !port.isWritable() || !unsent.put(bytes)) {
       return false;
     }
-    unsent.add(bytes.clone());
-    unsentBytes += bytes.length;
     notifyAll();
     return true;
   }
@@ -242,7 +225,7 @@ final class ReconnectingLink implements ByteLink {
       notifyAll();
     }
     boolean interrupted = Thread.interrupted();
-    interrupted |= !ended(writer, SENT_WITHIN_MS);
+    interrupted |= !writer.ended(SENT_WITHIN_MS);
     synchronized (this) {
       closed = true;
       connected = false;
@@ -253,21 +236,10 @@ final class ReconnectingLink implements ByteLink {
     if (open != null) {
       close(open);
     }
-    interrupted |= !ended(reader, END_WITHIN_MS);
-    interrupted |= !ended(writer, END_WITHIN_MS);
+    interrupted |= !reader.ended(END_WITHIN_MS);
+    interrupted |= !writer.ended(END_WITHIN_MS);
     if (interrupted) {
       Thread.currentThread().interrupt();
-    }
-  }
-
-  /** Waits for a thread's end; false if this thread was interrupted. */
-  private static boolean ended(Thread thread, int withinMs) {
-    try {
-      thread.join(withinMs);
-      return true;
-    } catch (InterruptedException e) {
-      thread.interrupt();
-      return false;
     }
   }
 }

@@ -84,6 +84,7 @@ class GpsReceiverContractTest {
       assertThat(receiver.malformed()).isZero();
 
       device.says(HALF);
+      fix();
       device.unplug();
       soon().until(() -> !receiver.read(1_000).connected());
       assertThat(receiver.trouble()).isNotEmpty();
@@ -92,6 +93,7 @@ class GpsReceiverContractTest {
       device.plug();
       untilAt(20.0);
       assertThat(receiver.connections()).isEqualTo(2);
+      assertThat(receiver.malformed()).as("half a sentence of before is forgotten").isZero();
 
       device.says("\u0001noise $$ \u007f" + HALF + HALF + "*00\r\n");
       untilAt(30.0);

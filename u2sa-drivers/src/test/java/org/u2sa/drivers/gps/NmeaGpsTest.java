@@ -126,6 +126,16 @@ class NmeaGpsTest {
   }
 
   @Test
+  void accept_oneSentenceSaysNotValid_fixIsNot() {
+    for (int second = 0; second < 3; second++) {
+      String time = "12000" + second + ".00";
+      hear(gga(time), rmc(time).replace(",A,3713", ",V,3713"));
+      assertThat(gps.latest().filter(GpsFix::valid)).isEmpty();
+    }
+    assertThat(fix().satellites()).isEqualTo(8);
+  }
+
+  @Test
   void accept_estimatedPosition_isNotValid() {
     String estimated = "GPRMC,%s,A,3713.5000,N,08025.2000,W,1.0,10.0,211126,,,E";
     hear(String.format(estimated, "120000.00"), String.format(estimated, "120001.00"));
