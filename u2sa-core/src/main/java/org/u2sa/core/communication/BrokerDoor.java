@@ -69,9 +69,26 @@ final class BrokerDoor implements AutoCloseable {
     return new String(pass, StandardCharsets.US_ASCII);
   }
 
-  /** For Moquette: whether the door let this one in. */
+  /**
+   * For Moquette: whether the door let this one in.
+   *
+   * @throws StartingException if it did not, because the door was not there yet: the connection
+   *     ends without an answer and its client comes again, where "wrong password" would be final
+   */
   boolean letIn(byte[] password) {
-    return password != null && MessageDigest.isEqual(pass, password);
+    if (password == null || !MessageDigest.isEqual(pass, password)) {
+      throw new StartingException();
+    }
+    return true;
+  }
+
+  /** Nothing is wrong, so without a stack trace: Moquette writes one to its log. */
+  static final class StartingException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    StartingException() {
+      super("the broker is only starting; the client will come again", null, false, false);
+    }
   }
 
   /** Goes in front of the listening socket's pipeline, which hands on each new connection. */

@@ -7,6 +7,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
@@ -19,6 +20,7 @@ final class TcpRelay implements AutoCloseable {
   private final Condition alive = lock.newCondition();
   private boolean dead; // under lock: bytes wait in the wire
   private volatile boolean cut;
+  private final AtomicInteger connections = new AtomicInteger();
 
   TcpRelay(int target) throws IOException {
     this.target = target;
@@ -28,6 +30,11 @@ final class TcpRelay implements AutoCloseable {
 
   int port() {
     return entry.getLocalPort();
+  }
+
+  /** How many connections have come. */
+  int connections() {
+    return connections.get();
   }
 
   /** Breaks all connections and lets none through. */
@@ -79,6 +86,7 @@ final class TcpRelay implements AutoCloseable {
     while (!entry.isClosed()) {
       try {
         Socket client = entry.accept();
+        connections.incrementAndGet();
         if (cut) {
           client.close();
           continue;

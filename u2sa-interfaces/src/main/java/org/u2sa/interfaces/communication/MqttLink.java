@@ -107,11 +107,15 @@ final class MqttLink {
     }
   }
 
-  /** Whether the broker does not want us, which waiting does not change. */
-  private static boolean isRefusal(MqttException failure) {
+  /**
+   * Whether the broker does not want us, which waiting does not change. "Bad user name or password"
+   * to one who gave none is no answer to us: an embedded broker that is only starting says so.
+   */
+  private boolean isRefusal(MqttException failure) {
     int code = failure.getReasonCode();
-    return code == MqttException.REASON_CODE_FAILED_AUTHENTICATION
-        || code == MqttException.REASON_CODE_NOT_AUTHORIZED;
+    return code == MqttException.REASON_CODE_NOT_AUTHORIZED
+        || code == MqttException.REASON_CODE_FAILED_AUTHENTICATION
+            && options.get().getUserName() != null;
   }
 
   /** Makes a session unless there is one. Returns whether it made one. */

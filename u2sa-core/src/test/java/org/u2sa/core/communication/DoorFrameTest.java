@@ -1,0 +1,89 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.u2sa.core.communication.BrokerTraffic.soon;
+
+import io.moquette.broker.Server;
+import io.moquette.broker.config.IConfig;
+import io.moquette.broker.config.MemoryConfig;
+import io.moquette.broker.security.PermitAllAuthorizatorPolicy;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.concurrent.CompletableFuture;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
+import org.u2sa.testkit.FreePort;
+
+/** What a client meets in the moment in which Moquette listens and the door does not hang yet. */
+@Timeout(60)
+class DoorFrameTest {
+  private static final MessageCodec CODEC = new MessageCodec(MessageTypes.standard());
+
+  private final Server server = new Server();
+  private int port;
+  private BrokerDoor door;
+
+  @BeforeEach
+  void start() throws IOException {
+    port = FreePort.find();
+    door =
+        new BrokerDoor(
+            BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),
+            CODEC,
+            new SystemClock(),
+            null,
+            line -> {});
+    Properties properties = new Properties();
+    properties.setProperty(IConfig.HOST_PROPERTY_NAME, "127.0.0.1");
+    properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(port));
+    properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false");
+    properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
+    properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false");
+    server.startServer(
+        new MemoryConfig(properties),
+        List.of(),
+        () -> null,
+        (clientId, user, password) -> door.letIn(password),
+        new PermitAllAuthorizatorPolicy());
+  }
+
+  @AfterEach
+  void stop() {
+    DoorFrame.takeDown(server);
+    server.stopServer();
+  }
+
+  @Test
+  void connect_withAUser_endsWithoutAnAnswerThatWouldBeFinal() throws IOException {
+    try (RawClient client = new RawClient(port)) {
+      assertThat(client.introduce("early", "ann", "secret")).isEqualTo(-1);
+    }
+  }
+
+  @Test
+  void connect_withoutAUser_comesAgainUntilTheDoorHangs() throws IOException {
+    try (TcpRelay wire = new TcpRelay(port)) {
+      MqttTransport early =
+          new MqttTransport("127.0.0.1", wire.port(), "cessna", CODEC).waiting(45.0);
+      CompletableFuture<Connection> coming =
+          CompletableFuture.supplyAsync(() -> early.connect("Early", new RecordingReceiver()));
+      soon().until(() -> wire.connections() > 1); // so the first was refused
+
+      DoorFrame.hang(door, server);
+
+      Connection connection = coming.join();
+      assertThat(connection.instance()).isNotEmpty();
+      connection.close();
+    }
+  }
+}
