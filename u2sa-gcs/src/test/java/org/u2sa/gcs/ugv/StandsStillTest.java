@@ -39,8 +39,9 @@ class StandsStillTest {
 
   /** Into {@code target/ugv-stops.txt} of the module. */
   private static void report(String cause, Stop stop) throws IOException {
+    Path folder = Files.createDirectories(Path.of("target"));
     Files.writeString(
-        Path.of("target", "ugv-stops.txt"),
+        folder.resolve("ugv-stops.txt"),
         String.format(
             Locale.ROOT,
             "%s: motors off after %.2f s, stands after %.2f s and %.2f m%n",
