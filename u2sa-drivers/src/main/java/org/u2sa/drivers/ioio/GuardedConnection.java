@@ -30,9 +30,10 @@ final class GuardedConnection implements IOIOConnection {
   private final AtomicLong received = new AtomicLong();
   private volatile boolean handshaking;
   private volatile boolean ended;
-  private FromBoard in;
-  private OutputStream out;
-  private BoardWriter writer; // null if writing does not wait
+  private volatile FromBoard in;
+  private volatile OutputStream out;
+  private BoardWriter writer; // null if writing does not wait; guarded by this
+  private boolean disconnected; // guarded by this
 
   /**
    * @param direct whether writing never waits anyway
@@ -45,13 +46,19 @@ final class GuardedConnection implements IOIOConnection {
   @Override
   public void waitForConnect() throws ConnectionLostException {
     link.waitForConnect();
-    in = new FromBoard(link.getInputStream());
+    InputStream source = link.getInputStream();
     OutputStream target = link.getOutputStream();
-    if (direct) {
-      out = new FlushCounter(target);
-    } else {
-      writer = new BoardWriter(target);
-      out = writer;
+    synchronized (this) {
+      if (disconnected) {
+        throw new ConnectionLostException(); // and nobody would end the writer
+      }
+      in = new FromBoard(source);
+      if (direct) {
+        out = new FlushCounter(target);
+      } else {
+        writer = new BoardWriter(target);
+        out = writer;
+      }
     }
     handshaking = true;
   }
@@ -96,7 +103,11 @@ final class GuardedConnection implements IOIOConnection {
    */
   @Override
   public void disconnect() {
-    BoardWriter leaving = writer;
+    BoardWriter leaving;
+    synchronized (this) {
+      disconnected = true;
+      leaving = writer;
+    }
     if (leaving != null) {
       leaving.finish(!ended);
     }

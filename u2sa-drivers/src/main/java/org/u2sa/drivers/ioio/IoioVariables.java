@@ -37,7 +37,7 @@ final class IoioVariables {
 
   static final Variable<Integer> PULSES =
       Variable.integer("PULSE RATE", "Hz")
-          .range(Range.of(20.0, 400.0))
+          .range(Range.of(20.0, 190.0)) // a period is longer than the longest pulse, 5 ms
           .ifAbsent(50)
           .describedAs("Servo pulses a second.");
 

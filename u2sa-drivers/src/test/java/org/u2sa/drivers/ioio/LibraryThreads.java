@@ -1,5 +1,6 @@
 package org.u2sa.drivers.ioio;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
@@ -25,6 +26,8 @@ final class LibraryThreads {
 
   /** Waits until none runs. */
   static void awaitNone() {
-    await("the end of all threads").atMost(Duration.ofSeconds(20)).until(() -> names().isEmpty());
+    await("the end of all threads")
+        .atMost(Duration.ofSeconds(20))
+        .untilAsserted(() -> assertThat(names()).isEmpty());
   }
 }

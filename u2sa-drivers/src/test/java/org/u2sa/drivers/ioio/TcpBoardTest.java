@@ -57,7 +57,7 @@ class TcpBoardTest {
               });
       assertThat(Arrays.copyOf(buffer, count[0])).isEqualTo(text);
     }
-    assertThat(on.bench.width(10)).as("after the close").isZero();
+    on.awaitWidth(0.0); // after the close
   }
 
   @Test
