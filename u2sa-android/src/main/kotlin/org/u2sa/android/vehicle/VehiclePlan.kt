@@ -27,8 +27,11 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
     private val files = vehicleFiles(application)
     private val link = boardLink() // null: the configuration file names the way to the board
 
+    /** The way to the board once a service uses it: a system without a board misses none. */
+    @Volatile private var watched: BoardLink? = null
+
     /** What went wrong with the way to the board; empty if nothing, or if a configuration file names it. */
-    fun boardTrouble(): String = link?.trouble.orEmpty()
+    fun boardTrouble(): String = watched?.trouble.orEmpty()
 
     /** @throws BadInputException if a chosen file is missing or wrong */
     fun order(): VehicleHost.Order {
@@ -40,7 +43,7 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
             systemFile = systemFile,
             logDirectory = File(files.logs, runName()),
             configure = { configure(it, mission) },
-            cockpit = { Cockpit(it, condition, { link?.connected() }, PhoneFailsafe(settings.lowBatteryPercent.toDouble())) },
+            cockpit = { Cockpit(it, condition, { watched?.connected() }, PhoneFailsafe(settings.lowBatteryPercent.toDouble())) },
             ended = condition::close,
         )
     }
@@ -63,7 +66,12 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
         options.making(PhoneStateSensor::class.java) { PhoneStateSensor(it, AndroidPhoneSensors(application, clock)) }
         when (val board = settings.board) {
             is BoardAddress.Tcp -> options.override("IoioService", "CONNECTION", board.toString())
-            else -> link?.let { way -> options.making(IoioService::class.java) { IoioService(it, way) } }
+            else -> link?.let { way ->
+                options.making(IoioService::class.java) {
+                    watched = way
+                    IoioService(it, way)
+                }
+            }
         }
         if (!settings.network) {
             options.override("CommunicationManager", "BROKER", "none")
