@@ -5,10 +5,11 @@ import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import reactor
+from . import contents, reactor
 from .programs import HOME, Refused, find, java_program, run
 
 SCRIPTS = HOME / "scripts" / "android"
@@ -68,6 +69,17 @@ def python_with_enjarify():
     raise Refused("found no enjarify, which turns dex files back into class files; expected Debian's (apt install enjarify)")
 
 
+def check_services(apk, jar):
+    """Refuses names of java.util.ServiceLoader without a class."""
+    with zipfile.ZipFile(apk) as resources, zipfile.ZipFile(jar) as classes:
+        there = set(classes.namelist())
+        for name in resources.namelist():
+            if name.startswith(contents.SERVICES):
+                for provider in contents.providers(resources.read(name)):
+                    if provider.replace(".", "/") + ".class" not in there:
+                        raise Refused(f"{name} names {provider}, which is no class of the application", 1)
+
+
 def check_api(java, jar):
     """Refuses classes of the application that call what a phone lacks."""
     lines = [line for line in run([*java, "ApiCheck", SIGNATURES, jar], "Comparing with the API").splitlines() if PLATFORM.search(line)]
@@ -109,5 +121,5 @@ def flight(folder):
 
 
 def demos():
-    """The demos that there are: those with a system file."""
-    return [name for name in ("cessna", "ugv") if (Path(HOME) / "config" / name / "system.xml").is_file()]
+    """The demos that there are."""
+    return re.findall(r"^ +u2sa demo (\w+)", run([HOME / "u2sa", "demo"], "Asking for the demos"), re.MULTILINE)

@@ -36,6 +36,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa demo cessna --realtime             watch it at the speed of the world",
       "  ./u2sa demo cessna --mission my.xml       your own waypoints",
       "  ./u2sa demo cessna --json | jq .          the result for a program",
+      "  ./u2sa apk                                assemble the Android application",
       "  ./u2sa <command> --help                   all about one command",
       "",
       "A run leaves a picture of its track (SVG, PNG), KML, CSV, summary.json and logs in out/<run>/.",

@@ -40,7 +40,7 @@ final class SerialBoardConnection implements IOIOConnection {
       port = candidate;
     } catch (SerialPortInvalidPortException e) {
       throw lost("is not there", e);
-    } catch (UnsatisfiedLinkError e) {
+    } catch (LinkageError e) { // a phone has no such natives: first unsatisfied, then no class
       throw lost("cannot be opened: no serial ports on this platform", e);
     }
   }

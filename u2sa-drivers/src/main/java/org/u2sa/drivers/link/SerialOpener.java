@@ -50,7 +50,7 @@ final class SerialOpener implements Port.Opener {
       return new Opened(path, port);
     } catch (SerialPortInvalidPortException e) {
       throw new IOException(path + " is not there", e);
-    } catch (UnsatisfiedLinkError e) {
+    } catch (LinkageError e) { // a phone has no such natives: first unsatisfied, then no class
       throw new IOException("no serial ports on this platform: " + e.getMessage(), e);
     }
   }
