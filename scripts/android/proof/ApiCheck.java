@@ -3,6 +3,7 @@ import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -16,14 +17,15 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 
 /**
- * Names what the application's classes, after D8, call that a phone lacks: a line for each class that calls, method and missing thing, sorted.
- * Run as {@code ApiCheck SIGNATURES CLASSES.jar}.
+ * Names what the application's classes, after D8, call that a phone lacks: a line for each class that calls and each missing thing, sorted, with
+ * the word "asked" where the class, or the one around it, asks for the phone's API level. Run as {@code ApiCheck SIGNATURES CLASSES.jar}.
  */
 final class ApiCheck {
   private final PhoneApi phone;
   private final Map<String, Set<String>> own = new HashMap<>(); // class → names and descriptors of its methods and fields
   private final Map<String, String[]> parents = new HashMap<>();
   private final Map<String, Set<String>> missing = new TreeMap<>(); // class that calls → what is not there
+  private final Set<String> asking = new HashSet<>(); // outermost classes that ask for the API level
 
   private ApiCheck(PhoneApi phone) {
     this.phone = phone;
@@ -34,7 +36,16 @@ final class ApiCheck {
     Path jar = Path.of(args[1]);
     check.each(jar, check::remember);
     check.each(jar, check::look);
-    check.missing.forEach((caller, things) -> things.forEach(thing -> System.out.println(caller.replace('/', '.') + " " + thing)));
+    check.missing.forEach((caller, things) -> things.forEach(thing -> System.out.println(check.line(caller, thing))));
+  }
+
+  private String line(String caller, String thing) {
+    return caller.replace('/', '.') + " " + thing + (asking.contains(outermost(caller)) ? " asked" : "");
+  }
+
+  private static String outermost(String name) {
+    int end = name.indexOf('$');
+    return end < 0 ? name : name.substring(0, end);
   }
 
   private interface Reading {
@@ -95,6 +106,9 @@ final class ApiCheck {
 
               @Override
               public void visitFieldInsn(int opcode, String owner, String field, String type) {
+                if (owner.equals("android/os/Build$VERSION") && field.equals("SDK_INT")) {
+                  asking.add(outermost(caller));
+                }
                 member(caller, owner, field + "#" + type);
               }
 
