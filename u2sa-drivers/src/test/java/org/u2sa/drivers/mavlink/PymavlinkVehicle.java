@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /** A vehicle that pymavlink plays in a process of its own: src/test/python/vehicle.py. */
 final class PymavlinkVehicle implements AutoCloseable {
@@ -36,13 +37,8 @@ final class PymavlinkVehicle implements AutoCloseable {
    *
    * @param kind "tcp" or "udp"
    */
-  static PymavlinkVehicle start(String kind) throws IOException, InterruptedException {
-    Optional<String> able = Optional.empty();
-    for (String program : List.of("python3", "/usr/bin/python3")) {
-      if (able.isEmpty() && hasPymavlink(program)) {
-        able = Optional.of(program);
-      }
-    }
+  static PymavlinkVehicle start(String kind) throws IOException {
+    Optional<String> able = Program.ABLE;
     if ("true".equals(System.getenv("CI"))) {
       assertThat(able).as("CI needs python3 with pymavlink").isPresent();
     }
@@ -57,16 +53,25 @@ final class PymavlinkVehicle implements AutoCloseable {
     return new PymavlinkVehicle(process, out, Integer.parseInt(first.substring(5)));
   }
 
-  private static boolean hasPymavlink(String program) throws InterruptedException {
-    try {
-      Process process =
-          new ProcessBuilder(program, "-c", "import pymavlink.mavutil")
-              .redirectErrorStream(true)
-              .start();
-      process.getInputStream().readAllBytes();
-      return process.waitFor() == 0;
-    } catch (IOException e) {
-      return false; // no such program
+  /** Looked for once: importing pymavlink takes a second. */
+  private static final class Program {
+    private static final Optional<String> ABLE =
+        Stream.of("python3", "/usr/bin/python3").filter(Program::hasPymavlink).findFirst();
+
+    private static boolean hasPymavlink(String program) {
+      try {
+        Process process =
+            new ProcessBuilder(program, "-c", "import pymavlink.mavutil")
+                .redirectErrorStream(true)
+                .start();
+        process.getInputStream().readAllBytes();
+        return process.waitFor() == 0;
+      } catch (IOException e) {
+        return false; // no such program
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return false;
+      }
     }
   }
 
