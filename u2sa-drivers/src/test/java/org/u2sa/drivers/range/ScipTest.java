@@ -16,7 +16,7 @@ import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Point;
 
-/** SCIP 2 against Hokuyo's own examples and what a real URG-04LX-UG01 said. */
+/** SCIP 2 against Hokuyo's own examples and a scan that scripts/sensors/scip.py encoded. */
 class ScipTest {
   /** Answer to PP of a URG-04LX, from sourceforge.net/p/urgnetwork/wiki/scip_status_en. */
   private static final List<String> PP =
@@ -30,15 +30,15 @@ class ScipTest {
           "AFRT:384;6",
           "SCAN:600;e");
 
-  private static byte[] capture() throws IOException {
-    try (InputStream stream = ScipTest.class.getResourceAsStream("urg-04lx-ug01.scip")) {
+  private static byte[] room() throws IOException {
+    try (InputStream stream = ScipTest.class.getResourceAsStream("room.scip")) {
       return stream.readAllBytes();
     }
   }
 
-  private static List<String> captured() throws IOException {
+  private static List<String> scanned() throws IOException {
     ScipReader reader = new ScipReader();
-    byte[] bytes = capture();
+    byte[] bytes = room();
     reader.accept(bytes, bytes.length);
     return reader.take().orElseThrow();
   }
@@ -84,29 +84,29 @@ class ScipTest {
   }
 
   @Test
-  void points_captureOfARealSensor_areWhatItSaw() throws IOException {
-    List<String> answer = captured();
+  void points_scanOfARoom_areItsWalls() throws IOException {
+    List<String> answer = scanned();
     assertThat(answer.get(0)).isEqualTo("GD0044072501");
     assertThat(answer.get(1)).isEqualTo("00P");
     List<Point> points =
         ScipScan.points(answer.subList(2, answer.size()), ScipParameters.of(PP).orElseThrow())
             .orElseThrow();
-    // Counted in the capture by another program: 597 of 682 distances are 20…5600 mm.
-    assertThat(points).hasSize(597);
+    // As the script counts: 584 of 682 distances are 20…5600 mm, the others an error code.
+    assertThat(points).hasSize(584);
     assertThat(points.stream().mapToDouble(Point::distance).min().orElseThrow())
-        .isCloseTo(0.09, within(1.0e-9));
+        .isCloseTo(2.0, within(1.0e-9));
     assertThat(points.stream().mapToDouble(Point::distance).max().orElseThrow())
-        .isCloseTo(5.461, within(1.0e-9));
+        .isCloseTo(3.6, within(1.0e-9));
     assertThat(points)
-        .as("step 384 is straight ahead, 293 mm")
+        .as("step 384 is straight ahead, where the wall is")
         .anySatisfy(
-            point -> assertThat(point.distanceTo(Point.of(0.293, 0.0, 0.0))).isLessThan(1.0e-9));
+            point -> assertThat(point.distanceTo(Point.of(3.0, 0.0, 0.0))).isLessThan(1.0e-9));
     assertThat(points.get(0).azimuth()).as("it begins at the right").isNegative();
   }
 
   @Test
-  void points_anyCharacterOfTheCaptureTurned_isRefusedOrAnotherAnswer() throws IOException {
-    byte[] whole = capture();
+  void points_anyCharacterOfAScanTurned_isRefusedOrAnotherAnswer() throws IOException {
+    byte[] whole = room();
     ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
     for (int at = 17; at < whole.length - 2; at += 7) { // after echo and status
       byte[] turned = whole.clone();
@@ -123,15 +123,15 @@ class ScipTest {
   }
 
   @Property(tries = 200)
-  void reader_captureInAnyPieces_isTheSameAnswer(@ForAll @IntRange(min = 1, max = 300) int piece)
+  void reader_scanInAnyPieces_isTheSameAnswer(@ForAll @IntRange(min = 1, max = 300) int piece)
       throws IOException {
     ScipReader reader = new ScipReader();
-    byte[] whole = capture();
+    byte[] whole = room();
     for (int from = 0; from < whole.length; from += piece) {
       byte[] part = Arrays.copyOfRange(whole, from, Math.min(from + piece, whole.length));
       reader.accept(part, part.length);
     }
-    assertThat(reader.take()).hasValue(captured());
+    assertThat(reader.take()).hasValue(scanned());
   }
 
   @Property(tries = 200)
