@@ -9,7 +9,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** All Java and Kotlin files of the repository by class name: tests of other modules are on no class path. */
+/**
+ * All Java and Kotlin files of the repository by class name: tests of other modules are on no class
+ * path.
+ */
 final class SourceFiles {
   private final Map<String, Path> files = new HashMap<>();
 
