@@ -22,9 +22,12 @@ import org.u2sa.android.screen.Permissions
 import org.u2sa.android.screen.SettingsActivity
 import org.u2sa.android.screen.Text
 import org.u2sa.android.screen.VehicleConnection
+import org.u2sa.android.sensor.CameraHook
 import org.u2sa.android.vehicle.Settings
 import org.u2sa.android.vehicle.VehicleHost
 import org.u2sa.android.vehicle.VehicleSnapshot
+import org.u2sa.core.launch.SystemFile
+import org.u2sa.interfaces.BadInputException
 
 private const val REFRESH_MS = 200L
 
@@ -71,8 +74,17 @@ class MainActivity : Activity(), Orders {
         main.postDelayed(refresh, REFRESH_MS)
     }
 
+    private fun missingPermissions() = Permissions(this).missing(settings.board, looks())
+
+    /** Whether the chosen system looks through the camera. What is wrong with its file is said when it is started. */
+    private fun looks(): Boolean = try {
+        CameraHook(SystemFile.read(vehicleFiles(this).system(settings.system).toPath())).isWanted
+    } catch (e: BadInputException) {
+        false
+    }
+
     override fun start() {
-        val missing = Permissions(this).missing(settings.board)
+        val missing = missingPermissions()
         if (missing.isEmpty()) {
             connection.startVehicle()
             return
@@ -91,7 +103,7 @@ class MainActivity : Activity(), Orders {
         if (request != START_REQUEST || results.isEmpty()) {
             return // was interrupted
         }
-        val missing = Permissions(this).missing(settings.board)
+        val missing = missingPermissions()
         if (missing.isNotEmpty()) {
             explain(missing)
         }

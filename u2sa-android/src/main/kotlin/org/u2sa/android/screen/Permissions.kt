@@ -21,6 +21,7 @@ internal class Permissions(private val context: Context) {
             Text.PERMISSION_BLUETOOTH,
             Text.PERMISSION_BLUETOOTH_SHORT,
         ),
+        CAMERA(listOf(Manifest.permission.CAMERA), Text.PERMISSION_CAMERA, Text.PERMISSION_CAMERA_SHORT),
         NOTIFICATIONS(
             listOf("android.permission.POST_NOTIFICATIONS"),
             Text.PERMISSION_NOTIFICATIONS,
@@ -28,9 +29,17 @@ internal class Permissions(private val context: Context) {
         ),
     }
 
-    /** What is not allowed yet and would be of use with a board that is reached like this. */
-    fun missing(board: BoardAddress): List<Need> = buildList {
+    /**
+     * What is not allowed yet and would be of use.
+     *
+     * @param board how it is reached
+     * @param camera whether a service looks
+     */
+    fun missing(board: BoardAddress, camera: Boolean): List<Need> = buildList {
         add(Need.LOCATION)
+        if (camera) {
+            add(Need.CAMERA)
+        }
         if (board is BoardAddress.Bluetooth && Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
             add(Need.BLUETOOTH)
         }

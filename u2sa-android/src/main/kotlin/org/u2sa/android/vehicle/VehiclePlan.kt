@@ -11,9 +11,12 @@ import org.u2sa.android.board.BoardLink
 import org.u2sa.android.board.UsbConnection
 import org.u2sa.android.file.LogArchive
 import org.u2sa.android.file.vehicleFiles
+import org.u2sa.android.sensor.AndroidPhoneCamera
 import org.u2sa.android.sensor.AndroidPhoneSensors
+import org.u2sa.android.sensor.CameraHook
 import org.u2sa.android.sensor.PhoneStateSensor
 import org.u2sa.core.launch.LaunchOptions
+import org.u2sa.core.launch.SystemFile
 import org.u2sa.drivers.ioio.IoioService
 import org.u2sa.interfaces.BadInputException
 import org.u2sa.interfaces.Clock
@@ -42,7 +45,10 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
         return VehicleHost.Order(
             systemFile = systemFile,
             logDirectory = File(files.logs, runName()),
-            configure = { configure(it, mission) },
+            configure = {
+                configure(it, mission)
+                CameraHook(SystemFile.read(systemFile.toPath())).configure(it) { AndroidPhoneCamera(application, clock) }
+            },
             cockpit = { Cockpit(it, condition, { watched?.connected() }, PhoneFailsafe(settings.lowBatteryPercent.toDouble())) },
             ended = condition::close,
         )

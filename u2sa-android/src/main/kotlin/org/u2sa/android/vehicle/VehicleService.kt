@@ -131,12 +131,15 @@ class VehicleService : Service() {
         return false
     }
 
-    /** The phone's GPS behind a dark screen needs the location type, which needs the permission. */
+    /** GPS and camera behind a dark screen need types of their own, which need the permissions. */
     private fun foregroundTypes(): Int {
-        val location = checkSelfPermission(Manifest.permission.ACCESS_FINE_LOCATION) == PackageManager.PERMISSION_GRANTED
+        val camera = Build.VERSION.SDK_INT >= Build.VERSION_CODES.R && isAllowed(Manifest.permission.CAMERA)
         return ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE or
-            (if (location) ServiceInfo.FOREGROUND_SERVICE_TYPE_LOCATION else 0)
+            (if (isAllowed(Manifest.permission.ACCESS_FINE_LOCATION)) ServiceInfo.FOREGROUND_SERVICE_TYPE_LOCATION else 0) or
+            (if (camera) ServiceInfo.FOREGROUND_SERVICE_TYPE_CAMERA else 0)
     }
+
+    private fun isAllowed(permission: String) = checkSelfPermission(permission) == PackageManager.PERMISSION_GRANTED
 
     /** Ends the vehicle; also lifts the memory of a crash. */
     fun stop() = host.stop()

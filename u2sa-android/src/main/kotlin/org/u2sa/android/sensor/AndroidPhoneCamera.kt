@@ -1,0 +1,137 @@
+package org.u2sa.android.sensor
+
+import android.Manifest
+import android.content.Context
+import android.content.pm.PackageManager
+import android.graphics.ImageFormat
+import android.hardware.camera2.CameraAccessException
+import android.hardware.camera2.CameraCaptureSession
+import android.hardware.camera2.CameraCharacteristics
+import android.hardware.camera2.CameraDevice
+import android.hardware.camera2.CameraManager
+import android.media.Image
+import android.media.ImageReader
+import android.os.Handler
+import android.os.HandlerThread
+import android.os.SystemClock
+import org.u2sa.interfaces.Clock
+
+private const val WIDTH = 640
+private const val HEIGHT = 480
+private const val PICTURES_HELD = 2
+private const val NANOS_PER_MICRO = 1_000L
+
+/**
+ * The camera on the phone's back, 640 × 480. Android calls back on a thread of its own, which ends with [close]. A camera that
+ * another application takes away is a trouble, not an exception; the next start of the vehicle opens it anew.
+ */
+class AndroidPhoneCamera(private val context: Context, private val clock: Clock) : PhoneCamera {
+    private val thread = HandlerThread("u2sa-phone-camera").apply { start() }
+    private val handler = Handler(thread.looper)
+    private val reader = ImageReader.newInstance(WIDTH, HEIGHT, ImageFormat.YUV_420_888, PICTURES_HELD)
+    private var device: CameraDevice? = null // touched by that thread only
+
+    @Volatile private var picture: PhoneCamera.Picture? = null
+    @Volatile private var isClosed = false
+
+    @Volatile
+    override var trouble = "the camera is being opened"
+        private set
+
+    private val opening = object : CameraDevice.StateCallback() {
+        override fun onOpened(camera: CameraDevice) {
+            if (isClosed) {
+                camera.close()
+                return
+            }
+            device = camera
+            trying { watch(camera) }
+        }
+
+        override fun onDisconnected(camera: CameraDevice) = lost(camera, "another application took the camera")
+
+        override fun onError(camera: CameraDevice, error: Int) = lost(camera, "the camera failed, error $error")
+    }
+
+    init {
+        reader.setOnImageAvailableListener({ take(it) }, handler)
+        trying { open() }
+    }
+
+    private fun open() {
+        val manager = context.getSystemService(Context.CAMERA_SERVICE) as CameraManager
+        val back = manager.cameraIdList.firstOrNull {
+            manager.getCameraCharacteristics(it).get(CameraCharacteristics.LENS_FACING) == CameraCharacteristics.LENS_FACING_BACK
+        }
+        when {
+            context.checkSelfPermission(Manifest.permission.CAMERA) != PackageManager.PERMISSION_GRANTED ->
+                trouble = "the permission for the camera was not given"
+            back == null -> trouble = "the phone has no camera on its back"
+            else -> manager.openCamera(back, opening, handler)
+        }
+    }
+
+    @Suppress("DEPRECATION") // its successor is of Android 9 and wants an executor; this one is of all
+    private fun watch(camera: CameraDevice) {
+        camera.createCaptureSession(
+            listOf(reader.surface),
+            object : CameraCaptureSession.StateCallback() {
+                override fun onConfigured(session: CameraCaptureSession) = trying {
+                    val request = camera.createCaptureRequest(CameraDevice.TEMPLATE_PREVIEW).apply { addTarget(reader.surface) }
+                    session.setRepeatingRequest(request.build(), null, handler)
+                    trouble = ""
+                }
+
+                override fun onConfigureFailed(session: CameraCaptureSession) {
+                    trouble = "the camera gives no pictures of $WIDTH by $HEIGHT"
+                }
+            },
+            handler,
+        )
+    }
+
+    private fun trying(action: () -> Unit) {
+        try {
+            action()
+        } catch (e: CameraAccessException) {
+            trouble = "the camera: ${e.message}"
+        } catch (e: IllegalStateException) { // closed by Android meanwhile
+            trouble = "the camera: ${e.message}"
+        }
+    }
+
+    private fun lost(camera: CameraDevice, words: String) {
+        trouble = words
+        device = null
+        camera.close()
+    }
+
+    private fun take(from: ImageReader) {
+        from.acquireLatestImage()?.use { image ->
+            val ageMicros = (SystemClock.elapsedRealtimeNanos() - image.timestamp) / NANOS_PER_MICRO
+            picture = PhoneCamera.Picture(clock.micros() - maxOf(0L, ageMicros), image.width, image.height, grey(image))
+        }
+    }
+
+    /** The brightness of YUV, without the bytes that pad its rows. */
+    private fun grey(image: Image): ByteArray {
+        val plane = image.planes[0]
+        val bytes = ByteArray(image.width * image.height)
+        for (row in 0 until image.height) {
+            plane.buffer.position(row * plane.rowStride)
+            plane.buffer.get(bytes, row * image.width, image.width)
+        }
+        return bytes
+    }
+
+    override fun latest(): PhoneCamera.Picture? = picture
+
+    override fun close() {
+        isClosed = true
+        handler.post {
+            device?.close()
+            reader.close()
+        }
+        thread.quitSafely()
+    }
+}
