@@ -14,6 +14,7 @@ import android.media.ImageReader
 import android.os.Handler
 import android.os.HandlerThread
 import android.os.SystemClock
+import java.nio.Buffer
 import org.u2sa.interfaces.Clock
 
 private const val WIDTH = 640
@@ -118,10 +119,15 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
         val plane = image.planes[0]
         val bytes = ByteArray(image.width * image.height)
         for (row in 0 until image.height) {
-            plane.buffer.position(row * plane.rowStride)
+            moveTo(plane.buffer, row * plane.rowStride)
             plane.buffer.get(bytes, row * image.width, image.width)
         }
         return bytes
+    }
+
+    /** As a Buffer: that ByteBuffer's own method has a result of its own is newer than Android 8. */
+    private fun moveTo(buffer: Buffer, place: Int) {
+        buffer.position(place)
     }
 
     override fun latest(): PhoneCamera.Picture? = picture
