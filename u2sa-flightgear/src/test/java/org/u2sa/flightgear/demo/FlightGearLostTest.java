@@ -83,6 +83,9 @@ class FlightGearLostTest {
         .until(
             () -> {
               try (Socket stray = new Socket(HOST, port)) {
+                if (stray.getLocalPort() == port) {
+                  return false; // nobody listens yet: TCP has joined the socket to itself
+                }
                 stray.getOutputStream().write("GET / HTTP/1.1\n1,2,\n\0\0\n".getBytes(UTF_8));
                 return true;
               }
