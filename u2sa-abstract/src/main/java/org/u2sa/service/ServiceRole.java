@@ -39,7 +39,7 @@ public enum ServiceRole {
   PROPRIOCEPTIVE_SENSOR(List.of(SENSED_STATE, POWER), List.of()),
   /** Measures the environment (3.2.2.3). */
   EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS), List.of(STATE)),
-  /** Fuses measurements into the best estimate (3.2.3.1). */
+  /** Publishes the best estimate of the state that it has (3.2.3.1). */
   STATE_ESTIMATOR(List.of(STATE), List.of(SENSED_STATE)),
   /** Keeps the goals (3.2.3.2). */
   MISSION_MANAGER(List.of(GOALS), List.of(GOAL_REPORTS, GOAL_COMMANDS, STATE)),

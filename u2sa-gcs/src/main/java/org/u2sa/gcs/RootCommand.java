@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
     synopsisHeading = "%n@|bold USAGE|@%n  ",
     customSynopsis = "u2sa [--debug] <command> [<options>]",
     header = {
-      "@|bold U2SA|@ - one architecture for robots that drive, fly, float and dive.",
+      "@|bold U2SA|@ - one architecture for unmanned vehicles; aircraft and ground vehicles run today.",
     },
     description = {
       "",
