@@ -12,21 +12,25 @@ import org.u2sa.messages.U2SAData;
  * The direct path of the Communication Manager: services of its own process are handed messages
  * object to object, on the publisher's thread, without socket or encoding.
  *
- * <p>A {@link Bridge} may be attached to give remote subscribers their copies.
+ * <p>Any number of {@link Bridge bridges} may be attached and taken off while messages flow: to
+ * give remote subscribers their copies, to record, to look on.
  */
 public final class LocalBus implements Transport {
   private final String systemId;
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
   private final Set<String> names = ConcurrentHashMap.newKeySet();
   private final AtomicLong connections = new AtomicLong();
-  private volatile Bridge bridge = (channel, message) -> {};
+  private volatile Bridge[] bridges = {}; // replaced, never changed; written under this
 
   /** A bus for the services of one system. */
   public LocalBus(String systemId) {
     this.systemId = Topic.checkSystemId(systemId);
   }
 
-  /** What carries copies of local messages to other processes. Must not block. */
+  /**
+   * What is handed each message that a local service publishes, on the publisher's thread: must not
+   * block. What it throws is counted and told as trouble of the publisher.
+   */
   @FunctionalInterface
   public interface Bridge {
     /** Takes one frozen message that a local service published. */
@@ -34,22 +38,27 @@ public final class LocalBus implements Transport {
   }
 
   /**
-   * Attaches the bridge to other processes, in place of the one before. It is given what is
-   * retained at once, since the broker behind it may be new and know nothing.
+   * Attaches a bridge, besides those that are there. It is given what is retained at once, since
+   * the broker behind it may be new and know nothing; what is published meanwhile may come to it
+   * twice, but never an older message after a newer one.
    */
-  public void attach(Bridge newBridge) {
-    bridge = newBridge;
-    routes.values().forEach(route -> route.handRetained(newBridge));
+  public void attach(Bridge added) {
+    synchronized (this) {
+      Bridge[] longer = Arrays.copyOf(bridges, bridges.length + 1);
+      longer[bridges.length] = added;
+      bridges = longer;
+    }
+    routes.values().forEach(route -> route.handRetained(added));
   }
 
-  /** Takes the bridge off: nothing leaves this process until another one is attached. */
-  public void detach() {
-    bridge = (channel, message) -> {};
+  /** Takes a bridge off. A message that is on its way to it on another thread may still come. */
+  public synchronized void detach(Bridge removed) {
+    bridges = Arrays.stream(bridges).filter(bridge -> bridge != removed).toArray(Bridge[]::new);
   }
 
   /** Delivers a frozen message that came from another process to the local subscribers. */
   public void deliver(Channel<?> channel, U2SAData message) {
-    route(channel).deliver(channel, message);
+    route(channel).deliver(channel, message, null);
   }
 
   /** Takes note that messages of other processes were lost on their way to the bus. */
@@ -89,7 +98,7 @@ public final class LocalBus implements Transport {
         try {
           receiver.receive(channel, message);
         } catch (RuntimeException e) {
-          owner.failed(channel, e);
+          owner.failed("receiving", channel, e);
         }
       }
     }
@@ -101,15 +110,29 @@ public final class LocalBus implements Transport {
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
     private Channel<?> channel; // of what is retained
 
-    void deliver(Channel<?> on, U2SAData message) {
+    /**
+     * Hands a message to all subscribers, then to the bridges.
+     *
+     * @param publisher whose bridges it crosses; null if it came from another process
+     */
+    void deliver(Channel<?> on, U2SAData message, LocalConnection publisher) {
       if (on.isRetained()) {
-        synchronized (this) { // so that a new subscriber sees a retained message once
+        // So that a new subscriber sees a retained message once, and that of two publishers the
+        // same one comes last here and beyond the bridges.
+        synchronized (this) {
           channel = on;
           retained.put(on.sourceOf(message), message);
-          hand(message);
+          handOn(on, message, publisher);
         }
       } else {
-        hand(message);
+        handOn(on, message, publisher);
+      }
+    }
+
+    private void handOn(Channel<?> on, U2SAData message, LocalConnection publisher) {
+      hand(message);
+      if (publisher != null) {
+        publisher.forward(on, message);
       }
     }
 
@@ -119,8 +142,8 @@ public final class LocalBus implements Transport {
       }
     }
 
-    synchronized void handRetained(Bridge newBridge) {
-      retained.values().forEach(message -> newBridge.forward(channel, message));
+    synchronized void handRetained(Bridge added) {
+      retained.values().forEach(message -> added.forward(channel, message));
     }
 
     synchronized void add(Subscription added) {
@@ -166,18 +189,30 @@ public final class LocalBus implements Transport {
         refused.incrementAndGet();
         return false;
       }
-      deliver(channel, message);
-      bridge.forward(channel, message);
+      route(channel).deliver(channel, message, this);
       return true;
     }
 
-    /** Counts and tells that the receiver threw: neither publisher nor other receivers notice. */
-    void failed(Channel<?> channel, RuntimeException error) {
+    void forward(Channel<?> channel, U2SAData message) {
+      for (Bridge bridge : bridges) {
+        try {
+          bridge.forward(channel, message);
+        } catch (RuntimeException e) {
+          failed("forwarding", channel, e);
+        }
+      }
+    }
+
+    /**
+     * Counts and tells that a receiver or a bridge threw: neither publisher nor other receivers
+     * notice.
+     */
+    void failed(String what, Channel<?> channel, RuntimeException error) {
       long count = refused.incrementAndGet();
       if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
         try {
           receiver.trouble(
-              "receiving on \"" + channel + "\" failed: " + error + " (" + count + " so far)");
+              what + " on \"" + channel + "\" failed: " + error + " (" + count + " so far)");
         } catch (RuntimeException e) {
           return; // it cannot be told either; the count is there, and its owner's health shows it
         }
