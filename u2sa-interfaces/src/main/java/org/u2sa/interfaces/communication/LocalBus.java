@@ -1,6 +1,7 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
@@ -29,11 +30,12 @@ public final class LocalBus implements Transport {
 
   /**
    * What is handed each message that a local service publishes, on the publisher's thread: must not
-   * block. What it throws is counted and told as trouble of the publisher.
+   * block. What it throws is counted and told as trouble of the publisher. A retained message from
+   * another process is handed to it too if a local service publishes of the same source.
    */
   @FunctionalInterface
   public interface Bridge {
-    /** Takes one frozen message that a local service published. */
+    /** Takes one frozen message. */
     void forward(Channel<?> channel, U2SAData message);
   }
 
@@ -108,6 +110,7 @@ public final class LocalBus implements Transport {
   private static final class Route {
     private volatile Subscription[] subscriptions = {};
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
+    private final Map<String, LocalConnection> publishers = new HashMap<>(); // last ones, by source
     private Channel<?> channel; // of what is retained
 
     /**
@@ -118,11 +121,17 @@ public final class LocalBus implements Transport {
     void deliver(Channel<?> on, U2SAData message, LocalConnection publisher) {
       if (on.isRetained()) {
         // So that a new subscriber sees a retained message once, and that of two publishers the
-        // same one comes last here and beyond the bridges.
+        // same one comes last here and beyond the bridges. Where one is here and one elsewhere,
+        // what came from there crosses the bridges again: a copy of an older one from here may
+        // have reached the broker after it.
         synchronized (this) {
           channel = on;
-          retained.put(on.sourceOf(message), message);
-          handOn(on, message, publisher);
+          String source = on.sourceOf(message);
+          retained.put(source, message);
+          if (publisher != null) {
+            publishers.put(source, publisher);
+          }
+          handOn(on, message, publishers.get(source));
         }
       } else {
         handOn(on, message, publisher);

@@ -207,6 +207,23 @@ class LocalBusTest {
     assertThat(beyond).hasValue(two);
   }
 
+  @Test
+  void deliverRetained_localServicePublishesItToo_crossesTheBridgesAgainSoThatBothEndAlike() {
+    List<U2SAData> bridged = new ArrayList<>();
+    bus.attach((channel, message) -> bridged.add(message));
+    GoalList before = frozen(new GoalList());
+    GoalList local = frozen(new GoalList());
+    GoalList remote = frozen(new GoalList());
+
+    bus.deliver(Channels.GOALS, before); // nobody here publishes yet: the broker has it
+    bus.connect("a", inbox).publish(Channels.GOALS, local); // perhaps after the next, beyond
+    bus.deliver(Channels.GOALS, remote);
+
+    assertThat(bridged).hasSize(2);
+    assertThat(bridged.get(0)).isSameAs(local);
+    assertThat(bridged.get(1)).isSameAs(remote);
+  }
+
   private static void awaitBlockedOrEnded(Thread thread) {
     while (thread.getState() != Thread.State.BLOCKED
         && thread.getState() != Thread.State.TERMINATED) {
