@@ -30,13 +30,21 @@ public final class LocalBus implements Transport {
 
   /**
    * What is handed each message that a local service publishes, on the publisher's thread: must not
-   * block. What it throws is counted and told as trouble of the publisher. A retained message from
-   * another process is handed to it too if a local service publishes of the same source.
+   * block. What it throws is counted and told as trouble of the publisher.
    */
   @FunctionalInterface
   public interface Bridge {
-    /** Takes one frozen message. */
+    /** Takes one frozen message that a local service published. */
     void forward(Channel<?> channel, U2SAData message);
+
+    /**
+     * Takes a retained message that came from another process where a local service publishes too,
+     * and that is the last one on the bus now. A bridge behind which the last one is kept as well
+     * forwards it, as a copy of an older message may have got there after it.
+     */
+    default void restate(Channel<?> channel, U2SAData message) {
+      // to look on at what services publish needs nothing of it
+    }
   }
 
   /**
@@ -94,6 +102,12 @@ public final class LocalBus implements Transport {
     return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
   }
 
+  /** One of a bridge's ways. */
+  @FunctionalInterface
+  private interface Crossing {
+    void cross(Bridge bridge, Channel<?> channel, U2SAData message);
+  }
+
   private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {
     void hand(U2SAData message) {
       if (channel.carries(message)) {
@@ -121,27 +135,24 @@ public final class LocalBus implements Transport {
     void deliver(Channel<?> on, U2SAData message, LocalConnection publisher) {
       if (on.isRetained()) {
         // So that a new subscriber sees a retained message once, and that of two publishers the
-        // same one comes last here and beyond the bridges. Where one is here and one elsewhere,
-        // what came from there crosses the bridges again: a copy of an older one from here may
-        // have reached the broker after it.
+        // same one comes last here and beyond the bridges.
         synchronized (this) {
           channel = on;
           String source = on.sourceOf(message);
           retained.put(source, message);
+          hand(message);
           if (publisher != null) {
             publishers.put(source, publisher);
+            publisher.cross(on, message, Bridge::forward);
+          } else if (publishers.containsKey(source)) {
+            publishers.get(source).cross(on, message, Bridge::restate);
           }
-          handOn(on, message, publishers.get(source));
         }
       } else {
-        handOn(on, message, publisher);
-      }
-    }
-
-    private void handOn(Channel<?> on, U2SAData message, LocalConnection publisher) {
-      hand(message);
-      if (publisher != null) {
-        publisher.forward(on, message);
+        hand(message);
+        if (publisher != null) {
+          publisher.cross(on, message, Bridge::forward);
+        }
       }
     }
 
@@ -202,10 +213,10 @@ public final class LocalBus implements Transport {
       return true;
     }
 
-    void forward(Channel<?> channel, U2SAData message) {
+    void cross(Channel<?> channel, U2SAData message, Crossing how) {
       for (Bridge bridge : bridges) {
         try {
-          bridge.forward(channel, message);
+          how.cross(bridge, channel, message);
         } catch (RuntimeException e) {
           failed("forwarding", channel, e);
         }

@@ -208,9 +208,22 @@ class LocalBusTest {
   }
 
   @Test
-  void deliverRetained_localServicePublishesItToo_crossesTheBridgesAgainSoThatBothEndAlike() {
-    List<U2SAData> bridged = new ArrayList<>();
-    bus.attach((channel, message) -> bridged.add(message));
+  void deliverRetained_localServicePublishesItToo_isRestatedBeyondTheBridgeSoThatBothEndAlike() {
+    List<U2SAData> beyond = new ArrayList<>();
+    bus.attach(
+        new LocalBus.Bridge() {
+          @Override
+          public void forward(Channel<?> channel, U2SAData message) {
+            beyond.add(message);
+          }
+
+          @Override
+          public void restate(Channel<?> channel, U2SAData message) {
+            beyond.add(message);
+          }
+        });
+    List<U2SAData> tapped = new ArrayList<>();
+    bus.attach((channel, message) -> tapped.add(message));
     GoalList before = frozen(new GoalList());
     GoalList local = frozen(new GoalList());
     GoalList remote = frozen(new GoalList());
@@ -219,9 +232,10 @@ class LocalBusTest {
     bus.connect("a", inbox).publish(Channels.GOALS, local); // perhaps after the next, beyond
     bus.deliver(Channels.GOALS, remote);
 
-    assertThat(bridged).hasSize(2);
-    assertThat(bridged.get(0)).isSameAs(local);
-    assertThat(bridged.get(1)).isSameAs(remote);
+    assertThat(beyond).hasSize(2);
+    assertThat(beyond.get(0)).isSameAs(local);
+    assertThat(beyond.get(1)).isSameAs(remote);
+    assertThat(tapped).singleElement().isSameAs(local);
   }
 
   private static void awaitBlockedOrEnded(Thread thread) {
