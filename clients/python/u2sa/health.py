@@ -17,7 +17,7 @@ class Health:
         self._lock = threading.Lock()
         self._took: List[float] = []
         self._running_since: Optional[float] = None
-        self._counts: Dict[str, Any] = {"dropped": 0, "refused": 0, "overruns": 0, "exceptions": 0, "published": 0, "expired": 0, "missed": 0}
+        self._counts: Dict[str, Any] = {"dropped": 0, "replaced": 0, "refused": 0, "overruns": 0, "exceptions": 0, "published": 0, "expired": 0, "missed": 0}
         self.last_error: Optional[str] = None
         self.in_a_row = 0
 

@@ -366,6 +366,10 @@ MESSAGES = [
         ('published', 'int', 'optional', None, None, None, (), 2),
         ('expired', 'int', 'optional', None, None, None, (), 2),
         ('missed', 'int', 'optional', None, None, None, (), 2),
+        ('replaced', 'int', 'optional', None, None, None, (), 2),
+        ('commandsObeyed', 'int', 'optional', None, None, None, (), 2),
+        ('commandsRefused', 'int', 'optional', None, None, None, (), 2),
+        ('refusedSubscriptions', 'text', 'optional', None, None, None, (), 2),
     ]),
     (('HealthReport', 'ConnectionLost'), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
@@ -388,6 +392,10 @@ MESSAGES = [
         ('published', 'int', 'optional', None, None, None, (), 2),
         ('expired', 'int', 'optional', None, None, None, (), 2),
         ('missed', 'int', 'optional', None, None, None, (), 2),
+        ('replaced', 'int', 'optional', None, None, None, (), 2),
+        ('commandsObeyed', 'int', 'optional', None, None, None, (), 2),
+        ('commandsRefused', 'int', 'optional', None, None, None, (), 2),
+        ('refusedSubscriptions', 'text', 'optional', None, None, None, (), 2),
     ]),
     (('EmergencyStop',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),

@@ -68,6 +68,7 @@ public final class CommandedActuators {
             service.getVariable(CLOCK_TOLERANCE),
             ranges);
     emergency = new EmergencyLatch(service.clock(), systemId);
+    service.health().hasActuators();
     service.getVariable(REQUIRES_ARMING); // declared before the first command comes
     service.registerPublisher(Channels.ACTUATORS);
     service.registerSubscriber(Channels.EMERGENCY_STOP); // first: a stop that holds comes before
@@ -89,8 +90,12 @@ public final class CommandedActuators {
    */
   public boolean obey(ActuatorCommand command) {
     Optional<CommandRefusal> refusal = refusal(command);
-    refusal.ifPresent(reason -> refuse(command, reason));
-    return refusal.isEmpty();
+    if (refusal.isEmpty()) {
+      service.health().obeyed();
+      return true;
+    }
+    refuse(command, refusal.get());
+    return false;
   }
 
   /**

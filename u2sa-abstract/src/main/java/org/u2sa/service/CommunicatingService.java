@@ -2,6 +2,7 @@ package org.u2sa.service;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channel;
@@ -37,12 +38,12 @@ abstract class CommunicatingService extends ConfiguredService
 
   @Override
   public final boolean registerPublisher(Class<? extends U2SAData> dataType) {
-    return registerPublisher(wiring.registrations().channelToPublish(dataType));
+    return onChannelToPublish(dataType, this::registerPublisher);
   }
 
   /** {@link #registerPublisher(Class)} on the channel of that name (thesis 8.2.3.1). */
   public final boolean registerPublisher(String channelName) {
-    return registerPublisher(Channels.namedOrNew(channelName));
+    return onChannelNamed(channelName, this::registerPublisher);
   }
 
   /** {@link #registerPublisher(Class)} on a channel. */
@@ -53,17 +54,17 @@ abstract class CommunicatingService extends ConfiguredService
 
   @Override
   public final boolean unregisterPublisher(Class<? extends U2SAData> dataType) {
-    return wiring.unregisterPublisher(wiring.registrations().channelToPublish(dataType));
+    return onChannelToPublish(dataType, wiring::unregisterPublisher);
   }
 
   @Override
   public final boolean registerSubscriber(Class<? extends U2SAData> dataType) {
-    return registerSubscriber(wiring.registrations().channelToSubscribe(dataType));
+    return onChannelToSubscribe(dataType, this::registerSubscriber);
   }
 
   /** {@link #registerSubscriber(Class)} on the channel of that name (thesis 8.2.3.1). */
   public final boolean registerSubscriber(String channelName) {
-    return registerSubscriber(Channels.namedOrNew(channelName));
+    return onChannelNamed(channelName, this::registerSubscriber);
   }
 
   /** {@link #registerSubscriber(Class)} on a channel. */
@@ -86,8 +87,10 @@ abstract class CommunicatingService extends ConfiguredService
 
   @Override
   public final boolean unregisterSubscriber(Class<? extends U2SAData> dataType) {
-    Channel<?> channel = wiring.registrations().channelToSubscribe(dataType);
-    return attempt("unregistering from " + channel, () -> wiring.unregisterSubscriber(channel));
+    return onChannelToSubscribe(
+        dataType,
+        channel ->
+            attempt("unregistering from " + channel, () -> wiring.unregisterSubscriber(channel)));
   }
 
   @Override
@@ -104,7 +107,7 @@ abstract class CommunicatingService extends ConfiguredService
 
   /** Publishes on the channel of that name (thesis 8.2.3.1). */
   public final boolean publish(String channelName, U2SAData data) {
-    return publish(Channels.namedOrNew(channelName), data);
+    return onChannelNamed(channelName, channel -> publish(channel, data));
   }
 
   /**
@@ -133,6 +136,39 @@ abstract class CommunicatingService extends ConfiguredService
     } catch (CommunicationException e) {
       log(LogLevelEnum.ERROR, "publishing on " + channel + " failed: " + e.getMessage());
     }
+    return false;
+  }
+
+  private boolean onChannelToPublish(
+      Class<? extends U2SAData> dataType, Predicate<Channel<?>> action) {
+    Registrations registrations = wiring.registrations();
+    return registrations
+        .channelToPublish(dataType)
+        .map(action::test)
+        .orElseGet(() -> refuse(registrations.noStandardChannel("publishes", dataType)));
+  }
+
+  private boolean onChannelToSubscribe(
+      Class<? extends U2SAData> dataType, Predicate<Channel<?>> action) {
+    Registrations registrations = wiring.registrations();
+    return registrations
+        .channelToSubscribe(dataType)
+        .map(action::test)
+        .orElseGet(() -> refuse(registrations.noStandardChannel("receives", dataType)));
+  }
+
+  private boolean onChannelNamed(String channelName, Predicate<Channel<?>> action) {
+    Channel<?> channel;
+    try {
+      channel = Channels.namedOrNew(channelName);
+    } catch (IllegalArgumentException e) {
+      return refuse(e.getMessage());
+    }
+    return action.test(channel);
+  }
+
+  private boolean refuse(String why) {
+    log(LogLevelEnum.ERROR, why);
     return false;
   }
 

@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.HealthReport;
@@ -75,11 +76,16 @@ final class HealthReporter {
             .interval(Clock.seconds(intervalMicros))
             .inboxDepth(service.inbox().depth())
             .dropped(service.inbox().dropped())
+            .replaced(service.inbox().replaced())
             .refused(service.wiring().refused())
             .missed(service.wiring().missed())
             .published(service.wiring().data().published());
     service.wiring().instance().ifPresent(report::instance);
     service.wiring().data().ageS().ifPresent(report::dataAge);
+    Set<String> deafTo = service.wiring().refusedSubscriptions();
+    if (!deafTo.isEmpty()) {
+      report.refusedSubscriptions(String.join(",", deafTo));
+    }
     return service.health().addTo(report);
   }
 }

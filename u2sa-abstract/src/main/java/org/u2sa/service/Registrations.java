@@ -67,11 +67,18 @@ final class Registrations {
     return RoleChannels.nearest(published, data);
   }
 
-  Channel<?> channelToPublish(Class<? extends U2SAData> dataType) {
-    return RoleChannels.toPublish(role, dataType);
+  /** The role's standard channel on which to publish messages of the class; empty if none. */
+  Optional<Channel<?>> channelToPublish(Class<? extends U2SAData> dataType) {
+    return role.channelToPublish(dataType);
   }
 
-  Channel<?> channelToSubscribe(Class<? extends U2SAData> dataType) {
-    return RoleChannels.toSubscribe(role, dataType);
+  /** The role's standard channel on which to receive messages of the class; empty if none. */
+  Optional<Channel<?>> channelToSubscribe(Class<? extends U2SAData> dataType) {
+    return role.channelToSubscribe(dataType);
+  }
+
+  /** Why one of these is empty. */
+  String noStandardChannel(String does, Class<? extends U2SAData> dataType) {
+    return RoleChannels.noStandard(role, does, dataType);
   }
 }

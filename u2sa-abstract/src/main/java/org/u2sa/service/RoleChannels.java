@@ -24,37 +24,16 @@ final class RoleChannels {
     return channel.type().chain().size();
   }
 
-  /**
-   * Where a service of the role publishes messages of the class.
-   *
-   * @throws IllegalArgumentException if the role has no standard channel for them
-   */
-  static Channel<?> toPublish(ServiceRole role, Class<? extends U2SAData> dataType) {
-    return role.channelToPublish(dataType)
-        .orElseThrow(() -> noStandardChannel(role, "publishes", dataType));
-  }
-
-  /**
-   * Where a service of the role receives messages of the class.
-   *
-   * @throws IllegalArgumentException if the role has no standard channel for them
-   */
-  static Channel<?> toSubscribe(ServiceRole role, Class<? extends U2SAData> dataType) {
-    return role.channelToSubscribe(dataType)
-        .orElseThrow(() -> noStandardChannel(role, "receives", dataType));
-  }
-
-  private static IllegalArgumentException noStandardChannel(
-      ServiceRole role, String does, Class<? extends U2SAData> dataType) {
-    return new IllegalArgumentException(
-        "no standard channel on which a "
-            + role
-            + " "
-            + does
-            + " "
-            + dataType.getSimpleName()
-            + ": register with a channel instead, one of "
-            + Channels.all()
-            + " or your own");
+  /** Why a role has no standard channel for messages of a class, for the log. */
+  static String noStandard(ServiceRole role, String does, Class<? extends U2SAData> dataType) {
+    return "no standard channel on which a "
+        + role
+        + " "
+        + does
+        + " "
+        + dataType.getSimpleName()
+        + ": register with a channel instead, one of "
+        + Channels.all()
+        + " or your own";
   }
 }

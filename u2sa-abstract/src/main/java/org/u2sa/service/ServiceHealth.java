@@ -24,7 +24,9 @@ final class ServiceHealth {
   private long exceptions;
   private int exceptionsInRow;
   private long overruns;
-  private long refused;
+  private long refused; // commands
+  private long obeyed; // likewise
+  private boolean commanded;
   private long expired;
   private String lastError;
   private Exception lastException;
@@ -92,6 +94,16 @@ final class ServiceHealth {
     overruns += missedPeriods;
   }
 
+  /** Says that the service has actuators, so that its commands are counted. */
+  synchronized void hasActuators() {
+    commanded = true;
+  }
+
+  /** Counts a command that an actuator obeys. */
+  synchronized void obeyed() {
+    obeyed++;
+  }
+
   /** Counts a command that an actuator did not obey. */
   synchronized void refused() {
     refused++;
@@ -136,6 +148,9 @@ final class ServiceHealth {
   /** Fills in what a health report says of the service's code, and returns the report. */
   synchronized HealthReport addTo(HealthReport report) {
     lastError().ifPresent(report::lastError);
+    if (commanded) {
+      report.commandsObeyed(obeyed).commandsRefused(refused);
+    }
     return report
         .overruns(overruns)
         .exceptions(exceptions)

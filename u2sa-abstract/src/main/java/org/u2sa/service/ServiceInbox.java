@@ -11,18 +11,21 @@ import org.u2sa.messages.U2SAData;
  *
  * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
  * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
- * full queue refuses the newest. Both are counted. What is urgent has a queue of its own, which
- * comes first, so that no flood keeps an emergency stop out.
+ * full queue refuses the newest. Each is counted, as the former is no loss and the latter is. What
+ * is urgent has a queue of its own, which comes first, so that no flood keeps an emergency stop
+ * out.
  */
 final class ServiceInbox {
   /** One message and the channel that it came on. */
   static final class Delivery {
     private final Channel<?> channel;
     private U2SAData message; // replaced while queued, under the inbox's lock
+    private long arrivedMicros; // likewise
 
-    Delivery(Channel<?> channel, U2SAData message) {
+    Delivery(Channel<?> channel, U2SAData message, long arrivedMicros) {
       this.channel = channel;
       this.message = message;
+      this.arrivedMicros = arrivedMicros;
     }
 
     Channel<?> channel() {
@@ -32,6 +35,10 @@ final class ServiceInbox {
     U2SAData message() {
       return message;
     }
+
+    long arrivedMicros() {
+      return arrivedMicros;
+    }
   }
 
   private final int capacity;
@@ -40,29 +47,35 @@ final class ServiceInbox {
   private final Map<Channel<?>, Map<String, Delivery>> newest =
       new HashMap<>(); // deliveries still queued
   private long dropped;
+  private long replaced;
   private ServiceInbox successor; // null as long as messages stay here
 
   ServiceInbox(int capacity) {
     this.capacity = capacity;
   }
 
-  /** Queues a message. Returns whether it is kept; otherwise the queue is full. */
-  synchronized boolean put(Channel<?> channel, U2SAData message) {
+  /**
+   * Queues a message. Returns whether it is kept; otherwise the queue is full.
+   *
+   * @param arrivedMicros when it came, where anybody wants to know [µs]
+   */
+  synchronized boolean put(Channel<?> channel, U2SAData message, long arrivedMicros) {
     if (successor != null) {
-      return successor.put(channel, message);
+      return successor.put(channel, message, arrivedMicros);
     }
     if (channel.deliversEvery()) {
-      return enqueue(lineOf(channel), new Delivery(channel, message));
+      return enqueue(lineOf(channel), new Delivery(channel, message, arrivedMicros));
     }
     Map<String, Delivery> ofChannel = newest.computeIfAbsent(channel, key -> new HashMap<>());
     String source = channel.sourceOf(message);
     Delivery waiting = ofChannel.get(source);
     if (waiting != null) {
       waiting.message = message;
-      dropped++;
+      waiting.arrivedMicros = arrivedMicros;
+      replaced++;
       return true;
     }
-    Delivery delivery = new Delivery(channel, message);
+    Delivery delivery = new Delivery(channel, message, arrivedMicros);
     boolean kept = enqueue(queue, delivery);
     if (kept) {
       ofChannel.put(source, delivery);
@@ -119,6 +132,7 @@ final class ServiceInbox {
       queue.forEach(next::append);
       ahead.forEach(next::append);
       next.dropped += dropped;
+      next.replaced += replaced;
       urgent.clear();
       queue.clear();
       newest.clear();
@@ -144,8 +158,13 @@ final class ServiceInbox {
     return urgent.size() + queue.size();
   }
 
-  /** Messages that were replaced by newer ones or refused because the queue was full, so far. */
+  /** Messages that were lost because the queue was full, so far. */
   synchronized long dropped() {
     return dropped;
+  }
+
+  /** Messages that newer ones of the same source replaced before their turn came, so far. */
+  synchronized long replaced() {
+    return replaced;
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Receiver;
@@ -57,7 +58,9 @@ final class ServiceReceiver implements Receiver {
 
   private void put(U2SAService service, Channel<?> channel, U2SAData message) {
     ServiceInbox inbox = service.inbox();
-    if (!inbox.put(channel, message) && Long.bitCount(inbox.dropped()) == 1) {
+    boolean ages = service.wiring().registrations().deadlineMicros(channel) != Clock.NEVER;
+    long arrivedMicros = ages ? service.clock().micros() : 0L; // asking costs time
+    if (!inbox.put(channel, message, arrivedMicros) && Long.bitCount(inbox.dropped()) == 1) {
       service.log(LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
     }
     U2SAService waiting = served.present; // asked anew: it may have been moved to a successor

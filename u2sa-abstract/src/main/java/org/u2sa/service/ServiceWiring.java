@@ -2,6 +2,7 @@ package org.u2sa.service;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
@@ -223,6 +224,12 @@ final class ServiceWiring {
   long missed() {
     Connection open = connection;
     return open == null ? missed : open.missed();
+  }
+
+  /** Names of the channels that the broker does not let it hear. */
+  Set<String> refusedSubscriptions() {
+    Connection open = connection;
+    return open == null ? Set.of() : open.refusedSubscriptions();
   }
 
   synchronized void close() {

@@ -138,8 +138,11 @@ public abstract class U2SAService extends ReplaceableService {
       return true;
     }
     OptionalLong saidMicros = delivery.message().timestamp();
-    long ageMicros = clock().micros() - saidMicros.orElse(0L);
-    if (saidMicros.isPresent() && ageMicros <= deadlineMicros) {
+    long ageMicros =
+        saidMicros.isPresent()
+            ? MessageAge.micros(delivery.message(), delivery.arrivedMicros(), clock().micros())
+            : Clock.NEVER;
+    if (ageMicros <= deadlineMicros) {
       return true;
     }
     long expired = health().expired();

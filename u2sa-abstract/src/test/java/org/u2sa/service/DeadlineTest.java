@@ -61,6 +61,37 @@ class DeadlineTest {
         .anyMatch(line -> line.contains("state: message 1.000001 s old counts as absent"));
   }
 
+  @Test
+  void callback_stampedAheadOfThisClock_agesFromItsArrival() {
+    Sleeper sleeper = kit.start(Sleeper::new);
+    kit.send(Channels.STATE, state(3_600_000_000L)); // its source's clock is an hour ahead
+    kit.advance(1.4); // it waits for the next report of health
+
+    assertThat(sleeper.heard).isEmpty();
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().expired()).hasValue(1);
+  }
+
+  /** Looks at its messages when it wakes for its health report only. */
+  private static final class Sleeper extends PeriodicService {
+    private final List<U2SAData> heard = new ArrayList<>();
+
+    Sleeper(ServiceContext context) {
+      super(context, ServiceRole.PATH_PLANNER, "Sleeper", 1.5);
+      handleMessagesAtSteps();
+      registerSubscriber(Channels.STATE, 0.1);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      heard.add(data);
+    }
+
+    @Override
+    protected void step(double nowS) {
+      assertThat(nowS).isNotNegative(); // nothing to do at a step
+    }
+  }
+
   private static StateInformation sent(long micros) {
     StateInformation state = state(micros);
     state.systemId(ServiceKit.SYSTEM_ID);

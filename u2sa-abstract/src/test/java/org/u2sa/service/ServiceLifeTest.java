@@ -92,7 +92,23 @@ class ServiceLifeTest {
     kit.advance(1.0);
 
     assertThat(listener.received).hasSize(2).first().isSameAs(newest);
-    assertThat(kit.latest(Channels.HEALTH).orElseThrow().dropped()).isEqualTo(1);
+    HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
+    assertThat(health.replaced()).hasValue(1);
+    assertThat(health.dropped()).isZero(); // a newer one came: nothing was lost
+  }
+
+  @Test
+  void callback_moreWaitThanTheInboxHolds_whatIsLostCountsAsDroppedOnly() {
+    kit.with("INBOX CAPACITY", 1);
+    kit.start(Listener::new);
+
+    kit.send(Channels.STATE, state("a"));
+    kit.send(Channels.STATE, state("b"));
+    kit.advance(1.0);
+
+    HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
+    assertThat(health.dropped()).isEqualTo(1);
+    assertThat(health.replaced()).hasValue(0);
   }
 
   @Test

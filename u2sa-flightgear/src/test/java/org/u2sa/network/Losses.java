@@ -5,7 +5,7 @@ import org.u2sa.messages.contract.HealthReport;
 /**
  * What services know to have lost.
  *
- * @param dropped replaced in an inbox, or refused by a full one
+ * @param dropped refused by a full inbox
  * @param refused that the way to the broker did not take
  * @param missed that did not arrive, by their numbers
  * @param expired older than their deadline on arrival

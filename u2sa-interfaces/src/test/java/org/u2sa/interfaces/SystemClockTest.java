@@ -54,6 +54,13 @@ class SystemClockTest {
   }
 
   @Test
+  void ahead_isSoAtOnceAndForGood() {
+    SystemClock ahead = clock.ahead(3_600_000_000L);
+
+    assertThat(ahead.micros() - clock.micros()).isBetween(3_599_990_000L, 3_600_000_000L);
+  }
+
+  @Test
   void micros_isTimeOfDay() {
     assertThat(clock.micros() / 1_000).isCloseTo(System.currentTimeMillis(), within(2_000L));
   }

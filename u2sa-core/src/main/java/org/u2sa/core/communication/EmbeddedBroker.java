@@ -153,7 +153,7 @@ final class EmbeddedBroker implements AutoCloseable {
 
   @Override
   public void close() {
-    bus.detach();
+    bus.detach(copies);
     copies.close();
     int owed = door.awaitLastWords();
     if (owed > 0) {

@@ -91,6 +91,12 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     }
   }
 
+  /** The broker may have got a local message after the remote one: this one is to be the last. */
+  @Override
+  public void restate(Channel<?> channel, U2SAData message) {
+    forward(channel, message);
+  }
+
   /** Numbers every message, so that who comes back later knows how many there were meanwhile. */
   private void number(
       OriginNumbers.Stream stream,

@@ -27,7 +27,8 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. What is done is
  * each service's policy. It does not watch itself: its process's {@code HealthWatch} does, or its
- * supervisor. While it is cut off from all others it judges nobody.
+ * supervisor. While it is cut off from all others it judges nobody. A service whose clock is not
+ * this one's is trouble that it says by name.
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;
@@ -38,6 +39,7 @@ public final class HealthMonitor extends PeriodicService {
   private final Map<String, WatchedService> services = new TreeMap<>();
   private MonitorSettings settings;
   private final Hearing hearing;
+  private final ClockOffsets clocks;
   private double lookedS = Double.NaN;
   private long orders;
 
@@ -46,6 +48,7 @@ public final class HealthMonitor extends PeriodicService {
     super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
     settings = new MonitorSettings(context.configuration());
     hearing = new Hearing(nowS());
+    clocks = new ClockOffsets(this);
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
     registerSubscriber(Channels.CONDITIONS);
@@ -97,6 +100,8 @@ public final class HealthMonitor extends PeriodicService {
     boolean forItself = report.threadAlive().isEmpty() && !(report instanceof ConnectionLost);
     if (report.serviceName().equals(getServiceName()) && forItself) {
       hearing.hear(report, nowS());
+    } else if (forItself) {
+      clocks.hear(report, clock().micros()).ifPresent(this::trouble);
     }
     if (!watches(report.serviceName())) {
       return;

@@ -17,21 +17,28 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 /**
  * Keeps a process from running a service that runs in another process of the same system: asks all
  * services for their names before the first is made here, and refuses to connect one of a name that
- * was answered. A service that hangs, or that another process starts at the same moment, does not
- * answer; who watches the system tells it from its namesake by its instance.
+ * was answered. The answers' timestamps tell how far the clocks are apart. A service that hangs, or
+ * that another process starts at the same moment, does not answer; who watches the system tells it
+ * from its namesake by its instance.
  */
 final class RollCall implements Transport, Receiver {
   /** How long answers are awaited. */
   private static final double ANSWERS_WITHIN_S = 1.0;
 
+  private static final long LOOK_MICROS = 10_000;
+
   private final Transport transport;
   private final Map<String, String> hosts = new ConcurrentHashMap<>(); // by service name
 
   private final Consumer<String> log;
+  private final Clock clock;
+  private final ClockAgreement agreement;
 
-  private RollCall(Transport transport, Consumer<String> log) {
+  private RollCall(Transport transport, Clock clock, Consumer<String> log) {
     this.transport = transport;
+    this.clock = clock;
     this.log = log;
+    agreement = new ClockAgreement(clock.micros());
   }
 
   /**
@@ -40,25 +47,49 @@ final class RollCall implements Transport, Receiver {
    * @param clock real time
    * @param log takes what goes wrong, a line each
    */
-  static Transport before(Transport transport, Clock clock, Consumer<String> log) {
-    RollCall call = new RollCall(transport, log);
+  static RollCall before(Transport transport, Clock clock, Consumer<String> log) {
+    RollCall call = new RollCall(transport, clock, log);
+    call.ask(false);
+    return call;
+  }
+
+  /**
+   * Asks for the time only, for services that are started anew and whose names may still be known:
+   * the first answer will do.
+   */
+  static RollCall forTime(Transport transport, Clock clock, Consumer<String> log) {
+    RollCall call = new RollCall(transport, clock, log);
+    call.ask(true);
+    call.hosts.clear();
+    return call;
+  }
+
+  private void ask(boolean oneWillDo) {
     DiscoveryRequest question = new DiscoveryRequest();
     question.systemId(transport.systemId());
     question.timestamp(clock.micros());
     question.freeze();
-    try (Connection connection = transport.connect("RollCall", call);
+    try (Connection connection = transport.connect("RollCall", this);
         Clock.Waiter waiter = clock.newWaiter("roll-call")) {
       connection.subscribe(Channels.DISCOVERY);
+      agreement.asked(clock.micros());
       connection.publish(Channels.DISCOVERY, question);
       long deadline = clock.micros() + Clock.micros(ANSWERS_WITHIN_S);
-      while (clock.micros() < deadline) {
-        waiter.await(deadline);
+      while (clock.micros() < deadline && !(oneWillDo && !hosts.isEmpty())) {
+        waiter.await(Math.min(deadline, clock.micros() + LOOK_MICROS));
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new CommunicationException("interrupted while asking who runs already", e);
     }
-    return call;
+  }
+
+  /**
+   * By how much the system's time is ahead of the clock's, as far as the answers tell [µs]; 0 if
+   * they agree or nobody answered. Says so where it is not.
+   */
+  long systemAheadMicros() {
+    return agreement.aheadMicros(log);
   }
 
   @Override
@@ -86,6 +117,7 @@ final class RollCall implements Transport, Receiver {
   public void receive(Channel<?> channel, U2SAData message) {
     if (message instanceof DiscoveryResponse) {
       DiscoveryResponse response = (DiscoveryResponse) message;
+      agreement.hear(response, clock.micros());
       hosts.put(response.serviceName(), response.host());
     }
   }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Transport;
@@ -76,10 +77,20 @@ public final class RunningSystem implements AutoCloseable {
   /** The way to the Communication Manager; over another process's, names are asked for first. */
   private Transport transport() {
     Transport transport = manager.transport();
-    boolean othersMayRun = manager.isExternal() && !options.restart() && !file.services().isEmpty();
-    return othersMayRun
-        ? RollCall.before(transport, new SystemClock(), options.console())
-        : transport;
+    if (!manager.isExternal() || file.services().isEmpty()) {
+      return transport; // nobody else can run yet
+    }
+    Clock clock = options.clock();
+    boolean real = clock instanceof SystemClock;
+    Clock stopwatch = real ? clock : new SystemClock();
+    RollCall call =
+        options.restart()
+            ? RollCall.forTime(transport, stopwatch, options.console())
+            : RollCall.before(transport, stopwatch, options.console());
+    if (real) {
+      options.clock(((SystemClock) clock).ahead(call.systemAheadMicros()));
+    }
+    return call;
   }
 
   private void startWatch() {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
@@ -23,7 +24,8 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Keeps the goals of the mission and says which are current (thesis 3.2.3.2). In: goal-reports,
- * goal-updates, goal-commands, failsafe. Out: goals, at the start and at each change.
+ * goal-updates, goal-commands, failsafe. Out: goals, at the start, at each change, and in answer to
+ * a report of a goal that is not current.
  *
  * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A goal
  * that comes in completed or abandoned is a report, any other an update. A list without goals says
@@ -38,9 +40,12 @@ public final class MissionManager extends EventDrivenService {
   /** The goal to which a vehicle returns on command. */
   static final String HOME = "home";
 
+  private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
+
   private final FailsafeMissions failsafes;
   private MissionProgress progress;
   private Optional<Waypoint> home = Optional.empty();
+  private long repeatDueMicros; // of the current goals, to one who does not know them
 
   /**
    * Called by the launcher.
@@ -197,8 +202,12 @@ public final class MissionManager extends EventDrivenService {
   private void finish(GoalInformation goal) {
     String uid = goal.uid();
     if (!progress.finish(goal)) {
-      String what = progress.pursued().knows(uid) ? "is not current" : "is not known";
+      boolean known = progress.pursued().knows(uid);
+      String what = known ? "is not current" : "is not known";
       log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" left out: it " + what);
+      if (known) {
+        repeatGoals();
+      }
       return;
     }
     if (goal.completed()) {
@@ -241,7 +250,25 @@ public final class MissionManager extends EventDrivenService {
       log("current goals " + names(current));
     }
     remember();
-    publish(Channels.GOALS, new GoalList().goals(current).upcoming(sequence.upcoming()));
+    publish(goalList());
+  }
+
+  private GoalList goalList() {
+    GoalSequence sequence = progress.pursued();
+    return new GoalList().goals(sequence.current()).upcoming(sequence.upcoming());
+  }
+
+  /**
+   * Tells a planner that pursues another goal which ones are current: it may have missed them. Not
+   * at each report, or two that disagree for good would keep each other busy; a planner repeats its
+   * report.
+   */
+  private void repeatGoals() {
+    long now = clock().micros();
+    if (now >= repeatDueMicros) {
+      repeatDueMicros = now + REPEAT_EVERY_MICROS;
+      publish(goalList());
+    }
   }
 
   private static List<String> names(List<GoalInformation> goals) {

@@ -9,6 +9,7 @@ enum Hazard {
   POSITION("position", "ON POSITION LOSS", FailsafeAction.HOLD),
   ESTIMATOR("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD),
   ACTUATOR_LINK("actuator link", "ON ACTUATOR LINK LOSS", FailsafeAction.HOLD),
+  ACTUATION("actuation refused", "ON ACTUATION REFUSED", FailsafeAction.HOLD),
   HEALTH_MONITOR("health monitor", "ON HEALTH MONITOR LOSS", FailsafeAction.CONTINUE),
   SERVICE("service given up", "ON SERVICE LOSS", FailsafeAction.HOLD),
   LOW_BATTERY("low battery", "ON LOW BATTERY", FailsafeAction.RETURN),

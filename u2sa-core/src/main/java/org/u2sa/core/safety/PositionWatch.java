@@ -5,11 +5,13 @@ import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.service.MessageAge;
 
 /** Whether the vehicle knows where it is: lost with fresh states, their x and y, or certainty. */
 final class PositionWatch implements Watch {
   private final Configurator configuration;
   private StateInformation newest; // null until the first
+  private long heardMicros; // when the newest came
 
   PositionWatch(Configurator configuration) {
     this.configuration = configuration;
@@ -26,6 +28,7 @@ final class PositionWatch implements Watch {
   public void see(U2SAData message, long nowMicros) {
     if (message instanceof StateInformation state && state.timestamp().isPresent()) {
       newest = state;
+      heardMicros = nowMicros;
     }
   }
 
@@ -38,7 +41,7 @@ final class PositionWatch implements Watch {
   }
 
   private double ageS(long nowMicros) {
-    return Clock.seconds(nowMicros - newest.timestamp().orElseThrow());
+    return Clock.seconds(MessageAge.micros(newest, heardMicros, nowMicros));
   }
 
   @Override

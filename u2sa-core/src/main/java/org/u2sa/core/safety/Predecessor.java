@@ -10,7 +10,7 @@ import org.u2sa.messages.contract.FailsafeState;
 /**
  * What a Safety Manager before this one said last, which is retained: one that is started anew in
  * flight must neither disarm the vehicle nor forget a failsafe. Words that are older than it takes
- * to start anew are of another run.
+ * to start anew, or as far ahead of this clock, are of another run.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent what it retained
@@ -28,7 +28,7 @@ final class Predecessor {
 
   void see(U2SAData message, long nowMicros) {
     long ageMicros = nowMicros - message.timestamp().orElse(Long.MIN_VALUE / 2);
-    if (!awaited || ageMicros > Clock.micros(SPOKE_WITHIN_S)) {
+    if (!awaited || Math.abs(ageMicros) > Clock.micros(SPOKE_WITHIN_S)) {
       return;
     }
     if (message instanceof ArmingState state) {

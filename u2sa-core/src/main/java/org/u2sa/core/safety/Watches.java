@@ -27,6 +27,7 @@ final class Watches {
             Hazard.ACTUATOR_LINK,
             conditions,
             () -> variables.getVariable(SafetyVariables.ACTUATOR_SERVICES)));
+    watches.add(new ActuationWatch(variables));
     watches.add(new MonitorWatch(variables));
     watches.add(new GivenUpWatch(conditions));
     watches.add(

@@ -2,10 +2,12 @@ package org.u2sa.core.health;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
 
@@ -47,6 +49,49 @@ class HealthMonitorTest extends WatchedWorker {
     say(report("a").threadAlive(false));
 
     assertThat(condition().condition()).isEqualTo(Condition.DEAD);
+  }
+
+  private void liveAhead(double aheadS, double forS) {
+    for (double s = 0.0; s < forS; s += INTERVAL_S) {
+      HealthReport report = report("a");
+      report.timestamp(kit.clock().micros() + Math.round(aheadS * 1e6));
+      say(report);
+      kit.advance(INTERVAL_S);
+    }
+  }
+
+  private Optional<String> troubleOfTheMonitor() {
+    return kit.published(Channels.HEALTH).stream()
+        .filter(report -> report.serviceName().equals("HealthMonitor"))
+        .reduce((before, last) -> last)
+        .flatMap(HealthReport::lastError);
+  }
+
+  @Test
+  void reports_stampedAnHourAhead_monitorSaysWhoseClockItIs() {
+    monitor();
+    liveAhead(0.0, 3.0);
+    assertThat(troubleOfTheMonitor()).isEmpty();
+
+    liveAhead(3600.0, 5.0);
+
+    assertThat(troubleOfTheMonitor()).hasValue("the clock of Worker is 3600.0 s ahead of this one");
+    assertThat(kit.log("HealthMonitor")).filteredOn(line -> line.contains("clock of")).hasSize(1);
+
+    liveAhead(0.0, 5.0);
+
+    assertThat(troubleOfTheMonitor()).hasValue("the clock of Worker agrees again");
+  }
+
+  @Test
+  void reports_someDelayedForLong_clockIsNotTakenToBeBehind() {
+    monitor();
+    for (int i = 0; i < 10; i++) {
+      liveAhead(-3.0, 1.0);
+      liveAhead(0.0, INTERVAL_S);
+    }
+
+    assertThat(troubleOfTheMonitor()).isEmpty();
   }
 
   @Test

@@ -67,6 +67,32 @@ class MissionManagerTest extends ThreeWaypoints {
   }
 
   @Test
+  void callback_reportOfAGoalThatIsNotCurrent_isAnsweredWithTheCurrentGoals() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+    kit.forget(); // as if the list of goals had never arrived
+
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("2");
+  }
+
+  @Test
+  void callback_suchReportsAllTheTime_areAnsweredOnceASecondAtMost() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+    kit.forget();
+
+    for (int i = 0; i < 30; i++) {
+      kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
+      kit.publish(Channels.GOAL_REPORTS, report("unknown").completed(true));
+      kit.advance(0.1);
+    }
+
+    assertThat(kit.published(Channels.GOALS)).hasSize(3);
+  }
+
+  @Test
   void callback_command_changesTheGoalNow() {
     kit.start(MissionManager::new);
     kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("3"));

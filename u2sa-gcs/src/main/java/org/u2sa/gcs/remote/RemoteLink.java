@@ -33,7 +33,7 @@ public final class RemoteLink implements AutoCloseable {
    * @param trouble takes a line when the connection is lost or restored
    * @throws CommunicationException if the broker cannot be reached
    */
-  RemoteLink(
+  public RemoteLink(
       Transport transport, String name, Clock clock, double timeoutS, Consumer<String> trouble) {
     systemId = transport.systemId();
     this.clock = clock;

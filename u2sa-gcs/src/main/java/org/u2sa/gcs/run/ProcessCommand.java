@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.gcs.Main;
+import org.u2sa.interfaces.SystemClock;
 
 /**
  * How a process of one service is started: {@code u2sa run --only}, with this program's own Java.
@@ -24,6 +25,7 @@ record ProcessCommand(Path file, Path logs, long seed, List<String> settings) {
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.add("-XX:+UseSerialGC");
     command.add("-Du2sa.home=" + System.getProperty("u2sa.home", ""));
+    command.add(SystemClock.option());
     command.add("-cp");
     command.add(System.getProperty("java.class.path"));
     command.add(Main.class.getName());

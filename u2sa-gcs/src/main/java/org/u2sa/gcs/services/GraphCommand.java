@@ -2,6 +2,7 @@ package org.u2sa.gcs.services;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.RunFailedException;
@@ -42,7 +43,8 @@ public final class GraphCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect()) {
-      Observation observation = Observation.made(link);
+      SettledObservation settled = SettledObservation.made(link);
+      Observation observation = settled.observation();
       if (observation.names().isEmpty()) {
         throw new RunFailedException(
             "no service of system \""
@@ -51,6 +53,9 @@ public final class GraphCommand implements Callable<Integer> {
                 + remote.brokerAddress());
       }
       ServiceGraph graph = ServiceGraph.of(observation.directory().services());
+      if (!settled.hasSettled()) {
+        tell(link);
+      }
       if (form.dot) {
         GraphText.dot(link.systemId(), graph).forEach(out::println);
       } else if (form.svg != null) {
@@ -63,5 +68,16 @@ public final class GraphCommand implements Callable<Integer> {
       out.flush();
       return ExitCode.DONE;
     }
+  }
+
+  private void tell(RemoteLink link) {
+    PrintWriter err = command.commandLine().getErr();
+    err.printf(
+        Locale.ROOT,
+        "System \"%s\" did not come to rest within %.1f s: services and feeds may be missing; "
+            + "--timeout waits longer%n",
+        link.systemId(),
+        link.timeoutS());
+    err.flush();
   }
 }

@@ -8,7 +8,7 @@ import org.u2sa.gcs.terminal.TextTable;
 final class GraphText {
   private GraphText() {}
 
-  /** A line each feed, by publisher, and what hangs loose. */
+  /** A line each feed, by publisher, what hangs loose, and who has not answered. */
   static List<String> lines(ServiceGraph graph) {
     List<String> lines = new ArrayList<>();
     TextTable feeds = new TextTable("FROM", "TO", "CHANNEL", "TYPE");
@@ -16,8 +16,13 @@ final class GraphText {
         .feeds()
         .forEach(feed -> feeds.add(feed.from(), "-> " + feed.to(), feed.channel(), feed.type()));
     lines.addAll(feeds.lines());
-    loose(lines, "Published to nobody:", graph.unheard());
-    loose(lines, "Subscribed to, published by nobody:", graph.unfed());
+    String known = graph.unanswered().isEmpty() ? "" : " that has answered";
+    loose(lines, "Published to nobody" + known + ":", graph.unheard());
+    loose(lines, "Subscribed to, published by nobody" + known + ":", graph.unfed());
+    if (!graph.unanswered().isEmpty()) {
+      lines.add("");
+      lines.add("Heard, but without an answer: " + String.join(", ", graph.unanswered()));
+    }
     return lines;
   }
 

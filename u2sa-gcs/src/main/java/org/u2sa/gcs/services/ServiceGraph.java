@@ -24,13 +24,16 @@ import org.u2sa.service.directory.KnownService;
  * @param feeds all pairs of publisher and subscriber, in the order of the services
  * @param unheard what is published and nobody subscribes to
  * @param unfed what is subscribed to and nobody publishes
+ * @param unanswered services that have not said what they publish and subscribe to, so that the
+ *     rest may be wrong where it says that nobody does
  */
 record ServiceGraph(
     List<String> services,
     Map<String, String> roles,
     List<Feed> feeds,
     List<Loose> unheard,
-    List<Loose> unfed) {
+    List<Loose> unfed,
+    List<String> unanswered) {
   private static final Set<String> OF_EVERYBODY =
       Set.of(
           Channels.DISCOVERY.name(),
@@ -58,9 +61,18 @@ record ServiceGraph(
       }
     }
     Map<String, String> roles = new LinkedHashMap<>();
-    ordered.forEach(service -> roles.put(service.name(), ServiceRow.of(service, null).type()));
+    ordered.forEach(service -> roles.put(service.name(), role(service)));
     return new ServiceGraph(
-        ordered.stream().map(KnownService::name).toList(), roles, feeds, unheard, unfed);
+        ordered.stream().map(KnownService::name).toList(),
+        roles,
+        feeds,
+        unheard,
+        unfed,
+        ordered.stream().filter(each -> !each.isComplete()).map(KnownService::name).toList());
+  }
+
+  private static String role(KnownService service) {
+    return service.isComplete() ? ServiceRow.of(service, null).type() : "no answer";
   }
 
   /** Roles are declared in the order in which data flow. */

@@ -3,6 +3,7 @@ package org.u2sa.gcs.services;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import java.util.function.ToLongFunction;
 import org.u2sa.gcs.terminal.TextTable;
 import org.u2sa.messages.contract.DiscoveryResponse;
@@ -29,6 +30,7 @@ final class ServiceTable {
             "CLASS",
             "INBOX",
             "DROPS",
+            "REPLACED",
             "REFUSED",
             "OVERRUNS",
             "P99",
@@ -45,12 +47,19 @@ final class ServiceTable {
           row.simpleClassName(),
           count(row, HealthReport::inboxDepth),
           count(row, HealthReport::dropped),
+          replaced(row),
           count(row, HealthReport::refused),
           count(row, HealthReport::overruns),
           duration(row.callbackP99S()),
           row.lastError());
     }
     return table.lines();
+  }
+
+  /** Empty where a service, of an older version or in another language, does not count them. */
+  private static String replaced(ServiceRow row) {
+    OptionalLong count = row.health().map(HealthReport::replaced).orElse(OptionalLong.empty());
+    return count.isPresent() ? String.valueOf(count.getAsLong()) : "";
   }
 
   private static String count(ServiceRow row, ToLongFunction<HealthReport> of) {

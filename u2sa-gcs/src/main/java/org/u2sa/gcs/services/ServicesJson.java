@@ -8,6 +8,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
@@ -93,11 +94,17 @@ final class ServicesJson {
     json.writeObjectFieldStart("health");
     json.writeNumberField("inbox", report.inboxDepth());
     json.writeNumberField("dropped", report.dropped());
+    number("replaced", report.replaced());
     json.writeNumberField("refused", report.refused());
     json.writeNumberField("overruns", report.overruns());
     json.writeNumberField("exceptions", report.exceptions());
     number("callbackP50S", report.callbackP50());
     number("callbackP99S", report.callbackP99());
+    number("commandsObeyed", report.commandsObeyed());
+    number("commandsRefused", report.commandsRefused());
+    if (report.refusedSubscriptions().isPresent()) {
+      json.writeStringField("refusedSubscriptions", report.refusedSubscriptions().get());
+    }
     if (report.lastError().isPresent()) {
       json.writeStringField("lastError", report.lastError().get());
     }
@@ -107,6 +114,12 @@ final class ServicesJson {
   private void number(String field, OptionalDouble value) throws IOException {
     if (value.isPresent()) {
       json.writeNumberField(field, value.getAsDouble());
+    }
+  }
+
+  private void number(String field, OptionalLong value) throws IOException {
+    if (value.isPresent()) {
+      json.writeNumberField(field, value.getAsLong());
     }
   }
 

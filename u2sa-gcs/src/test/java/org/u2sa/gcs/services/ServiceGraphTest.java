@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.LockstepClock;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.directory.ServiceDirectory;
@@ -65,6 +66,19 @@ class ServiceGraphTest {
     assertThat(graph().feeds()).isEmpty();
     assertThat(graph().unheard()).hasSize(1);
     assertThat(graph().unfed()).hasSize(1);
+  }
+
+  @Test
+  void lines_subscriberHasNotAnsweredYet_areMarkedAsWhatIsKnown() {
+    add("From", ServiceRole.OBSERVER, List.of("a/Base"), List.of());
+    directory.take(new HealthReport().serviceName("Late").status(ServiceStatus.RUNNING));
+
+    assertThat(graph().unanswered()).containsExactly("Late");
+    assertThat(graph().roles()).containsEntry("Late", "no answer");
+    assertThat(GraphText.lines(graph()))
+        .contains("Published to nobody that has answered:")
+        .contains("Heard, but without an answer: Late")
+        .doesNotContain("Published to nobody:");
   }
 
   @Test

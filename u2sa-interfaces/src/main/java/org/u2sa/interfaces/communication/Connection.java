@@ -1,5 +1,7 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.Collections;
+import java.util.Set;
 import org.u2sa.messages.U2SAData;
 
 /** One service's connection to the Communication Manager. All calls are safe from any thread. */
@@ -29,6 +31,14 @@ public interface Connection extends AutoCloseable {
 
   /** Ends {@link #subscribe}. */
   boolean unsubscribe(Channel<?> channel);
+
+  /**
+   * Names of the channels that were subscribed to and that the broker does not let this connection
+   * hear. It is asked again whenever the connection is made anew.
+   */
+  default Set<String> refusedSubscriptions() {
+    return Collections.emptySet();
+  }
 
   /**
    * Messages that could not be handed over, or that came in and could not be read, since the

@@ -1,6 +1,7 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
@@ -12,44 +13,62 @@ import org.u2sa.messages.U2SAData;
  * The direct path of the Communication Manager: services of its own process are handed messages
  * object to object, on the publisher's thread, without socket or encoding.
  *
- * <p>A {@link Bridge} may be attached to give remote subscribers their copies.
+ * <p>Any number of {@link Bridge bridges} may be attached and taken off while messages flow: to
+ * give remote subscribers their copies, to record, to look on.
  */
 public final class LocalBus implements Transport {
   private final String systemId;
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
   private final Set<String> names = ConcurrentHashMap.newKeySet();
   private final AtomicLong connections = new AtomicLong();
-  private volatile Bridge bridge = (channel, message) -> {};
+  private volatile Bridge[] bridges = {}; // replaced, never changed; written under this
 
   /** A bus for the services of one system. */
   public LocalBus(String systemId) {
     this.systemId = Topic.checkSystemId(systemId);
   }
 
-  /** What carries copies of local messages to other processes. Must not block. */
+  /**
+   * What is handed each message that a local service publishes, on the publisher's thread: must not
+   * block. What it throws is counted and told as trouble of the publisher.
+   */
   @FunctionalInterface
   public interface Bridge {
     /** Takes one frozen message that a local service published. */
     void forward(Channel<?> channel, U2SAData message);
+
+    /**
+     * Takes a retained message that came from another process where a local service publishes too,
+     * and that is the last one on the bus now. A bridge behind which the last one is kept as well
+     * forwards it, as a copy of an older message may have got there after it.
+     */
+    default void restate(Channel<?> channel, U2SAData message) {
+      // to look on at what services publish needs nothing of it
+    }
   }
 
   /**
-   * Attaches the bridge to other processes, in place of the one before. It is given what is
-   * retained at once, since the broker behind it may be new and know nothing.
+   * Attaches a bridge, besides those that are there. It is given what is retained at once, since
+   * the broker behind it may be new and know nothing; what is published meanwhile may come to it
+   * twice, but never an older message after a newer one.
    */
-  public void attach(Bridge newBridge) {
-    bridge = newBridge;
-    routes.values().forEach(route -> route.handRetained(newBridge));
+  public void attach(Bridge added) {
+    synchronized (this) {
+      Bridge[] longer = Arrays.copyOf(bridges, bridges.length + 1);
+      longer[bridges.length] = added;
+      bridges = longer;
+    }
+    routes.values().forEach(route -> route.handRetained(added));
   }
 
-  /** Takes the bridge off: nothing leaves this process until another one is attached. */
-  public void detach() {
-    bridge = (channel, message) -> {};
+  /** Takes a bridge off. A message that is on its way to it on another thread may still come. */
+  public synchronized void detach(Bridge removed) {
+    bridges = Arrays.stream(bridges).filter(bridge -> bridge != removed).toArray(Bridge[]::new);
   }
 
   /** Delivers a frozen message that came from another process to the local subscribers. */
   public void deliver(Channel<?> channel, U2SAData message) {
-    route(channel).deliver(channel, message);
+    route(channel).deliver(channel, message, null);
   }
 
   /** Takes note that messages of other processes were lost on their way to the bus. */
@@ -83,13 +102,19 @@ public final class LocalBus implements Transport {
     return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
   }
 
+  /** One of a bridge's ways. */
+  @FunctionalInterface
+  private interface Crossing {
+    void cross(Bridge bridge, Channel<?> channel, U2SAData message);
+  }
+
   private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {
     void hand(U2SAData message) {
       if (channel.carries(message)) {
         try {
           receiver.receive(channel, message);
         } catch (RuntimeException e) {
-          owner.failed(channel, e);
+          owner.failed("receiving", channel, e);
         }
       }
     }
@@ -99,17 +124,35 @@ public final class LocalBus implements Transport {
   private static final class Route {
     private volatile Subscription[] subscriptions = {};
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
+    private final Map<String, LocalConnection> publishers = new HashMap<>(); // last ones, by source
     private Channel<?> channel; // of what is retained
 
-    void deliver(Channel<?> on, U2SAData message) {
+    /**
+     * Hands a message to all subscribers, then to the bridges.
+     *
+     * @param publisher whose bridges it crosses; null if it came from another process
+     */
+    void deliver(Channel<?> on, U2SAData message, LocalConnection publisher) {
       if (on.isRetained()) {
-        synchronized (this) { // so that a new subscriber sees a retained message once
+        // So that a new subscriber sees a retained message once, and that of two publishers the
+        // same one comes last here and beyond the bridges.
+        synchronized (this) {
           channel = on;
-          retained.put(on.sourceOf(message), message);
+          String source = on.sourceOf(message);
+          retained.put(source, message);
           hand(message);
+          if (publisher != null) {
+            publishers.put(source, publisher);
+            publisher.cross(on, message, Bridge::forward);
+          } else if (publishers.containsKey(source)) {
+            publishers.get(source).cross(on, message, Bridge::restate);
+          }
         }
       } else {
         hand(message);
+        if (publisher != null) {
+          publisher.cross(on, message, Bridge::forward);
+        }
       }
     }
 
@@ -119,8 +162,8 @@ public final class LocalBus implements Transport {
       }
     }
 
-    synchronized void handRetained(Bridge newBridge) {
-      retained.values().forEach(message -> newBridge.forward(channel, message));
+    synchronized void handRetained(Bridge added) {
+      retained.values().forEach(message -> added.forward(channel, message));
     }
 
     synchronized void add(Subscription added) {
@@ -166,18 +209,30 @@ public final class LocalBus implements Transport {
         refused.incrementAndGet();
         return false;
       }
-      deliver(channel, message);
-      bridge.forward(channel, message);
+      route(channel).deliver(channel, message, this);
       return true;
     }
 
-    /** Counts and tells that the receiver threw: neither publisher nor other receivers notice. */
-    void failed(Channel<?> channel, RuntimeException error) {
+    void cross(Channel<?> channel, U2SAData message, Crossing how) {
+      for (Bridge bridge : bridges) {
+        try {
+          how.cross(bridge, channel, message);
+        } catch (RuntimeException e) {
+          failed("forwarding", channel, e);
+        }
+      }
+    }
+
+    /**
+     * Counts and tells that a receiver or a bridge threw: neither publisher nor other receivers
+     * notice.
+     */
+    void failed(String what, Channel<?> channel, RuntimeException error) {
       long count = refused.incrementAndGet();
       if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
         try {
           receiver.trouble(
-              "receiving on \"" + channel + "\" failed: " + error + " (" + count + " so far)");
+              what + " on \"" + channel + "\" failed: " + error + " (" + count + " so far)");
         } catch (RuntimeException e) {
           return; // it cannot be told either; the count is there, and its owner's health shows it
         }

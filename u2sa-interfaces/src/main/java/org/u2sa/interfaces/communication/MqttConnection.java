@@ -1,8 +1,7 @@
 package org.u2sa.interfaces.communication;
 
-import java.util.Map;
 import java.util.Random;
-import java.util.concurrent.ConcurrentHashMap;
+import java.util.Set;
 import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
@@ -27,8 +26,8 @@ final class MqttConnection implements Connection, MqttLink.Owner {
   private final String instance = OriginNumbers.newSender();
   private final OriginNumbers numbers = new OriginNumbers(instance);
   private final IncomingMessages incoming;
-  private final RetainedTopics retained = new RetainedTopics();
-  private final Map<String, Channel<?>> subscribed = new ConcurrentHashMap<>();
+  private final RetainedTopics retained;
+  private final MqttSubscriptions subscriptions;
   private final TopicNames topics;
   private final MqttLink link;
   private volatile long refusedBefore; // when the link broke
@@ -43,6 +42,8 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     this.receiver = receiver;
     topics = new TopicNames(systemId);
     incoming = new IncomingMessages(codec, receiver);
+    retained = new RetainedTopics(incoming::refuse);
+    subscriptions = new MqttSubscriptions(address, systemId, receiver::trouble);
     // Brokers drop the older of two clients with one ID. So a restarted service must not take its
     // predecessor's, while a connection that comes back takes its own from the broken session.
     link = new MqttLink(address, systemId + "/" + serviceName + "/" + instance, this);
@@ -109,6 +110,9 @@ final class MqttConnection implements Connection, MqttLink.Owner {
         byte[] payload = message.serialize(origin);
         RetainedTopics.Published last = retained.publishing(topic, payload);
         sent = session != null && session.publish(topic, payload, true, true, last);
+        if (sent) {
+          last.settle(session);
+        }
       } else if (session != null) {
         byte[] payload = message.serialize(origin);
         sent = session.publish(topic, payload, channel.deliversEvery(), false, null);
@@ -117,6 +121,9 @@ final class MqttConnection implements Connection, MqttLink.Owner {
         incoming.refuse(1); // that the link is broken was told
       } else if (!sent) {
         incoming.refuse("publishing on \"" + channel + "\" failed: the broker is too slow");
+        if (channel.isRetained()) {
+          link.catchUpSoon(); // whoever subscribes later relies on it
+        }
       }
       return sent;
     } catch (MqttException | IllegalStateException e) { // the latter: too long
@@ -127,56 +134,35 @@ final class MqttConnection implements Connection, MqttLink.Owner {
 
   @Override
   public boolean subscribe(Channel<?> channel) {
-    subscribed.put(channel.name(), channel);
+    subscriptions.want(channel);
     retained.forget(channel);
     incoming.forget(channel);
     MqttSession session = link.session();
-    if (session == null) {
-      return !closed; // begins when the link is back
-    }
-    try {
-      session.subscribe(true, Topic.filter(systemId, channel));
-      return true;
-    } catch (MqttException e) {
-      receiver.trouble(
-          "subscribing to \"" + channel + "\" at " + address + " failed: " + MqttSession.reason(e));
-      return session.isOver() && !closed;
-    }
+    return !closed && (session == null || subscriptions.begin(session, channel));
   }
 
   @Override
   public boolean unsubscribe(Channel<?> channel) {
-    subscribed.remove(channel.name());
+    subscriptions.forget(channel);
     MqttSession session = link.session();
-    if (session == null) {
-      return !closed;
-    }
-    try {
-      session.unsubscribe(Topic.filter(systemId, channel));
-      return true;
-    } catch (MqttException e) {
-      receiver.trouble(
-          "unsubscribing from \""
-              + channel
-              + "\" at "
-              + address
-              + " failed: "
-              + MqttSession.reason(e));
-      return session.isOver() && !closed;
-    }
+    return !closed && (session == null || subscriptions.end(session, channel));
+  }
+
+  @Override
+  public Set<String> refusedSubscriptions() {
+    return subscriptions.refused();
   }
 
   @Override
   public void renew(MqttSession session) throws MqttException, InterruptedException {
-    if (link.session() != session) {
-      retained.restore(session);
-    }
-    for (Channel<?> channel : subscribed.values()) {
-      String filter = Topic.filter(systemId, channel);
-      if (!session.isSubscribed(filter)) {
-        session.subscribe(true, filter);
-      }
-    }
+    retained.restore(session);
+    subscriptions.renew(session);
+  }
+
+  @Override
+  public boolean catchUp(MqttSession session) throws MqttException {
+    subscriptions.renew(session);
+    return retained.catchUp(session, numbers::on);
   }
 
   @Override
@@ -188,7 +174,7 @@ final class MqttConnection implements Connection, MqttLink.Owner {
       incoming.refuse("a message cannot be read: " + e.getMessage());
       return;
     }
-    Channel<?> channel = subscribed.get(topic.channel());
+    Channel<?> channel = subscriptions.named(topic.channel());
     if ((channel == null || channel.isRetained()) && !retained.isNews(topicName, payload)) {
       return; // known since before the link broke
     }
@@ -212,8 +198,11 @@ final class MqttConnection implements Connection, MqttLink.Owner {
   public void restored(double afterS) {
     receiver.trouble(
         String.format(
-            "connection to %s restored, subscriptions too, after %.1f s; %d messages could not be sent meanwhile",
-            address, afterS, incoming.refused() - refusedBefore));
+            "connection to %s restored, subscriptions %s, after %.1f s; %d messages could not be sent meanwhile",
+            address,
+            subscriptions.refused().isEmpty() ? "too" : "except " + subscriptions.refused(),
+            afterS,
+            incoming.refused() - refusedBefore));
   }
 
   @Override

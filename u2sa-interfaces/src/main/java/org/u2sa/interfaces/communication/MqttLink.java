@@ -6,6 +6,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
@@ -22,6 +23,7 @@ import org.u2sa.interfaces.Clock;
 final class MqttLink {
   private static final long ANSWER_WITHIN_MS = 4_000;
   private static final long END_WITHIN_MS = 1_000;
+  private static final long CATCH_UP_AFTER_MS = 100;
 
   private final String address;
   private final String clientId;
@@ -31,6 +33,7 @@ final class MqttLink {
   private volatile Clock clock;
   private volatile BackOff backOff;
   private final AtomicReference<MqttSession> current = new AtomicReference<>();
+  private final AtomicBoolean catchesUp = new AtomicBoolean();
   private volatile boolean closed;
   private volatile MqttSession opened; // the last one, perhaps not in use yet
   private String lastFailure = ""; // touched by the keeper only
@@ -38,8 +41,19 @@ final class MqttLink {
 
   /** Whose link it is. */
   interface Owner extends MqttSession.Listener {
-    /** Renews on a new session what the broken one had. Called on the keeper's thread. */
+    /**
+     * Renews on a new session what the broken one had, before it is in use. Called on the keeper's
+     * thread.
+     */
     void renew(MqttSession session) throws MqttException, InterruptedException;
+
+    /**
+     * Does on a session in use what was asked for while it was not, or what it could not take then.
+     * Called on the keeper's thread.
+     *
+     * @return whether nothing is left to do
+     */
+    boolean catchUp(MqttSession session) throws MqttException;
 
     /** The link broke. */
     void interrupted(String why);
@@ -133,7 +147,7 @@ final class MqttLink {
       }
       owner.renew(session);
       current.set(session);
-      owner.renew(session); // what was subscribed to before it was current
+      catchUp(session); // with what came since it was renewed
       if (session.isOver()) { // perhaps before it was current, and then nobody was told
         throw new MqttException(MqttException.REASON_CODE_CONNECTION_LOST);
       }
@@ -146,6 +160,38 @@ final class MqttLink {
     }
     backOff.reset();
     return true;
+  }
+
+  /** Lets the owner catch up on the session in use before long. Called from any thread. */
+  void catchUpSoon() {
+    if (!catchesUp.getAndSet(true)) {
+      onKeeper(
+          () -> {
+            catchesUp.set(false); // first: what comes from here on wants another one
+            MqttSession session = current.get();
+            if (session != null) {
+              catchUpOrLeaveIt(session);
+            }
+          },
+          CATCH_UP_AFTER_MS);
+    }
+  }
+
+  private void catchUp(MqttSession session) throws MqttException {
+    if (!owner.catchUp(session)) {
+      catchUpSoon();
+    }
+  }
+
+  private void catchUpOrLeaveIt(MqttSession session) {
+    try {
+      catchUp(session);
+    } catch (MqttException e) {
+      if (!session.isOver()) { // otherwise the next session begins with it
+        owner.trouble("catching up at " + address + " failed: " + MqttSession.reason(e));
+        catchUpSoon();
+      }
+    }
   }
 
   /** The session in use; null while there is none. */

@@ -1,6 +1,7 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.Arrays;
+import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
@@ -33,9 +34,10 @@ final class MqttSession {
   private final Listener listener;
   private final long answerWithinMs;
   private final AtomicLong owed = new AtomicLong(); // far below zero: the session is over
-  private final Set<String> consented = ConcurrentHashMap.newKeySet();
+  private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters that it answered
   private final CountDownLatch settled = new CountDownLatch(1);
   private volatile boolean closing;
+  private boolean gone; // Paho's client is closed; guarded by this
 
   /** Whom a session tells. Calls come on Paho's threads. */
   interface Listener {
@@ -106,31 +108,35 @@ final class MqttSession {
   }
 
   /**
-   * Asks for messages and waits for the broker's consent.
+   * Asks for messages and waits for the broker's answer.
    *
-   * @throws MqttException if it does not answer, or does not allow it
+   * @return the filters that it refused; empty if it consented to all
+   * @throws MqttException if it does not answer
    */
-  void subscribe(boolean eachMatters, String... filters) throws MqttException {
+  Set<String> subscribe(boolean eachMatters, String... filters) throws MqttException {
     int[] qualities = new int[filters.length];
     Arrays.fill(qualities, eachMatters ? AT_LEAST_ONCE : AT_MOST_ONCE);
     IMqttToken answer = client.subscribe(filters, qualities);
     answer.waitForCompletion(answerWithinMs);
-    for (int granted : answer.getGrantedQos()) {
-      if (granted == REFUSED) {
-        throw new MqttException(MqttException.REASON_CODE_NOT_AUTHORIZED);
+    int[] granted = answer.getGrantedQos();
+    Set<String> refused = new LinkedHashSet<>();
+    for (int i = 0; i < filters.length; i++) {
+      if (i >= granted.length || granted[i] == REFUSED) {
+        refused.add(filters[i]);
       }
     }
-    consented.addAll(Arrays.asList(filters));
+    asked.addAll(Arrays.asList(filters));
+    return refused;
   }
 
-  /** Whether the broker has consented to {@link #subscribe} with this filter. */
-  boolean isSubscribed(String filter) {
-    return consented.contains(filter);
+  /** Whether the broker has answered {@link #subscribe} with this filter, either way. */
+  boolean hasAsked(String filter) {
+    return asked.contains(filter);
   }
 
   /** Ends {@link #subscribe}. */
   void unsubscribe(String... filters) throws MqttException {
-    consented.removeAll(Arrays.asList(filters));
+    Arrays.asList(filters).forEach(asked::remove);
     client.unsubscribe(filters).waitForCompletion(answerWithinMs);
   }
 
@@ -166,8 +172,11 @@ final class MqttSession {
   }
 
   /** Cuts off what Paho is about to end itself, on a thread that fails if all is taken from it. */
-  private long cut() {
+  private synchronized long cut() {
     long lost = end();
+    if (gone) {
+      return lost; // Paho has nothing left to disconnect, and would trip over it
+    }
     try {
       client.disconnectForcibly(0, 0, false);
     } catch (MqttException e) {
@@ -177,8 +186,12 @@ final class MqttSession {
   }
 
   /** Cuts the session off without a word. Safe on one that was never open. */
-  long abandon() {
+  synchronized long abandon() {
     long lost = cut();
+    if (gone) {
+      return lost;
+    }
+    gone = true;
     try {
       client.close(true);
     } catch (MqttException e) {

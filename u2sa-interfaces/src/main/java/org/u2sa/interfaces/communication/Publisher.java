@@ -9,7 +9,8 @@ public interface Publisher extends Configurator {
    * Announces that messages of this class will be published on the standard channel of the
    * service's role. Called in the constructor.
    *
-   * @return whether the Communication Manager took the registration
+   * @return whether the Communication Manager took the registration; if not, or if the role has no
+   *     standard channel for the class, the reason is in the log
    */
   boolean registerPublisher(Class<? extends U2SAData> dataType);
 

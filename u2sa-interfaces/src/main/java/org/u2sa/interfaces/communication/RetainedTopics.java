@@ -7,6 +7,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import org.eclipse.paho.client.mqttv3.IMqttActionListener;
 import org.eclipse.paho.client.mqttv3.IMqttToken;
 import org.eclipse.paho.client.mqttv3.MqttException;
@@ -24,13 +26,28 @@ final class RetainedTopics {
   private final Set<String> knownBefore = ConcurrentHashMap.newKeySet();
   private volatile Inquiry inquiry; // null unless the broker is being asked what it holds
 
+  private final Consumer<String> refuse;
+
+  /**
+   * @param refuse told why a message cannot be sent at all
+   */
+  RetainedTopics(Consumer<String> refuse) {
+    this.refuse = refuse;
+  }
+
   /** One message of this connection, and whether the broker has confirmed it. */
   static final class Published implements IMqttActionListener {
     private final byte[] payload;
     private volatile boolean confirmed;
+    private volatile MqttSession settled; // the last one whose broker has it or a newer one
 
     private Published(byte[] payload) {
       this.payload = payload;
+    }
+
+    /** Takes note that the session's broker was handed this message, or needs it no more. */
+    void settle(MqttSession session) {
+      settled = session;
     }
 
     @Override
@@ -84,6 +101,7 @@ final class RetainedTopics {
    * does not hold, and those of which it is not known that it got them. What another connection
    * published since is left alone.
    *
+   * @param session not in use yet, so that nobody else publishes on it
    * @throws MqttException if the broker does not answer
    */
   void restore(MqttSession session) throws MqttException, InterruptedException {
@@ -92,28 +110,69 @@ final class RetainedTopics {
     if (mine.isEmpty()) {
       return;
     }
-    Set<String> lacking = ConcurrentHashMap.newKeySet();
-    lacking.addAll(mine.keySet());
-    String[] topics = mine.keySet().toArray(new String[0]);
-    CountDownLatch answers = new CountDownLatch(topics.length);
-    inquiry = new Inquiry(lacking, answers);
-    try {
-      session.subscribe(false, topics);
-      answers.await(ANSWER_WITHIN_MS, TimeUnit.MILLISECONDS);
-      session.unsubscribe(topics);
-    } catch (MqttException e) {
-      if (e.getReasonCode() != MqttException.REASON_CODE_NOT_AUTHORIZED) {
-        throw e;
-      }
-      lacking.clear(); // who may not ask leaves alone what he knows to have been there
-    } finally {
-      inquiry = null;
-    }
+    Set<String> lacking = notHeld(session, mine.keySet());
     for (Map.Entry<String, Published> each : mine.entrySet()) {
       Published last = each.getValue();
       if (lacking.contains(each.getKey()) || !last.confirmed) {
-        session.publish(each.getKey(), last.payload, true, true, last);
+        publish(session, each.getKey(), last);
+      } else {
+        last.settle(session);
       }
     }
+  }
+
+  /** Asks the broker; a topic of which it does not let us hear counts as held. */
+  private Set<String> notHeld(MqttSession session, Set<String> asked)
+      throws MqttException, InterruptedException {
+    Set<String> lacking = ConcurrentHashMap.newKeySet();
+    lacking.addAll(asked);
+    String[] topics = asked.toArray(new String[0]);
+    CountDownLatch answers = new CountDownLatch(topics.length);
+    Inquiry asking = new Inquiry(lacking, answers);
+    inquiry = asking;
+    try {
+      session.subscribe(false, topics).forEach(asking::answered);
+      answers.await(ANSWER_WITHIN_MS, TimeUnit.MILLISECONDS);
+      session.unsubscribe(topics);
+    } finally {
+      inquiry = null;
+    }
+    return lacking;
+  }
+
+  /**
+   * Publishes on a session that is in use what it has not got: messages that were published while
+   * the session was being made, or that it could not take when they came.
+   *
+   * @param lockOf what is held while a message is published on the topic, so that none overtakes a
+   *     newer one
+   * @return whether the session has everything now
+   * @throws MqttException if it breaks
+   */
+  boolean catchUp(MqttSession session, Function<String, ?> lockOf) throws MqttException {
+    boolean all = true;
+    for (String topic : published.keySet()) {
+      synchronized (lockOf.apply(topic)) {
+        Published last = published.get(topic);
+        if (last != null && last.settled != session) {
+          all &= publish(session, topic, last);
+        }
+      }
+    }
+    return all;
+  }
+
+  /** Returns false if the session cannot take it now. */
+  private boolean publish(MqttSession session, String topic, Published last) throws MqttException {
+    try {
+      if (!session.publish(topic, last.payload, true, true, last)) {
+        return false;
+      }
+      last.settle(session);
+    } catch (IllegalStateException e) { // too long: no later attempt would succeed
+      published.remove(topic, last);
+      refuse.accept("publishing on " + topic + " failed: " + MqttSession.reason(e));
+    }
+    return true;
   }
 }

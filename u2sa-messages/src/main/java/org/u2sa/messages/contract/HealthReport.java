@@ -42,6 +42,14 @@ public class HealthReport extends U2SAData {
       SCHEMA.optionalCount("published", "");
   private static final ValueField<HealthReport, Long> EXPIRED = SCHEMA.optionalCount("expired", "");
   private static final ValueField<HealthReport, Long> MISSED = SCHEMA.optionalCount("missed", "");
+  private static final ValueField<HealthReport, Long> REPLACED =
+      SCHEMA.optionalCount("replaced", "");
+  private static final ValueField<HealthReport, Long> COMMANDS_OBEYED =
+      SCHEMA.optionalCount("commandsObeyed", "");
+  private static final ValueField<HealthReport, Long> COMMANDS_REFUSED =
+      SCHEMA.optionalCount("commandsRefused", "");
+  private static final ValueField<HealthReport, String> REFUSED_SUBSCRIPTIONS =
+      SCHEMA.optionalText("refusedSubscriptions");
 
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
@@ -95,7 +103,10 @@ public class HealthReport extends U2SAData {
     return this;
   }
 
-  /** Messages dropped because the inbox was full or a newer one came. */
+  /**
+   * Messages lost because the inbox was full. A report without {@link #replaced()} is of a service
+   * that counts those here too.
+   */
   public long dropped() {
     return require(DROPPED);
   }
@@ -267,5 +278,55 @@ public class HealthReport extends U2SAData {
   private OptionalLong optional(ValueField<HealthReport, Long> field) {
     Long value = get(field);
     return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+  }
+
+  /**
+   * Messages that newer ones of the same source replaced while they waited, on channels where the
+   * newest counts: no loss. Empty if the service does not count them.
+   */
+  public OptionalLong replaced() {
+    return optional(REPLACED);
+  }
+
+  /** Sets {@link #replaced()}. */
+  public HealthReport replaced(long value) {
+    put(REPLACED, value);
+    return this;
+  }
+
+  /** Commands that its actuators obeyed; empty if it has no actuators. */
+  public OptionalLong commandsObeyed() {
+    return optional(COMMANDS_OBEYED);
+  }
+
+  /** Sets {@link #commandsObeyed()}. */
+  public HealthReport commandsObeyed(long value) {
+    put(COMMANDS_OBEYED, value);
+    return this;
+  }
+
+  /**
+   * Commands that were addressed to its actuators and not obeyed, for whatever reason; empty if it
+   * has no actuators.
+   */
+  public OptionalLong commandsRefused() {
+    return optional(COMMANDS_REFUSED);
+  }
+
+  /** Sets {@link #commandsRefused()}. */
+  public HealthReport commandsRefused(long value) {
+    put(COMMANDS_REFUSED, value);
+    return this;
+  }
+
+  /** Names of the channels that the broker does not let it hear, with commas between; or empty. */
+  public Optional<String> refusedSubscriptions() {
+    return Optional.ofNullable(get(REFUSED_SUBSCRIPTIONS));
+  }
+
+  /** Sets {@link #refusedSubscriptions()}. */
+  public HealthReport refusedSubscriptions(String value) {
+    put(REFUSED_SUBSCRIPTIONS, value);
+    return this;
   }
 }

@@ -1,0 +1,22 @@
+package org.u2sa.service;
+
+import org.u2sa.messages.U2SAData;
+
+/**
+ * How old a message is to one who received it. It ages from its timestamp on, but from its arrival
+ * at the latest: a source whose clock is ahead must not keep what it said fresh after it has fallen
+ * silent.
+ */
+public final class MessageAge {
+  private MessageAge() {}
+
+  /**
+   * The age of a message that says its time [µs], at least 0.
+   *
+   * @param arrivedMicros when it came, by the clock of {@code nowMicros}
+   * @throws java.util.NoSuchElementException if it does not say its time
+   */
+  public static long micros(U2SAData message, long arrivedMicros, long nowMicros) {
+    return nowMicros - Math.min(message.timestamp().orElseThrow(), arrivedMicros);
+  }
+}

@@ -1,0 +1,92 @@
+package org.u2sa.core.health;
+
+import java.util.ArrayDeque;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.messages.contract.HealthReport;
+
+/**
+ * How far the clocks of others are from this one, by the timestamps of their health reports. Of
+ * several reports the one that was least delayed tells most: an offset is its timestamp less its
+ * arrival.
+ */
+final class ClockOffsets {
+  static final Variable<Double> CLOCK_TOLERANCE =
+      Variable.number("CLOCK TOLERANCE", "s")
+          .range(Range.of(0.01, 60.0))
+          .ifAbsent(1.0)
+          .describedAs(
+              "How far a service's clock may be from the monitor's before that is said as trouble.");
+
+  private static final int REPORTS = 8; // 2 s at the usual interval
+
+  /** What is known of one service's clock. */
+  private static final class Source {
+    private final ArrayDeque<Long> offsetsMicros = new ArrayDeque<>();
+    private String instance = "";
+    private OptionalDouble saidS = OptionalDouble.empty(); // empty: that it agrees
+  }
+
+  private final Configurator configuration;
+  private final Map<String, Source> sources = new TreeMap<>();
+
+  ClockOffsets(Configurator configuration) {
+    this.configuration = configuration;
+    configuration.getVariable(CLOCK_TOLERANCE);
+  }
+
+  /**
+   * Takes note of a report that a service gave of itself.
+   *
+   * @return what is to be said of its clock that was not said before; empty if nothing
+   */
+  Optional<String> hear(HealthReport report, long nowMicros) {
+    if (report.timestamp().isEmpty()) {
+      return Optional.empty();
+    }
+    Source source = sources.computeIfAbsent(report.serviceName(), name -> new Source());
+    String instance = report.instance().orElse("");
+    if (!instance.equals(source.instance)) {
+      source.instance = instance;
+      source.offsetsMicros.clear(); // another process, perhaps another clock
+    }
+    source.offsetsMicros.add(report.timestamp().getAsLong() - nowMicros);
+    if (source.offsetsMicros.size() < REPORTS) {
+      return Optional.empty();
+    }
+    double offsetS =
+        Clock.seconds(source.offsetsMicros.stream().mapToLong(each -> each).max().orElseThrow());
+    source.offsetsMicros.poll();
+    return judge(report.serviceName(), source, offsetS);
+  }
+
+  private Optional<String> judge(String service, Source source, double offsetS) {
+    double toleranceS = configuration.getVariable(CLOCK_TOLERANCE);
+    boolean agrees = Math.abs(offsetS) <= toleranceS;
+    boolean same =
+        agrees
+            ? source.saidS.isEmpty()
+            : source.saidS.isPresent()
+                && Math.abs(offsetS - source.saidS.getAsDouble()) <= toleranceS;
+    if (same) {
+      return Optional.empty();
+    }
+    source.saidS = agrees ? OptionalDouble.empty() : OptionalDouble.of(offsetS);
+    return Optional.of(
+        agrees
+            ? "the clock of " + service + " agrees again"
+            : String.format(
+                Locale.ROOT,
+                "the clock of %s is %.1f s %s this one",
+                service,
+                Math.abs(offsetS),
+                offsetS > 0.0 ? "ahead of" : "behind"));
+  }
+}

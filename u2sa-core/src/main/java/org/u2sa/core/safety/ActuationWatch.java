@@ -1,0 +1,108 @@
+package org.u2sa.core.safety;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.HealthReport;
+
+/**
+ * Whether actuators obey: by the health of the services that have them, which count the commands
+ * that they obeyed and refused. Trouble is one that refuses and obeys none, for a time. What was
+ * refused while the vehicle was not armed does not count.
+ */
+final class ActuationWatch implements Watch {
+  static final Variable<Double> REFUSAL_TIME =
+      Variable.number("REFUSAL TIME", "s")
+          .range(Range.of(0.1, 3600.0))
+          .ifAbsent(2.0)
+          .describedAs(
+              "Time for which the actuators of a service must have refused all commands while the vehicle is armed.");
+
+  /** What one service reported last. */
+  private static final class Heard {
+    private String instance = "";
+    private long obeyed;
+    private long refused;
+    private long refusedBefore; // when it began to refuse all
+    private long sinceMicros = Clock.NEVER; // when that was; NEVER: it does not
+    private long refusedMicros; // when it was heard to refuse last
+  }
+
+  private final Configurator configuration;
+  private final Map<String, Heard> services = new TreeMap<>();
+  private boolean armed;
+
+  ActuationWatch(Configurator configuration) {
+    this.configuration = configuration;
+    configuration.getVariable(REFUSAL_TIME);
+  }
+
+  @Override
+  public Hazard hazard() {
+    return Hazard.ACTUATION;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    if (message instanceof ArmingState state) {
+      if (state.armed() && !armed) {
+        services.values().forEach(service -> service.sinceMicros = Clock.NEVER);
+      }
+      armed = state.armed();
+    } else if (message instanceof HealthReport report && report.commandsObeyed().isPresent()) {
+      hear(report, nowMicros);
+    }
+  }
+
+  private void hear(HealthReport report, long nowMicros) {
+    Heard service = services.computeIfAbsent(report.serviceName(), name -> new Heard());
+    String instance = report.instance().orElse("");
+    long obeyed = report.commandsObeyed().getAsLong();
+    long refused = report.commandsRefused().orElse(0L);
+    boolean anew = !instance.equals(service.instance) || refused < service.refused;
+    if (anew || obeyed != service.obeyed) {
+      service.sinceMicros = Clock.NEVER;
+    } else if (refused > service.refused) {
+      if (service.sinceMicros == Clock.NEVER) {
+        service.sinceMicros = nowMicros;
+        service.refusedBefore = service.refused;
+      }
+      service.refusedMicros = nowMicros;
+    }
+    service.instance = instance;
+    service.obeyed = obeyed;
+    service.refused = refused;
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    long timeMicros = Clock.micros(configuration.getVariable(REFUSAL_TIME));
+    for (Map.Entry<String, Heard> each : services.entrySet()) {
+      Heard service = each.getValue();
+      boolean refusesStill = nowMicros - service.refusedMicros <= timeMicros;
+      if (service.sinceMicros != Clock.NEVER
+          && refusesStill
+          && nowMicros - service.sinceMicros >= timeMicros) {
+        return Optional.of(
+            each.getKey()
+                + " refuses all commands, "
+                + (service.refused - service.refusedBefore)
+                + " in "
+                + Words.seconds(Clock.seconds(nowMicros - service.sinceMicros)));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Before the vehicle is armed, actuators refuse all that they require arming for. */
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    return Optional.empty();
+  }
+}
