@@ -43,7 +43,7 @@ public final class GpsSensor extends ProprioceptiveSensor {
           .range(Range.of(0.01, 100.0))
           .ifAbsent(NmeaGps.USUAL_RANGE_ERROR_M)
           .describedAs(
-              "1 sigma of a distance to a satellite: times the dilution of precision it is the position's, for NMEA without GST.");
+              "1 sigma of a distance to a satellite without corrections: times the dilution of precision it is the position's, for NMEA without GST; with DGPS and RTK the published figures count where they are less.");
 
   static final Variable<Integer> BAUD =
       Variable.integer("BAUD")
