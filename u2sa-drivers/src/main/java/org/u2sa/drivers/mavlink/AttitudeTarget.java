@@ -13,10 +13,10 @@ import org.u2sa.interfaces.Clock;
  * Commands as roll and pitch angles, rate of yaw and thrust: SET_ATTITUDE_TARGET. Neutral is level,
  * at the heading that was reached, at the neutral thrust.
  *
- * <p>The rate of yaw is sent as a heading that moves on from the vehicle's own: ArduCopter since
- * 4.1 stops at a message with some of the three body rates and takes the quaternion's yaw as a
- * compass heading always; older ones, ArduPlane, Rover and PX4 read an attitude without rates the
- * same way.
+ * <p>The rate of yaw is sent as a heading that moves on from the vehicle's own: ArduCopter stops at
+ * a message with some of the three body rates, and takes the quaternion's yaw as a compass heading.
+ * An attitude without rates is what it, its older versions, ArduPlane, Rover and PX4 all read the
+ * same way (docs/drivers/mavlink.md).
  */
 final class AttitudeTarget implements CommandForm {
   static final String ROLL = "ROLL ANGLE";
