@@ -53,6 +53,10 @@ def field(name, cbor, _unit, presence, _bit, since):
         kind = "point"
     elif cbor == "array of text":
         kind = "texts"
+    elif cbor == "array of float64":
+        kind = "numbers"
+    elif cbor == "array of bool":
+        kind = "flags"
     elif cbor == "array of points":
         kind = "points"
     elif cbor.startswith("array of "):
@@ -74,7 +78,7 @@ def parsed(text, kind):
         return int(text)
     if kind == "bool":
         return text == "true"
-    if kind in ("texts", "points") or kind.startswith("messages"):
+    if kind in ("texts", "numbers", "flags", "points") or kind.startswith("messages"):
         return ()
     return "" if text == '""' else text
 

@@ -117,9 +117,7 @@ def checked(field: Field, value: Any, where: str) -> Any:
             raise Malformed(f"{where}: expected an integer of 64 bits, not {value!r}")
         return value
     if kind == "bool":
-        if not isinstance(value, bool):
-            raise Malformed(f"{where}: expected true or false, not {value!r}")
-        return value
+        return flag(value, where)
     if kind == "enum" and text(value, where) not in field.choices:
         raise UnknownConstant(f"{where}: expected one of {', '.join(field.choices)}, not {value!r}")
     if kind == "frame" and not _FRAME.fullmatch(text(value, where)):
@@ -131,6 +129,10 @@ def checked(field: Field, value: Any, where: str) -> Any:
     items = sequence(value, where)
     if kind == "texts":
         return tuple(text(item, where) for item in items)
+    if kind == "numbers":
+        return tuple(number(item, where) for item in items)
+    if kind == "flags":
+        return tuple(flag(item, where) for item in items)
     if kind == "points":
         return tuple(point(item, where) for item in items)
     element = kind.partition(":")[2]
@@ -142,6 +144,13 @@ def checked(field: Field, value: Any, where: str) -> Any:
 
 class UnknownConstant(Malformed):
     """A constant of an enum that this reader does not know."""
+
+
+def flag(value: Any, where: str) -> bool:
+    """True or false."""
+    if not isinstance(value, bool):
+        raise Malformed(f"{where}: expected true or false, not {value!r}")
+    return value
 
 
 def number(value: Any, where: str, least: Optional[float] = None, most: Optional[float] = None) -> float:

@@ -4,7 +4,7 @@ import org.u2sa.messages.ObjectDescription;
 
 /**
  * A sensor of the environment, such as a range finder or a camera (thesis 3.2.2.3). Out:
- * sensed-objects.
+ * sensed-objects; scanning range finders scans.
  */
 public abstract class ExteroceptiveSensor extends Sensor {
   /**

@@ -19,6 +19,7 @@ import static org.u2sa.interfaces.communication.Channels.NAVIGATION;
 import static org.u2sa.interfaces.communication.Channels.OBJECTS;
 import static org.u2sa.interfaces.communication.Channels.OPERATOR;
 import static org.u2sa.interfaces.communication.Channels.POWER;
+import static org.u2sa.interfaces.communication.Channels.SCANS;
 import static org.u2sa.interfaces.communication.Channels.SENSED_OBJECTS;
 import static org.u2sa.interfaces.communication.Channels.SENSED_STATE;
 import static org.u2sa.interfaces.communication.Channels.SERVICE_ORDERS;
@@ -38,13 +39,13 @@ public enum ServiceRole {
   /** Measures the vehicle itself (3.2.2.4). */
   PROPRIOCEPTIVE_SENSOR(List.of(SENSED_STATE, POWER), List.of()),
   /** Measures the environment (3.2.2.3). */
-  EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS), List.of(STATE)),
+  EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS, SCANS), List.of(STATE)),
   /** Publishes the best estimate of the state that it has (3.2.3.1). */
   STATE_ESTIMATOR(List.of(STATE), List.of(SENSED_STATE)),
   /** Keeps the goals (3.2.3.2). */
   MISSION_MANAGER(List.of(GOALS), List.of(GOAL_REPORTS, GOAL_COMMANDS, STATE)),
   /** Keeps the map of objects (3.2.3.3). */
-  WORLD_MODELER(List.of(OBJECTS), List.of(SENSED_OBJECTS, STATE, GOALS)),
+  WORLD_MODELER(List.of(OBJECTS), List.of(SENSED_OBJECTS, SCANS, STATE, GOALS)),
   /** Decides where to go next (3.2.3.4). */
   PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS), List.of(STATE, OBJECTS, GOALS)),
   /** Turns navigation points into commands (3.2.3.5). */
@@ -83,6 +84,7 @@ public enum ServiceRole {
           GOAL_REPORTS,
           SENSED_STATE,
           SENSED_OBJECTS,
+          SCANS,
           DISCOVERY,
           FUNCTIONALITY,
           CONFIGURATION,

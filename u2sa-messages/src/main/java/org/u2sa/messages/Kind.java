@@ -12,6 +12,10 @@ public enum Kind {
   STRING("text"),
   /** A list of texts. CBOR array of text. */
   STRING_LIST("array of text"),
+  /** A list of finite doubles. CBOR array of float64. */
+  DOUBLE_LIST("array of float64"),
+  /** A list of true or false. CBOR array of bool. */
+  BOOLEAN_LIST("array of bool"),
   /** One of an enum's constants. CBOR text, the constant's name. */
   ENUM("text (enum)"),
   /** A {@link org.u2sa.messages.frame.ReferenceFrame}. CBOR text, its name. */

@@ -11,6 +11,8 @@ final class ListKinds {
   static final ValueKind<Point> POINT = new PointKind();
   static final ValueKind<List<String>> TEXTS = new Texts();
   static final ValueKind<List<Point>> POINTS = new Points();
+  static final ValueKind<List<Double>> NUMBERS = new Numbers();
+  static final ValueKind<List<Boolean>> FLAGS = new Flags();
 
   private ListKinds() {}
 
@@ -153,6 +155,86 @@ final class ListKinds {
     @Override
     public List<Point> read(CborReader in) throws IOException, MalformedMessageException {
       return in.list(in::point);
+    }
+  }
+
+  private record Numbers() implements ValueKind<List<Double>> {
+    @Override
+    public Kind kind() {
+      return Kind.DOUBLE_LIST;
+    }
+
+    @Override
+    public List<Double> checked(Object value) {
+      List<Double> numbers = elements(value, Double.class, "numbers");
+      for (double number : numbers) {
+        if (!Double.isFinite(number)) {
+          throw ScalarKinds.expected("finite numbers, not " + number);
+        }
+      }
+      return numbers;
+    }
+
+    @Override
+    public List<Double> parsed(List<String> texts) {
+      List<Double> numbers = new ArrayList<>();
+      for (String part : TEXTS.parsed(texts)) {
+        try {
+          numbers.add(Double.parseDouble(part));
+        } catch (NumberFormatException e) {
+          throw new IllegalArgumentException("expected numbers, not " + part, e);
+        }
+      }
+      return numbers;
+    }
+
+    @Override
+    public void write(CborWriter out, List<Double> value) throws IOException {
+      out.beginList(value.size());
+      for (double number : value) {
+        out.number(number);
+      }
+      out.endList();
+    }
+
+    @Override
+    public List<Double> read(CborReader in) throws IOException, MalformedMessageException {
+      return in.list(in::number);
+    }
+  }
+
+  private record Flags() implements ValueKind<List<Boolean>> {
+    @Override
+    public Kind kind() {
+      return Kind.BOOLEAN_LIST;
+    }
+
+    @Override
+    public List<Boolean> checked(Object value) {
+      return elements(value, Boolean.class, "true or false");
+    }
+
+    @Override
+    public List<Boolean> parsed(List<String> texts) {
+      List<Boolean> flags = new ArrayList<>();
+      for (String part : TEXTS.parsed(texts)) {
+        flags.add(ScalarKinds.FLAG.parsed(List.of(part)));
+      }
+      return flags;
+    }
+
+    @Override
+    public void write(CborWriter out, List<Boolean> value) throws IOException {
+      out.beginList(value.size());
+      for (boolean flag : value) {
+        out.flag(flag);
+      }
+      out.endList();
+    }
+
+    @Override
+    public List<Boolean> read(CborReader in) throws IOException, MalformedMessageException {
+      return in.list(in::flag);
     }
   }
 

@@ -202,6 +202,16 @@ public final class Schema<T extends U2SAData> {
     return value(field, unit, ListKinds.POINTS, FieldPresence.DEFAULTED, List.of(), false);
   }
 
+  /** A list of numbers, empty from the start. */
+  public ValueField<T, List<Double>> numbers(String field, String unit) {
+    return value(field, unit, ListKinds.NUMBERS, FieldPresence.DEFAULTED, List.of(), false);
+  }
+
+  /** A list of true or false, empty from the start. */
+  public ValueField<T, List<Boolean>> flags(String field) {
+    return value(field, "", ListKinds.FLAGS, FieldPresence.DEFAULTED, List.of(), false);
+  }
+
   /** A list of texts, empty from the start. */
   public ValueField<T, List<String>> texts(String field) {
     return value(field, "", ListKinds.TEXTS, FieldPresence.DEFAULTED, List.of(), false);

@@ -75,7 +75,8 @@ final class StandardTypes {
           ConfigurationTransaction.TYPE,
           ConfigurationUndo.TYPE,
           ConfigurationTransactionResult.TYPE,
-          BatteryState.TYPE);
+          BatteryState.TYPE,
+          RangeScan.TYPE);
 
   private StandardTypes() {}
 }

@@ -78,6 +78,10 @@ final class MessageArbitraries {
         return points().asGeneric();
       case POINT_LIST:
         return points().list().ofMaxSize(5).asGeneric();
+      case DOUBLE_LIST:
+        return Arbitraries.doubles().list().ofMaxSize(5).asGeneric();
+      case BOOLEAN_LIST:
+        return Arbitraries.of(true, false).list().ofMaxSize(5).asGeneric();
       case MESSAGE_LIST:
         MessageType<?> element = ((ValueField<?, ?>) field).elementType().orElseThrow();
         return nested(element, depth - 1).list().ofMaxSize(3).asGeneric();

@@ -91,6 +91,7 @@ public enum AccessRole {
             "sensed-state",
             "state",
             "sensed-objects",
+            "scans",
             "objects",
             "goals",
             "goal-reports",

@@ -7,8 +7,6 @@ import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -43,7 +41,7 @@ public final class GpsSensor extends ProprioceptiveSensor {
           .range(Range.of(0.01, 100.0))
           .ifAbsent(NmeaGps.USUAL_RANGE_ERROR_M)
           .describedAs(
-              "1 sigma of a distance to a satellite: times the dilution of precision it is the position's, for NMEA without GST.");
+              "1 sigma of a distance to a satellite without corrections: times the dilution of precision it is the position's, for NMEA without GST; with DGPS and RTK the published figures count where they are less.");
 
   static final Variable<Integer> BAUD =
       Variable.integer("BAUD")
@@ -133,25 +131,8 @@ public final class GpsSensor extends ProprioceptiveSensor {
       }
     }
     if (fix.valid()) {
-      publish(Channels.SENSED_STATE, state(fix));
+      publish(Channels.SENSED_STATE, FixedState.of(fix).sensorName(sensorName()));
     }
-  }
-
-  private StateInformation state(GpsFix fix) {
-    StateInformation state =
-        new StateInformation()
-            .sensorName(sensorName())
-            .referenceFrame(ReferenceFrame.GLOBAL)
-            .x(fix.longitudeDeg())
-            .y(fix.latitudeDeg());
-    fix.altitudeM().ifPresent(state::z);
-    fix.eastMps().ifPresent(state::xDot);
-    fix.northMps().ifPresent(state::yDot);
-    fix.upMps().ifPresent(state::zDot);
-    fix.horizontalSigmaM().ifPresent(sigma -> state.xSigma(sigma).ySigma(sigma));
-    fix.verticalSigmaM().ifPresent(state::zSigma);
-    state.timestamp(fix.measuredAtMicros());
-    return state;
   }
 
   @Override

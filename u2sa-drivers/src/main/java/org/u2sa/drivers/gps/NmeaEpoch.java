@@ -20,6 +20,7 @@ final class NmeaEpoch {
   double speedMps = Double.NaN;
   double courseRad = Double.NaN;
   double dilution = Double.NaN;
+  FixQuality quality = FixQuality.PLAIN;
   int satellites;
 
   NmeaEpoch(Kind kind, long timeMs, long heardMicros) {
@@ -42,6 +43,7 @@ final class NmeaEpoch {
     hasGga |= other.hasGga;
     last = other.last;
     if (other.hasGga || Double.isNaN(latitudeDeg)) { // some write more decimals in GGA
+      quality = other.quality; // GGA tells RTK apart in every version of NMEA 0183
       latitudeDeg = other.latitudeDeg;
       longitudeDeg = other.longitudeDeg;
     }

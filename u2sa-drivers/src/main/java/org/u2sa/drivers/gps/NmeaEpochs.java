@@ -19,6 +19,7 @@ final class NmeaEpochs {
   private NmeaEpoch.Kind candidate;
   private int candidateEpochs;
   private int epoch;
+  private FixQuality quality = FixQuality.PLAIN;
   private Held sigmas = Held.NOTHING;
   private Held dilution = Held.NOTHING;
   private Held velocity = Held.NOTHING;
@@ -68,6 +69,12 @@ final class NmeaEpochs {
   }
 
   private GpsFix fix(NmeaEpoch said) {
+    if (said.quality != quality) {
+      quality = said.quality;
+      if (sigmas.since < epoch) {
+        sigmas = Held.NOTHING; // those of another kind of solution
+      }
+    }
     double speedMps = said.speedMps;
     double courseRad = said.courseRad;
     if (Double.isNaN(speedMps) && isFresh(velocity)) {
@@ -87,7 +94,7 @@ final class NmeaEpochs {
         ifKnown(speedMps * Math.cos(courseRad)),
         OptionalDouble.empty(),
         ifKnown(horizontalSigmaM(said)),
-        ifKnown(verticalSigmaM()),
+        ifKnown(verticalSigmaM(said)),
         said.satellites,
         true);
   }
@@ -97,14 +104,15 @@ final class NmeaEpochs {
       return sigmas.first;
     }
     double horizontal = isFresh(dilution) ? dilution.first : said.dilution;
-    return rangeErrorM * horizontal / Math.sqrt(2.0); // HDOP² = EDOP² + NDOP²
+    // HDOP² = EDOP² + NDOP²
+    return HorizontalError.perAxisM(said.quality.rangeErrorM(rangeErrorM) * horizontal);
   }
 
-  private double verticalSigmaM() {
+  private double verticalSigmaM(NmeaEpoch said) {
     if (isFresh(sigmas) && !Double.isNaN(sigmas.second)) {
       return sigmas.second;
     }
-    return isFresh(dilution) ? rangeErrorM * dilution.second : Double.NaN;
+    return isFresh(dilution) ? said.quality.rangeErrorM(rangeErrorM) * dilution.second : Double.NaN;
   }
 
   private boolean isFresh(Held held) {

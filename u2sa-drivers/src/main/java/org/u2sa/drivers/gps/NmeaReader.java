@@ -1,5 +1,6 @@
 package org.u2sa.drivers.gps;
 
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import net.sf.marineapi.nmea.parser.DataNotAvailableException;
 import net.sf.marineapi.nmea.parser.SentenceFactory;
@@ -78,8 +79,10 @@ final class NmeaReader {
 
   private void take(RMCSentence rmc, long nowMicros) {
     NmeaEpoch said = new NmeaEpoch(NmeaEpoch.Kind.RMC, time(rmc), nowMicros);
-    said.valid = rmc.getStatus() == DataStatus.ACTIVE && isMeasured(rmc);
+    Optional<FixQuality> quality = quality(rmc);
+    said.valid = rmc.getStatus() == DataStatus.ACTIVE && quality.isPresent();
     if (said.valid) {
+      said.quality = quality.orElseThrow();
       position(said, rmc.getPosition());
       said.speedMps = speed(rmc::getSpeed);
       said.courseRad = course(rmc::getCourse);
@@ -87,37 +90,60 @@ final class NmeaReader {
     epochs.take(said);
   }
 
-  /** The mode came with NMEA 2.3; older receivers do not say it. */
-  private static boolean isMeasured(RMCSentence rmc) {
+  /**
+   * What its mode says; empty if the position is not measured. The mode came with NMEA 2.3: older
+   * receivers do not say it.
+   */
+  private static Optional<FixQuality> quality(RMCSentence rmc) {
     try {
       switch (rmc.getMode()) {
         case NONE:
         case ESTIMATED:
         case MANUAL:
         case SIMULATED:
-          return false;
+          return Optional.empty();
+        case DGPS:
+          return Optional.of(FixQuality.DIFFERENTIAL);
+        case RTK_FLOAT:
+          return Optional.of(FixQuality.RTK_FLOAT);
+        case RTK_FIXED:
+          return Optional.of(FixQuality.RTK_FIXED);
         default:
-          return true;
+          return Optional.of(FixQuality.PLAIN);
       }
     } catch (DataNotAvailableException | IllegalArgumentException e) {
-      return true;
+      return Optional.of(FixQuality.PLAIN);
     }
   }
 
-  private void take(GGASentence gga, long nowMicros) {
-    NmeaEpoch said = new NmeaEpoch(NmeaEpoch.Kind.GGA, time(gga), nowMicros);
+  /** Empty if the position is not measured: none, dead reckoning, typed in, simulated. */
+  private static Optional<FixQuality> quality(GGASentence gga) {
     switch (gga.getFixQuality()) {
       case INVALID:
       case ESTIMATED:
       case MANUAL:
       case SIMULATED:
-        said.valid = false;
-        break;
-      default:
-        said.valid = true;
-        position(said, gga.getPosition());
-        said.altitudeM = Plausible.altitudeM(number(gga::getAltitude)); // above sea level
-        said.dilution = dilution(gga::getHorizontalDOP);
+        return Optional.empty();
+      case DGPS:
+        return Optional.of(FixQuality.DIFFERENTIAL);
+      case RTK:
+        return Optional.of(FixQuality.RTK_FIXED);
+      case FRTK:
+        return Optional.of(FixQuality.RTK_FLOAT);
+      default: // alone, or by the military's code, for which no receiver's figure is published
+        return Optional.of(FixQuality.PLAIN);
+    }
+  }
+
+  private void take(GGASentence gga, long nowMicros) {
+    NmeaEpoch said = new NmeaEpoch(NmeaEpoch.Kind.GGA, time(gga), nowMicros);
+    Optional<FixQuality> quality = quality(gga);
+    said.valid = quality.isPresent();
+    if (said.valid) {
+      said.quality = quality.orElseThrow();
+      position(said, gga.getPosition());
+      said.altitudeM = Plausible.altitudeM(number(gga::getAltitude)); // above sea level
+      said.dilution = dilution(gga::getHorizontalDOP);
     }
     double satellites = number(gga::getSatelliteCount);
     said.satellites = Double.isNaN(satellites) ? 0 : Math.max(0, (int) satellites);

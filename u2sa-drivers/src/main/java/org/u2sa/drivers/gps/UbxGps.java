@@ -122,7 +122,7 @@ public final class UbxGps implements GpsParser {
                 OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(52))),
                 OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(48))),
                 present(is3d, Plausible.velocityMps(-M_PER_MM * message.i4(56))),
-                OptionalDouble.of(horizontalSigmaM(message.u4(40))),
+                OptionalDouble.of(HorizontalError.perAxisM(M_PER_MM * message.u4(40))),
                 present(is3d, M_PER_MM * message.u4(44)),
                 satellites,
                 true));
@@ -136,7 +136,7 @@ public final class UbxGps implements GpsParser {
             DEG_PER_UNIT * message.i4(8),
             DEG_PER_UNIT * message.i4(4),
             M_PER_MM * message.i4(16),
-            horizontalSigmaM(message.u4(20)),
+            HorizontalError.perAxisM(M_PER_MM * message.u4(20)),
             M_PER_MM * message.u4(24));
     tellIfWhole();
   }
@@ -164,11 +164,6 @@ public final class UbxGps implements GpsParser {
 
   static boolean is3d(int fixType) {
     return fixType >= FIX_3D;
-  }
-
-  /** u-blox gives the standard deviation of the distance; along each axis it is less by √2. */
-  private static double horizontalSigmaM(long millimetres) {
-    return M_PER_MM * millimetres / Math.sqrt(2.0);
   }
 
   /** What a receiver says of the height only counts in a three-dimensional fix. */

@@ -114,7 +114,7 @@ public final class IoioService extends ProprioceptiveSensor {
     Optional<BoardSession> session = keeper.session();
     sensors.attach(session.map(BoardSession::pins));
     with(session, pins -> act(pins, now));
-    sensors.read(now).ifPresent(state -> publish(Channels.SENSED_STATE, state));
+    sensors.read(now).forEach(state -> publish(Channels.SENSED_STATE, state));
     with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
     report(session); // last, so that it is the last error in the health report
     if (nowS >= announceDueS) {

@@ -1,11 +1,14 @@
 package org.u2sa.drivers.ioio;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.drivers.compass.Compass;
 import org.u2sa.drivers.compass.Heading;
 import org.u2sa.drivers.compass.TrueNorth;
+import org.u2sa.drivers.gps.FixedState;
 import org.u2sa.drivers.gps.GpsFix;
 import org.u2sa.drivers.gps.GpsReceiver;
 import org.u2sa.drivers.link.LinkWatch;
@@ -14,7 +17,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.Sensor;
 
 /**
- * GPS and compass at the board's UARTs, and the one message that comes of both. Belongs to the
+ * GPS and compass at the board's UARTs, and the messages that come of them. Belongs to the
  * service's thread.
  */
 final class PinSensors {
@@ -27,7 +30,8 @@ final class PinSensors {
   private final Optional<Compass> compass;
   private final LinkWatch gpsWatch;
   private final LinkWatch compassWatch;
-  private final CarriedFix fix;
+  private final String gpsName; // of two sensors, or a newer heading would replace an unread fix
+  private final String compassName;
   private final TrueNorth north;
   private final double mountingRad;
   private final double headingSigmaRad;
@@ -43,9 +47,10 @@ final class PinSensors {
     gps = plan.gps().map(pins -> variables.gps(gpsLink, pins));
     compass = plan.compass().map(pins -> variables.compass(compassLink, pins));
     north = variables.north();
-    fix = new CarriedFix(variables.fixTimeoutS());
     mountingRad = variables.mountingRad();
     headingSigmaRad = variables.headingSigmaRad();
+    gpsName = service.sensorName() + " GPS";
+    compassName = service.sensorName() + " compass";
     gpsWatch = new LinkWatch(service, "the GPS receiver", gpsLink, SILENT_AFTER_S);
     compassWatch = new LinkWatch(service, "the compass", compassLink, SILENT_AFTER_S);
   }
@@ -59,17 +64,19 @@ final class PinSensors {
   /**
    * Reads both.
    *
-   * @return what is to be published: once for each heading, or without a compass for each fix
+   * @return what is to be published: each fix and each heading once, at its own time
    */
-  Optional<StateInformation> read(long nowMicros) {
-    boolean isNewFix = readGps(nowMicros);
-    boolean isNewHeading = readCompass(nowMicros);
-    if (compass.isPresent()) {
-      return isNewHeading ? state(lastHeading.orElseThrow()) : Optional.empty();
+  List<StateInformation> read(long nowMicros) {
+    List<StateInformation> measured = new ArrayList<>(2);
+    if (readGps(nowMicros) && hasFix) {
+      StateInformation state = FixedState.of(lastFix.orElseThrow()).sensorName(gpsName);
+      north.at(state, state.timestamp().orElseThrow());
+      measured.add(state);
     }
-    return isNewFix && hasFix
-        ? Optional.of(newState(lastFix.orElseThrow().measuredAtMicros()))
-        : Optional.empty();
+    if (readCompass(nowMicros)) {
+      state(lastHeading.orElseThrow()).ifPresent(measured::add);
+    }
+    return measured;
   }
 
   private boolean readGps(long nowMicros) {
@@ -85,7 +92,6 @@ final class PinSensors {
     }
     lastFix = newest;
     gpsWatch.heard(nowMicros);
-    fix.accept(newest.get());
     sayFix(newest.get());
     return true;
   }
@@ -128,21 +134,18 @@ final class PinSensors {
   }
 
   private Optional<StateInformation> state(Heading heading) {
-    StateInformation state = newState(heading.measuredAtMicros());
-    north.at(state, heading.measuredAtMicros());
     OptionalDouble psi = north.of(heading, -mountingRad);
     if (psi.isEmpty()) {
       return Optional.empty(); // true north is not known before the first fix
     }
-    return Optional.of(state.psi(psi.getAsDouble()).psiSigma(headingSigmaRad));
-  }
-
-  private StateInformation newState(long measuredAtMicros) {
-    StateInformation state = new StateInformation();
-    state.timestamp(measuredAtMicros);
-    state.sensorName(service.sensorName()).referenceFrame(ReferenceFrame.GLOBAL);
-    fix.addTo(state, measuredAtMicros);
-    return state;
+    StateInformation state =
+        new StateInformation()
+            .sensorName(compassName)
+            .referenceFrame(ReferenceFrame.GLOBAL)
+            .psi(psi.getAsDouble())
+            .psiSigma(headingSigmaRad);
+    state.timestamp(heading.measuredAtMicros());
+    return Optional.of(state);
   }
 
   /** Sends what is to go to the devices. */

@@ -33,12 +33,6 @@ final class SensorVariables {
           .ifAbsent(5.0)
           .describedAs("Fixes a second that a u-blox receiver is asked for.");
 
-  static final Variable<Double> FIX_TIMEOUT =
-      Variable.number("FIX TIMEOUT", "s")
-          .range(Range.of(0.1, 60.0))
-          .ifAbsent(2.0)
-          .describedAs("Age at which a GPS fix says nothing any more.");
-
   static final Variable<String> COMPASS =
       Variable.text("COMPASS")
           .oneOf(NMEA, SPARTON)
@@ -60,7 +54,6 @@ final class SensorVariables {
 
   private final String receiver;
   private final double solutionHz;
-  private final double fixTimeoutS;
   private final String compass;
   private final double mountingRad;
   private final double headingSigmaRad;
@@ -70,7 +63,6 @@ final class SensorVariables {
   SensorVariables(Configurator variables) {
     receiver = variables.getVariable(GPS_RECEIVER);
     solutionHz = variables.getVariable(SOLUTION_RATE);
-    fixTimeoutS = variables.getVariable(FIX_TIMEOUT);
     compass = variables.getVariable(COMPASS);
     mountingRad = variables.getVariable(MOUNTING_ANGLE);
     headingSigmaRad = variables.getVariable(HEADING_SIGMA);
@@ -107,10 +99,6 @@ final class SensorVariables {
 
   TrueNorth north() {
     return north;
-  }
-
-  double fixTimeoutS() {
-    return fixTimeoutS;
   }
 
   double mountingRad() {

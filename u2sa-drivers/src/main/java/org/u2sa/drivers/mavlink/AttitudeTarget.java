@@ -1,15 +1,22 @@
 package org.u2sa.drivers.mavlink;
 
+import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.AttitudeTargetTypemask;
 import io.dronefleet.mavlink.common.SetAttitudeTarget;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import org.u2sa.interfaces.Clock;
 
 /**
  * Commands as roll and pitch angles, rate of yaw and thrust: SET_ATTITUDE_TARGET. Neutral is level,
- * without yaw, at the neutral thrust.
+ * at the heading that was reached, at the neutral thrust.
+ *
+ * <p>The rate of yaw is sent as a heading that moves on from the vehicle's own: ArduCopter stops at
+ * a message with some of the three body rates, and takes the quaternion's yaw as a compass heading.
+ * An attitude without rates is what it, its older versions, ArduPlane, Rover and PX4 all read the
+ * same way (docs/drivers/mavlink.md).
  */
 final class AttitudeTarget implements CommandForm {
   static final String ROLL = "ROLL ANGLE";
@@ -18,13 +25,19 @@ final class AttitudeTarget implements CommandForm {
   static final String THRUST = "THRUST";
 
   private static final double FULL_PERCENT = 100.0;
-  // Bits 0 and 1 ignore the rates of roll and pitch: angles and the rate of yaw are left.
-  private static final EnumValue<AttitudeTargetTypemask> ANGLES_AND_YAW_RATE =
-      EnumValue.create(0b11);
+  // Bits 0, 1 and 2 ignore the rates of roll, pitch and yaw: the angles are left.
+  private static final EnumValue<AttitudeTargetTypemask> ANGLES = EnumValue.create(0b111);
+  private static final long NEVER = Long.MIN_VALUE / 2;
+  private static final long FRESH_MICROS = Clock.micros(1.0);
+  private static final double MOST_LEAD_RAD = 0.5; // a vehicle that cannot follow is not run from
 
   private final double fullTiltRad;
   private final double fullYawRadPerS;
   private final double neutralThrust;
+  private double vehicleRad; // where its nose points, clockwise from true north
+  private long vehicleMicros = NEVER;
+  private double targetRad;
+  private long targetMicros = NEVER;
 
   /**
    * @param fullTiltRad roll, right wing down, and pitch, nose up, at 100 % [rad]
@@ -47,36 +60,72 @@ final class AttitudeTarget implements CommandForm {
   }
 
   @Override
-  public Object message(Target target, Function<String, OptionalDouble> percentages) {
+  public void hear(Attitude attitude, long nowMicros) {
+    if (Float.isFinite(attitude.yaw())) {
+      vehicleRad = attitude.yaw();
+      vehicleMicros = nowMicros;
+    }
+  }
+
+  @Override
+  public boolean isReady(long nowMicros) {
+    return nowMicros - vehicleMicros <= FRESH_MICROS || isTurning(nowMicros);
+  }
+
+  /** Whether there is a target heading to go on from. */
+  private boolean isTurning(long nowMicros) {
+    return nowMicros - targetMicros <= FRESH_MICROS;
+  }
+
+  @Override
+  public Object message(
+      Target target, Function<String, OptionalDouble> percentages, long nowMicros) {
+    turn(fullYawRadPerS * share(percentages, YAW), nowMicros);
     double thrust = percentages.apply(THRUST).orElse(neutralThrust * FULL_PERCENT) / FULL_PERCENT;
     return SetAttitudeTarget.builder()
         .targetSystem(target.systemId())
         .targetComponent(target.componentId())
-        .typeMask(ANGLES_AND_YAW_RATE)
+        .typeMask(ANGLES)
         .q(
             quaternion(
-                fullTiltRad * share(percentages, ROLL), fullTiltRad * share(percentages, PITCH)))
-        .bodyYawRate((float) (fullYawRadPerS * share(percentages, YAW)))
+                fullTiltRad * share(percentages, ROLL),
+                fullTiltRad * share(percentages, PITCH),
+                targetRad))
         .thrust((float) Math.max(0.0, thrust))
         .thrustBody(List.of(0.0f, 0.0f, 0.0f))
         .build();
+  }
+
+  private void turn(double yawRadPerS, long nowMicros) {
+    if (isTurning(nowMicros)) {
+      targetRad += yawRadPerS * Clock.seconds(nowMicros - targetMicros);
+    } else {
+      targetRad = vehicleRad;
+    }
+    targetMicros = nowMicros;
+    if (nowMicros - vehicleMicros <= FRESH_MICROS) {
+      double lead = Math.IEEEremainder(targetRad - vehicleRad, 2.0 * Math.PI);
+      targetRad = vehicleRad + Math.max(-MOST_LEAD_RAD, Math.min(MOST_LEAD_RAD, lead));
+    }
   }
 
   private static double share(Function<String, OptionalDouble> percentages, String axis) {
     return percentages.apply(axis).orElse(0.0) / FULL_PERCENT;
   }
 
-  /** w, x, y, z of pitch, then roll, without yaw (Stevens and Lewis, 2nd ed., section 1.2). */
-  private static List<Float> quaternion(double roll, double pitch) {
+  /** w, x, y, z of yaw, then pitch, then roll (Stevens and Lewis, 2nd ed., eq. 1.3-33). */
+  private static List<Float> quaternion(double roll, double pitch, double yaw) {
     double cosRoll = Math.cos(roll / 2.0);
     double sinRoll = Math.sin(roll / 2.0);
     double cosPitch = Math.cos(pitch / 2.0);
     double sinPitch = Math.sin(pitch / 2.0);
+    double cosYaw = Math.cos(yaw / 2.0);
+    double sinYaw = Math.sin(yaw / 2.0);
     return List.of(
-        (float) (cosRoll * cosPitch),
-        (float) (sinRoll * cosPitch),
-        (float) (cosRoll * sinPitch),
-        (float) (-sinRoll * sinPitch));
+        (float) (cosRoll * cosPitch * cosYaw + sinRoll * sinPitch * sinYaw),
+        (float) (sinRoll * cosPitch * cosYaw - cosRoll * sinPitch * sinYaw),
+        (float) (cosRoll * sinPitch * cosYaw + sinRoll * cosPitch * sinYaw),
+        (float) (cosRoll * cosPitch * sinYaw - sinRoll * sinPitch * cosYaw));
   }
 
   @Override

@@ -17,6 +17,7 @@ final class AutopilotCommands {
   private final long everyMicros;
   private final long neutralMicros;
   private final Consumer<Object> out;
+  private boolean isWaiting;
   private boolean holds; // control: something was sent since it was given back
   private int releasesLeft;
   private long heldMicros; // when a command last held
@@ -46,13 +47,14 @@ final class AutopilotCommands {
     }
     boolean isCommanded =
         form.axes().stream().anyMatch(axis -> percentages.apply(axis.name()).isPresent());
-    if (isCommanded) {
+    isWaiting = isCommanded && !form.isReady(nowMicros);
+    if (isCommanded && !isWaiting) {
       holds = true;
       releasesLeft = RELEASES;
       heldMicros = nowMicros;
-      out.accept(form.message(target, percentages));
+      out.accept(form.message(target, percentages, nowMicros));
     } else if (holds && nowMicros - heldMicros < neutralMicros) {
-      out.accept(neutral(target));
+      sendNeutral(target, nowMicros);
     } else if (holds) {
       List<Object> release = form.release(target);
       release.forEach(out);
@@ -66,21 +68,28 @@ final class AutopilotCommands {
   /** Sends neutral at once, if anything was commanded. */
   void stop(CommandForm.Target target, long nowMicros) {
     if (holds) {
-      out.accept(neutral(target));
+      sendNeutral(target, nowMicros);
       dueMicros = nowMicros + everyMicros;
     }
   }
 
   /** Neutral, and control is given back, at once: the service ends. */
-  void end(CommandForm.Target target) {
+  void end(CommandForm.Target target, long nowMicros) {
     if (holds) {
-      out.accept(neutral(target));
+      sendNeutral(target, nowMicros);
       form.release(target).forEach(out);
       holds = false;
     }
   }
 
-  private Object neutral(CommandForm.Target target) {
-    return form.message(target, name -> OptionalDouble.empty());
+  private void sendNeutral(CommandForm.Target target, long nowMicros) {
+    if (form.isReady(nowMicros)) {
+      out.accept(form.message(target, name -> OptionalDouble.empty(), nowMicros));
+    }
+  }
+
+  /** Whether a command holds that cannot be sent: too little is known of the vehicle. */
+  boolean isWaiting() {
+    return isWaiting;
   }
 }

@@ -4,15 +4,16 @@ import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsRawInt;
 import java.util.Optional;
+import org.u2sa.drivers.gps.HorizontalError;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * The vehicle's state as its autopilot tells it: ATTITUDE with the newest GLOBAL_POSITION_INT, and
- * what GPS_RAW_INT says of the errors, as one State Information in GLOBAL
- * (mavlink.io/en/messages/common.html).
+ * The vehicle's state as its autopilot tells it, in GLOBAL: one State Information for each
+ * ATTITUDE, one for each GLOBAL_POSITION_INT, with what GPS_RAW_INT says of the errors. Each number
+ * is published once, at the time that it came (mavlink.io/en/messages/common.html).
  */
 final class AutopilotState {
   private static final double DEGREES = 1.0e-7;
@@ -25,8 +26,6 @@ final class AutopilotState {
   private static final double MOST_LONGITUDE = 180.0;
 
   private final long staleMicros;
-  private GlobalPositionInt position;
-  private long positionMicros;
   private GpsRawInt gps;
   private long gpsMicros;
   private long refused;
@@ -40,19 +39,7 @@ final class AutopilotState {
 
   /** Forgets all: another autopilot, or the same one after a loss. */
   void beginAnew() {
-    position = null;
     gps = null;
-  }
-
-  void accept(GlobalPositionInt message, long nowMicros) {
-    double latitude = message.lat() * DEGREES;
-    double longitude = message.lon() * DEGREES;
-    if (Math.abs(latitude) > MOST_LATITUDE || Math.abs(longitude) > MOST_LONGITUDE) {
-      refused++;
-    } else if (message.lat() != 0 || message.lon() != 0) { // both 0: it does not know yet
-      position = message;
-      positionMicros = nowMicros;
-    }
   }
 
   void accept(GpsRawInt message, long nowMicros) {
@@ -60,8 +47,8 @@ final class AutopilotState {
     gpsMicros = nowMicros;
   }
 
-  /** The state at a new attitude; empty if that is none. */
-  Optional<StateInformation> at(Attitude attitude, long nowMicros) {
+  /** What a new attitude says; empty if that is none. */
+  Optional<StateInformation> attitude(Attitude attitude, long nowMicros) {
     boolean isFinite =
         Float.isFinite(attitude.roll() + attitude.pitch() + attitude.yaw())
             && Float.isFinite(attitude.rollspeed() + attitude.pitchspeed() + attitude.yawspeed());
@@ -80,13 +67,34 @@ final class AutopilotState {
     if (Math.abs(attitude.pitch()) < NEARLY_VERTICAL) {
       rates(attitude, state);
     }
-    boolean isFresh = position != null && nowMicros - positionMicros <= staleMicros;
+    return Optional.of(state);
+  }
+
+  /** What a new position says; empty if that is none, or the autopilot has no fix to make it of. */
+  Optional<StateInformation> position(GlobalPositionInt position, long nowMicros) {
+    double latitude = position.lat() * DEGREES;
+    double longitude = position.lon() * DEGREES;
+    if (Math.abs(latitude) > MOST_LATITUDE || Math.abs(longitude) > MOST_LONGITUDE) {
+      refused++;
+      return Optional.empty();
+    }
     boolean hasGps = gps != null && nowMicros - gpsMicros <= staleMicros;
-    if (isFresh && (!hasGps || gps.fixType().value() >= FIX_3D)) {
-      position(state);
-      if (hasGps) {
-        errors(state);
-      }
+    boolean isUnknown = position.lat() == 0 && position.lon() == 0; // as it says before it knows
+    if (isUnknown || hasGps && gps.fixType().value() < FIX_3D) {
+      return Optional.empty();
+    }
+    StateInformation state =
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.GLOBAL)
+            .x(longitude)
+            .y(latitude)
+            .z(position.alt() * MILLI)
+            .xDot(position.vy() * CENTI) // MAVLink: north, east, down
+            .yDot(position.vx() * CENTI)
+            .zDot(-position.vz() * CENTI);
+    state.timestamp(nowMicros);
+    if (hasGps) {
+      errors(state);
     }
     return Optional.of(state);
   }
@@ -99,25 +107,16 @@ final class AutopilotState {
     state.phiDot(euler.x()).thetaDot(euler.y()).psiDot(euler.z());
   }
 
-  private void position(StateInformation state) {
-    state
-        .x(position.lon() * DEGREES)
-        .y(position.lat() * DEGREES)
-        .z(position.alt() * MILLI)
-        .xDot(position.vy() * CENTI) // MAVLink: north, east, down
-        .yDot(position.vx() * CENTI)
-        .zDot(-position.vz() * CENTI);
-  }
-
   private void errors(StateInformation state) {
     if (gps.hAcc() > 0) { // 0: it does not say
-      state.xSigma(gps.hAcc() * MILLI).ySigma(gps.hAcc() * MILLI);
+      double sigma = HorizontalError.perAxisM(gps.hAcc() * MILLI);
+      state.xSigma(sigma).ySigma(sigma);
     }
     if (gps.vAcc() > 0) {
       state.zSigma(gps.vAcc() * MILLI);
     }
     if (gps.velAcc() > 0) {
-      double sigma = gps.velAcc() * MILLI;
+      double sigma = gps.velAcc() * MILLI; // of the whole velocity: no axis has more
       state.xDotSigma(sigma).yDotSigma(sigma).zDotSigma(sigma);
     }
   }

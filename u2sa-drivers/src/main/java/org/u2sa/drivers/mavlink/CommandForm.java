@@ -1,5 +1,6 @@
 package org.u2sa.drivers.mavlink;
 
+import io.dronefleet.mavlink.common.Attitude;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
@@ -20,12 +21,20 @@ interface CommandForm {
   /** The actuators; none if the autopilot is a sensor only. */
   List<Axis> axes();
 
+  /** Takes note of how the vehicle lies, for commands that are relative to it. */
+  default void hear(Attitude attitude, long nowMicros) {}
+
+  /** Whether enough is known of the vehicle to make a message. */
+  default boolean isReady(long nowMicros) {
+    return true;
+  }
+
   /**
-   * The message that commands them.
+   * The message that commands them; only if it is ready.
    *
    * @param percentages of each actuator by name; empty is its neutral
    */
-  Object message(Target target, Function<String, OptionalDouble> percentages);
+  Object message(Target target, Function<String, OptionalDouble> percentages, long nowMicros);
 
   /** The messages that give control back; none if silence does. */
   List<Object> release(Target target);

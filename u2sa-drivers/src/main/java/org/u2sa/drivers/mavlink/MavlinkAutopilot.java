@@ -43,6 +43,8 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
   private final CommandedActuators commands;
   private final AutopilotCommands output;
   private final byte[] buffer = new byte[4096];
+  private final String positionName; // apart from attitude: a newer one replaces an unread one
+  private boolean isWaitSaid;
   private double announceDueS;
 
   /** Called by the launcher: opens the link that CONNECTION names. */
@@ -77,6 +79,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
             getVariable(MavlinkVariables.STATE_RATE),
             this::send);
     state = new AutopilotState(getVariable(MavlinkVariables.STALE_AFTER));
+    positionName = sensorName() + " position";
     power = new AutopilotPower(sensorName());
     double timeoutS = getVariable(MavlinkVariables.HEARTBEAT_TIMEOUT);
     String address = getVariable(MavlinkVariables.CONNECTION);
@@ -145,9 +148,17 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
                     target,
                     name -> isHeard ? commands.percentage(name) : OptionalDouble.empty(),
                     now));
+    sayWait();
     if (nowS >= announceDueS) {
       announce(nowS);
     }
+  }
+
+  private void sayWait() {
+    if (output.isWaiting() && !isWaitSaid) {
+      trouble("commands wait: the autopilot does not say where its nose points (ATTITUDE)");
+    }
+    isWaitSaid = output.isWaiting();
   }
 
   private void take(MavlinkStream.Received message, long now) {
@@ -161,11 +172,14 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
       peer.take(text, this::log, this::trouble);
     } else if (message.payload() instanceof Attitude attitude) {
       peer.streams(now);
+      form.hear(attitude, now);
       state
-          .at(attitude, now)
+          .attitude(attitude, now)
           .ifPresent(each -> publish(Channels.SENSED_STATE, each.sensorName(sensorName())));
     } else if (message.payload() instanceof GlobalPositionInt position) {
-      state.accept(position, now);
+      state
+          .position(position, now)
+          .ifPresent(each -> publish(Channels.SENSED_STATE, each.sensorName(positionName)));
     } else if (message.payload() instanceof GpsRawInt gps) {
       state.accept(gps, now);
     } else if (message.payload() instanceof SysStatus status) {
@@ -182,7 +196,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
   @Override
   protected void release() {
     try {
-      peer.target().ifPresent(output::end);
+      peer.target().ifPresent(target -> output.end(target, clock().micros()));
     } finally {
       link.close();
     }

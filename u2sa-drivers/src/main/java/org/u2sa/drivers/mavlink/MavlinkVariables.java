@@ -46,7 +46,8 @@ final class MavlinkVariables {
       Variable.number("STALE AFTER", "s")
           .range(Range.of(0.1, 10.0))
           .ifAbsent(1.0)
-          .describedAs("Age at which a position is no longer sent along with an attitude.");
+          .describedAs(
+              "Age at which what the autopilot's GPS said of its fix and its errors no longer counts.");
 
   static final Variable<Double> HEARTBEAT_TIMEOUT =
       Variable.number("HEARTBEAT TIMEOUT", "s")
@@ -120,7 +121,8 @@ final class MavlinkVariables {
       Variable.number("NEUTRAL THRUST", "")
           .range(Range.of(0.0, 1.0))
           .ifAbsent(0.5)
-          .describedAs("With COMMANDS attitude: thrust while none is commanded; 0.5 holds height.");
+          .describedAs(
+              "With COMMANDS attitude: thrust while none is commanded; 0.5 holds height under ArduCopter unless its GUID_OPTIONS has bit 3, elsewhere name the hover thrust.");
 
   private MavlinkVariables() {}
 

@@ -12,7 +12,8 @@ final class NoCommands implements CommandForm {
   }
 
   @Override
-  public Object message(Target target, Function<String, OptionalDouble> percentages) {
+  public Object message(
+      Target target, Function<String, OptionalDouble> percentages, long nowMicros) {
     throw new IllegalStateException("nothing is commanded");
   }
 

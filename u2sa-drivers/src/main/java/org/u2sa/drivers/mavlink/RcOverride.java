@@ -46,7 +46,8 @@ final class RcOverride implements CommandForm {
   }
 
   @Override
-  public Object message(Target target, Function<String, OptionalDouble> percentages) {
+  public Object message(
+      Target target, Function<String, OptionalDouble> percentages, long nowMicros) {
     int[] pulses = new int[CHANNELS];
     for (Channel each : channels) {
       double percent = percentages.apply(each.actuator()).orElse(0.0);

@@ -51,7 +51,8 @@ final class VelocityTarget implements CommandForm {
   }
 
   @Override
-  public Object message(Target target, Function<String, OptionalDouble> percentages) {
+  public Object message(
+      Target target, Function<String, OptionalDouble> percentages, long nowMicros) {
     return SetPositionTargetLocalNed.builder()
         .targetSystem(target.systemId())
         .targetComponent(target.componentId())

@@ -5,13 +5,18 @@ import static java.nio.charset.StandardCharsets.US_ASCII;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.interfaces.Clock;
-import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.RangeScan;
 
 /**
- * Runs a Hokuyo, or another sensor that speaks SCIP 2: ends what it was doing, asks what it is,
- * switches the laser on, has it measure without end, and begins again when scans fail to come.
+ * Runs a Hokuyo, or another sensor that speaks SCIP 2: has it speak SCIP 2, ends what it was doing,
+ * asks what it is, switches the laser on, has it measure without end, and begins again when scans
+ * fail to come.
+ *
+ * <p>A URG-04LX wakes up with SCIP 1.1 each time that it gets power, and answers "SCIP2.0" with
+ * status 0; one that speaks SCIP 2 already refuses it ("0E"), or says nothing. Both will do.
  */
 final class Hokuyo implements Scanner {
   private static final String MEASURES = "99";
@@ -21,6 +26,7 @@ final class Hokuyo implements Scanner {
   private static final long SCAN_WITHIN_MICROS = Clock.micros(1.0);
 
   private enum State {
+    SWITCHING("SCIP2.0"),
     QUITTING("QT"),
     ASKING("PP"),
     LIGHTING("BM"),
@@ -36,7 +42,7 @@ final class Hokuyo implements Scanner {
   private final ByteLink link;
   private final ScipReader reader = new ScipReader();
   private final byte[] buffer = new byte[4096];
-  private State state = State.QUITTING;
+  private State state = State.SWITCHING;
   private String asked = "";
   private ScipParameters sensor;
   private long untilMicros = Long.MIN_VALUE;
@@ -54,7 +60,7 @@ final class Hokuyo implements Scanner {
     if (link.connections() != connections) {
       connections = link.connections();
       reader.beginAnew();
-      ask(State.QUITTING, "QT", nowMicros);
+      begin(nowMicros);
     }
     int count;
     while ((count = link.read(buffer)) > 0) {
@@ -65,15 +71,31 @@ final class Hokuyo implements Scanner {
       }
     }
     if (nowMicros >= untilMicros && link.isConnected()) {
-      malformed++;
-      ask(State.QUITTING, "QT", nowMicros);
+      overdue(nowMicros);
     }
     return reading;
+  }
+
+  private void begin(long nowMicros) {
+    ask(State.SWITCHING, State.SWITCHING.command, nowMicros);
+  }
+
+  private void overdue(long nowMicros) {
+    if (state == State.SWITCHING) {
+      ask(State.QUITTING, "QT", nowMicros);
+    } else {
+      malformed++;
+      begin(nowMicros);
+    }
   }
 
   private void answered(List<String> lines, long nowMicros) {
     if (!lines.get(0).startsWith(state.command)) {
       return; // a scan from before, or noise
+    }
+    if (state == State.SWITCHING) { // SCIP 1.1 has no check characters
+      ask(State.QUITTING, "QT", nowMicros);
+      return;
     }
     if (lines.size() < 2 || lines.get(1).length() != 3 || !Scip.isChecked(lines.get(1))) {
       malformed++;
@@ -128,12 +150,19 @@ final class Hokuyo implements Scanner {
   }
 
   private void scanned(List<String> data, long nowMicros) {
-    Optional<List<Point>> points = ScipScan.points(data, sensor);
-    if (points.isEmpty()) {
+    Optional<List<OptionalDouble>> ranges = ScipScan.ranges(data, sensor);
+    if (ranges.isEmpty()) {
       malformed++;
       return;
     }
-    reading = new Reading(nowMicros, points.get());
+    RangeScan scan =
+        new RangeScan()
+            .minRange(sensor.nearestMm() * ScipScan.MILLI)
+            .maxRange(sensor.farthestMm() * ScipScan.MILLI)
+            .timeIncrement(sensor.stepS())
+            .beams(sensor.azimuth(sensor.firstStep()), sensor.stepRad(), ranges.get());
+    scan.timestamp(nowMicros - Clock.micros(sensor.steps() * sensor.stepS())); // sent at its end
+    reading = new Reading(nowMicros, scan);
     untilMicros = nowMicros + SCAN_WITHIN_MICROS;
   }
 

@@ -1,7 +1,5 @@
 package org.u2sa.drivers.range;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
@@ -9,15 +7,13 @@ import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PointCloud;
-import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A scanning laser: what one turn saw, as a cloud of points in BODY (thesis 3.2.3.6, 4.1.1.1). Out:
- * sensed-objects, for scans that saw anything.
+ * A scanning laser: each turn beam by beam, with those that saw nothing, and where on the vehicle
+ * it sits (thesis 3.2.3.6, 4.1.1.1). Out: scans.
  */
 public final class LidarSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
@@ -40,27 +36,29 @@ public final class LidarSensor extends ExteroceptiveSensor {
       Variable.integer("PUBLISH EVERY")
           .range(Range.of(1, 1000))
           .ifAbsent(1)
-          .describedAs("Each how manieth scan is published.");
+          .describedAs("Publish every Nth scan.");
 
   static final Variable<Double> NEAREST =
       Variable.number("NEAREST", "m")
           .range(Range.of(0.0, 100.0))
           .ifAbsent(0.1)
-          .describedAs("What is nearer to the laser is the vehicle itself.");
+          .describedAs(
+              "What is nearer to the laser is the vehicle itself: the scan's minRange, unless the laser's own is more.");
 
   static final Variable<Double> FARTHEST =
       Variable.number("FARTHEST", "m")
           .range(Range.of(0.1, 1000.0))
           .ifAbsent(100.0)
-          .describedAs("What is farther is left out.");
+          .describedAs(
+              "What is farther does not count: the scan's maxRange, unless the laser's own is less.");
 
   private final Scanner scanner;
   private final LinkWatch watch;
-  private final MountingPose.Turn mounted;
+  private final MountingPose mounted;
   private final int publishEvery;
   private final double nearestM;
   private final double farthestM;
-  private long scannedMicros = Scanner.NONE.measuredAtMicros();
+  private long scannedMicros = Scanner.NONE.endedAtMicros();
   private long scans;
 
   /** Called by the launcher: opens the link that CONNECTION names. */
@@ -75,7 +73,8 @@ public final class LidarSensor extends ExteroceptiveSensor {
 
   private LidarSensor(ServiceContext context, Optional<ByteLink> given) {
     super(context, "LidarSensor", STEPS_PER_S);
-    mounted = MountingPose.read(this).turn();
+    registerPublisher(Channels.SCANS);
+    mounted = MountingPose.read(this);
     publishEvery = getVariable(PUBLISH_EVERY);
     nearestM = getVariable(NEAREST);
     farthestM = getVariable(FARTHEST);
@@ -101,40 +100,27 @@ public final class LidarSensor extends ExteroceptiveSensor {
     if (!said.isEmpty()) {
       trouble("the laser says: " + said);
     }
-    if (reading.measuredAtMicros() != scannedMicros) {
-      scannedMicros = reading.measuredAtMicros();
+    if (reading.endedAtMicros() != scannedMicros) {
+      scannedMicros = reading.endedAtMicros();
       watch.heard(now);
       if (scans++ % publishEvery == 0) {
-        publish(reading);
+        publish(reading.beams());
       }
     }
   }
 
-  private void publish(Scanner.Reading reading) {
-    List<Point> points = new ArrayList<>(reading.points().size());
-    Point sum = Point.ORIGIN;
-    for (Point seen : reading.points()) {
-      double range = seen.distance();
-      if (range >= nearestM && range <= farthestM) {
-        Point point = mounted.toBody(seen);
-        points.add(point);
-        sum = sum.plus(point);
-      }
-    }
-    if (points.isEmpty()) {
-      return; // a cloud has at least one point
-    }
-    int count = points.size();
-    PointCloud cloud =
-        new PointCloud()
-            .uid(sensorName())
-            .referenceFrame(ReferenceFrame.BODY)
-            .x(sum.x() / count)
-            .y(sum.y() / count)
-            .z(sum.z() / count)
-            .points(points);
-    cloud.timestamp(reading.measuredAtMicros());
-    publish(Channels.SENSED_OBJECTS, cloud);
+  private void publish(RangeScan scan) {
+    publish(
+        Channels.SCANS,
+        scan.sensorName(sensorName())
+            .x(mounted.position().x())
+            .y(mounted.position().y())
+            .z(mounted.position().z())
+            .phi(mounted.roll())
+            .theta(mounted.pitch())
+            .psi(mounted.yaw())
+            .minRange(Math.max(scan.minRange(), nearestM))
+            .maxRange(Math.min(scan.maxRange(), farthestM)));
   }
 
   @Override

@@ -1,27 +1,39 @@
 package org.u2sa.drivers.range;
 
-import java.util.List;
+import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.interfaces.Clock;
-import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.RangeScan;
 
 /**
  * Runs an RPLIDAR: stops it, asks for its health, resets it if it has stopped to protect itself,
- * starts the standard scan, and begins again when scans fail to come.
+ * starts its motor if that is ours to do, starts the standard scan, and begins again when scans
+ * fail to come.
+ *
+ * <p>The A1's motor turns by itself, or by DTR. From the A2 on it hangs on the USB adapter, which
+ * the laser is asked for and which obeys SET_MOTOR_PWM (Slamtec's rplidar_sdk, sl_lidar_cmd.h and
+ * sl_lidar_driver.cpp; LR001 does not have it).
  */
 final class Rplidar implements Scanner {
   private static final byte[] STOP = {(byte) 0xA5, 0x25};
   private static final byte[] RESET = {(byte) 0xA5, 0x40};
   private static final byte[] SCAN = {(byte) 0xA5, 0x20};
   private static final byte[] GET_HEALTH = {(byte) 0xA5, 0x52};
+  private static final byte[] GET_INFO = {(byte) 0xA5, 0x50};
+  private static final byte[] GET_MOTOR_BOARD = RplidarRequest.of(0xFF, 0, 0, 0, 0);
+  private static final byte[] RUN_MOTOR = RplidarRequest.motor(660); // the SDK's default, of 1023
+  private static final byte[] STOP_MOTOR = RplidarRequest.motor(0);
+  private static final int FIRST_WITH_BOARD = 2; // A2, by the model's upper four bits
   private static final int WARNING = 1;
   private static final int ERROR = 2;
 
   private static final long STOPPED_AFTER_MICROS = Clock.micros(0.05);
   private static final long RESET_AFTER_MICROS = Clock.micros(1.0);
   private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.5);
+  private static final long MOTOR_MICROS = Clock.micros(0.5); // as the SDK waits
   private static final long SPIN_UP_MICROS = Clock.micros(4.0);
   private static final long SCAN_WITHIN_MICROS = Clock.micros(1.0); // the slowest turns at 2 Hz
 
@@ -29,10 +41,16 @@ final class Rplidar implements Scanner {
     STOPPING,
     HEALTH_ASKED,
     RESETTING,
+    INFO_ASKED,
+    BOARD_ASKED,
+    MOTOR_STARTING,
     SCAN_ASKED,
     SPINNING_UP,
     SCANNING
   }
+
+  private static final Set<State> MAY_BE_UNANSWERED =
+      EnumSet.of(State.INFO_ASKED, State.BOARD_ASKED, State.MOTOR_STARTING);
 
   private final ByteLink link;
   private final RplidarParser parser = new RplidarParser();
@@ -40,6 +58,7 @@ final class Rplidar implements Scanner {
   private State state = State.STOPPING;
   private long untilMicros = Long.MIN_VALUE;
   private int connections;
+  private boolean runsMotor;
   private Reading reading = NONE;
   private String trouble = "";
   private long unanswered;
@@ -57,7 +76,7 @@ final class Rplidar implements Scanner {
     int count;
     while ((count = link.read(buffer)) > 0) {
       if (state != State.STOPPING && state != State.RESETTING) {
-        parser.accept(buffer, count);
+        parser.accept(buffer, count, nowMicros);
       }
     }
     advance(nowMicros);
@@ -67,17 +86,41 @@ final class Rplidar implements Scanner {
   private void advance(long nowMicros) {
     if (state == State.HEALTH_ASKED && parser.health().isPresent()) {
       judge(parser.health().get(), nowMicros);
+    } else if (state == State.INFO_ASKED && parser.model().isPresent()) {
+      if (parser.model().getAsInt() >> 4 >= FIRST_WITH_BOARD) {
+        ask(GET_MOTOR_BOARD, State.BOARD_ASKED, nowMicros + ANSWER_WITHIN_MICROS);
+      } else {
+        scan(nowMicros);
+      }
+    } else if (state == State.BOARD_ASKED && parser.hasMotorBoard().isPresent()) {
+      runsMotor = parser.hasMotorBoard().get();
+      if (runsMotor) {
+        ask(RUN_MOTOR, State.MOTOR_STARTING, nowMicros + MOTOR_MICROS);
+      } else {
+        scan(nowMicros);
+      }
     } else if (state == State.SCAN_ASKED && parser.isScanning()) {
       enter(State.SPINNING_UP, nowMicros + SPIN_UP_MICROS);
     }
-    Optional<List<Point>> scan = parser.takeScan();
-    if (scan.isPresent()) {
-      reading = new Reading(nowMicros, scan.get());
+    Optional<RplidarParser.Turn> turn = parser.takeTurn();
+    if (turn.isPresent()) {
+      reading = new Reading(nowMicros, scanned(turn.get()));
       enter(State.SCANNING, nowMicros + SCAN_WITHIN_MICROS);
     }
     if (nowMicros >= untilMicros && link.isConnected()) {
       overdue(nowMicros);
     }
+  }
+
+  private static RangeScan scanned(RplidarParser.Turn turn) {
+    double durationS = Clock.seconds(turn.endMicros() - turn.firstMicros());
+    RangeScan scan =
+        new RangeScan()
+            .maxRange(RplidarParser.FARTHEST_M)
+            .timeIncrement(turn.beams().isEmpty() ? 0.0 : durationS / turn.beams().size())
+            .beams(turn.beams());
+    scan.timestamp(turn.firstMicros());
+    return scan;
   }
 
   private void judge(RplidarParser.Health health, long nowMicros) {
@@ -89,6 +132,10 @@ final class Rplidar implements Scanner {
     if (health.status() == WARNING) {
       trouble = "warning " + hex(health);
     }
+    ask(GET_INFO, State.INFO_ASKED, nowMicros + ANSWER_WITHIN_MICROS);
+  }
+
+  private void scan(long nowMicros) {
     ask(SCAN, State.SCAN_ASKED, nowMicros + ANSWER_WITHIN_MICROS);
   }
 
@@ -99,6 +146,8 @@ final class Rplidar implements Scanner {
   private void overdue(long nowMicros) {
     if (state == State.STOPPING) {
       ask(GET_HEALTH, State.HEALTH_ASKED, nowMicros + ANSWER_WITHIN_MICROS);
+    } else if (MAY_BE_UNANSWERED.contains(state)) {
+      scan(nowMicros); // an older one need not know the question
     } else {
       unanswered += state == State.RESETTING ? 0 : 1;
       stop(nowMicros);
@@ -135,6 +184,9 @@ final class Rplidar implements Scanner {
   @Override
   public void close() {
     try {
+      if (runsMotor) {
+        link.write(STOP_MOTOR);
+      }
       link.write(STOP);
     } finally {
       link.close();

@@ -4,11 +4,14 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.frame.Point;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.u2sa.messages.RangeScan;
 
 /**
- * Reads what an RPLIDAR sends: response descriptors, its health, and the 5 bytes of each
- * measurement of a standard scan (Slamtec LR001, "RPLIDAR Interface Protocol", rev. 2.1).
+ * Reads what an RPLIDAR sends: response descriptors, its health and model, whether a board runs its
+ * motor, and the 5 bytes of each measurement of a standard scan (Slamtec LR001, "RPLIDAR Interface
+ * Protocol", rev. 2.1; the board: Slamtec's rplidar_sdk).
  */
 final class RplidarParser {
   private static final int SYNC_1 = 0xA5;
@@ -17,15 +20,23 @@ final class RplidarParser {
   private static final int LENGTH_MASK = 0x3FFFFFFF; // the two bits above are the send mode
   private static final int HEALTH_TYPE = 0x06;
   private static final int HEALTH_BYTES = 3;
+  private static final int INFO_TYPE = 0x04;
+  private static final int INFO_BYTES = 20;
+  private static final int BOARD_TYPE = 0xFF;
+  private static final int BOARD_BYTES = 4;
   private static final int SCAN_TYPE = 0x81;
   private static final int NODE_BYTES = 5;
   private static final double STEPS_PER_DEGREE = 64.0;
   private static final double STEPS_PER_METRE = 4000.0;
+
+  /** The farthest that 16 bits can say [m]. */
+  static final double FARTHEST_M = 65_535 / STEPS_PER_METRE;
+
   private static final int FULL_TURN = 360 * 64;
   // A position in random bytes looks like a node once in five times: so many in a row are no
   // chance.
   private static final int NODES_TO_TRUST = 16;
-  private static final int MOST_POINTS = 20_000; // of a scan; a motor that stands sends no begin
+  private static final int MOST_BEAMS = 20_000; // of a scan; a motor that stands sends no begin
 
   /**
    * The device's own word on itself.
@@ -35,9 +46,19 @@ final class RplidarParser {
    */
   record Health(int status, int errorCode) {}
 
+  /**
+   * One turn.
+   *
+   * @param firstMicros when its first measurement came [µs]
+   * @param endMicros when the first of the next turn came [µs]
+   */
+  record Turn(long firstMicros, long endMicros, List<RangeScan.Beam> beams) {}
+
   private enum Expecting {
     DESCRIPTOR,
     HEALTH,
+    INFO,
+    BOARD,
     NODES
   }
 
@@ -46,11 +67,15 @@ final class RplidarParser {
   private Expecting expecting = Expecting.DESCRIPTOR;
   private boolean trusted;
   private boolean hasBegun; // a scan, at its beginning
-  private List<Point> points = new ArrayList<>();
-  private List<Point> ended; // a scan whose end was seen, until enough measurements confirm it
+  private List<RangeScan.Beam> beams = new ArrayList<>();
+  private long nowMicros;
+  private long firstMicros;
+  private Turn ended; // one whose end was seen, until enough measurements confirm it
   private int confirmations;
-  private List<Point> whole;
+  private Turn whole;
   private Health health;
+  private OptionalInt model = OptionalInt.empty();
+  private Optional<Boolean> board = Optional.empty();
   private long malformed;
 
   /** Forgets all but the count: a request follows, and its descriptor is awaited. */
@@ -59,14 +84,17 @@ final class RplidarParser {
     expecting = Expecting.DESCRIPTOR;
     trusted = true; // what follows a descriptor is aligned
     hasBegun = false;
-    points = new ArrayList<>();
+    beams = new ArrayList<>();
     ended = null;
     whole = null;
     health = null;
+    model = OptionalInt.empty();
+    board = Optional.empty();
   }
 
-  /** Takes the next bytes of the stream. */
-  void accept(byte[] bytes, int length) {
+  /** Takes the next bytes of the stream, which came then. */
+  void accept(byte[] bytes, int length, long cameMicros) {
+    nowMicros = cameMicros;
     int from = 0;
     while (from < length) {
       int taken = Math.min(length - from, pending.length - pendingBytes);
@@ -96,6 +124,20 @@ final class RplidarParser {
         health = new Health(at(at), at(at + 1) | at(at + 2) << 8);
         expecting = Expecting.DESCRIPTOR;
         return HEALTH_BYTES;
+      case INFO:
+        if (left < INFO_BYTES) {
+          return 0;
+        }
+        model = OptionalInt.of(at(at));
+        expecting = Expecting.DESCRIPTOR;
+        return INFO_BYTES;
+      case BOARD:
+        if (left < BOARD_BYTES) {
+          return 0;
+        }
+        board = Optional.of((at(at) & 1) != 0);
+        expecting = Expecting.DESCRIPTOR;
+        return BOARD_BYTES;
       default:
         return trusted ? node(at, left) : hunt(at, left);
     }
@@ -112,6 +154,14 @@ final class RplidarParser {
       int type = at(at + 6);
       if (type == HEALTH_TYPE && bytes == HEALTH_BYTES) {
         expecting = Expecting.HEALTH;
+        return DESCRIPTOR_BYTES;
+      }
+      if (type == INFO_TYPE && bytes == INFO_BYTES) {
+        expecting = Expecting.INFO;
+        return DESCRIPTOR_BYTES;
+      }
+      if (type == BOARD_TYPE && bytes == BOARD_BYTES) {
+        expecting = Expecting.BOARD;
         return DESCRIPTOR_BYTES;
       }
       if (type == SCAN_TYPE && bytes == NODE_BYTES) {
@@ -136,24 +186,30 @@ final class RplidarParser {
     confirm();
     boolean starts = (at(at) & 1) != 0;
     if (starts && hasBegun) {
-      ended = points;
+      ended = new Turn(firstMicros, nowMicros, Collections.unmodifiableList(beams));
       confirmations = 0;
     }
-    if (starts || points.size() >= MOST_POINTS) {
-      points = new ArrayList<>(points.size());
+    if (starts || beams.size() >= MOST_BEAMS) {
+      beams = new ArrayList<>(beams.size());
       hasBegun = starts;
+      firstMicros = nowMicros;
     }
     int distance = at(at + 3) | at(at + 4) << 8;
-    if (distance != 0 && hasBegun) { // 0: nothing was measured
-      double angle = Math.toRadians(angleSteps(at) / STEPS_PER_DEGREE);
-      points.add(Point.polar(-angle, 0.0, distance / STEPS_PER_METRE)); // clockwise from above
+    if (hasBegun) {
+      double angle = Math.toRadians(angleSteps(at) / STEPS_PER_DEGREE); // clockwise from above
+      beams.add(
+          new RangeScan.Beam(
+              -angle,
+              distance == 0 // no echo
+                  ? OptionalDouble.empty()
+                  : OptionalDouble.of(distance / STEPS_PER_METRE)));
     }
     return NODE_BYTES;
   }
 
   private void confirm() {
     if (ended != null && ++confirmations >= NODES_TO_TRUST) {
-      whole = Collections.unmodifiableList(ended);
+      whole = ended;
       ended = null;
     }
   }
@@ -190,9 +246,19 @@ final class RplidarParser {
     return Optional.ofNullable(health);
   }
 
-  /** The newest whole scan, in the sensor's axes; once. */
-  Optional<List<Point>> takeScan() {
-    Optional<List<Point>> taken = Optional.ofNullable(whole);
+  /** The model that the device says it is, since the last {@link #beginAnew}; A2 is 0x28. */
+  OptionalInt model() {
+    return model;
+  }
+
+  /** Whether it says that a board runs its motor, since the last {@link #beginAnew}. */
+  Optional<Boolean> hasMotorBoard() {
+    return board;
+  }
+
+  /** The newest whole turn; once. */
+  Optional<Turn> takeTurn() {
+    Optional<Turn> taken = Optional.ofNullable(whole);
     whole = null;
     return taken;
   }

@@ -1,7 +1,6 @@
 package org.u2sa.drivers.range;
 
-import java.util.List;
-import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.RangeScan;
 
 /**
  * All that {@link LidarSensor} knows of a scanning laser. Belongs to one thread; no call waits for
@@ -11,13 +10,13 @@ interface Scanner extends AutoCloseable {
   /**
    * The newest whole scan.
    *
-   * @param measuredAtMicros when its end came, time of the run's clock [µs]; grows with each scan
-   * @param points that were seen, in the sensor's axes: x ahead, y left [m]; may be empty
+   * @param endedAtMicros when its end came, time of the run's clock [µs]; grows with each scan
+   * @param beams all of it but whose it is and where the sensor is; with the time of its first beam
    */
-  record Reading(long measuredAtMicros, List<Point> points) {}
+  record Reading(long endedAtMicros, RangeScan beams) {}
 
   /** Before anything was scanned. */
-  Reading NONE = new Reading(Long.MIN_VALUE, List.of());
+  Reading NONE = new Reading(Long.MIN_VALUE, new RangeScan());
 
   /** Hears the device, sets it up if need be, and returns the newest whole scan. */
   Reading read(long nowMicros);

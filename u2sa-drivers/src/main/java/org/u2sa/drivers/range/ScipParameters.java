@@ -14,10 +14,18 @@ import java.util.Optional;
  * @param firstStep AMIN
  * @param lastStep AMAX
  * @param frontStep AFRT: the step straight ahead
+ * @param turnsPerMinute SCAN; 0 if it does not say
  */
 record ScipParameters(
-    int nearestMm, int farthestMm, int stepsPerTurn, int firstStep, int lastStep, int frontStep) {
+    int nearestMm,
+    int farthestMm,
+    int stepsPerTurn,
+    int firstStep,
+    int lastStep,
+    int frontStep,
+    int turnsPerMinute) {
   private static final int MOST_STEPS = 8192;
+  private static final double SECONDS_PER_MINUTE = 60.0;
 
   /** Reads the lines after the status, each "NAME:value;sum"; empty if one is wrong or missing. */
   static Optional<ScipParameters> of(List<String> lines) {
@@ -57,7 +65,8 @@ record ScipParameters(
             values.get("ARES"),
             values.get("AMIN"),
             values.get("AMAX"),
-            values.get("AFRT"));
+            values.get("AFRT"),
+            values.getOrDefault("SCAN", 0));
     boolean fits =
         parameters.stepsPerTurn > 0
             && parameters.firstStep <= parameters.lastStep
@@ -70,8 +79,18 @@ record ScipParameters(
     return lastStep - firstStep + 1;
   }
 
+  /** From each step to the next [rad]. */
+  double stepRad() {
+    return 2.0 * Math.PI / stepsPerTurn;
+  }
+
+  /** Time from each step to the next [s]; 0 if not known. */
+  double stepS() {
+    return turnsPerMinute == 0 ? 0.0 : SECONDS_PER_MINUTE / turnsPerMinute / stepsPerTurn;
+  }
+
   /** Direction of a step from straight ahead, to the left positive [rad]; seen from above. */
   double azimuth(int step) {
-    return (step - frontStep) * 2.0 * Math.PI / stepsPerTurn;
+    return (step - frontStep) * stepRad();
   }
 }

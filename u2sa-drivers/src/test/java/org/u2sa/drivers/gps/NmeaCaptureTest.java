@@ -71,7 +71,7 @@ class NmeaCaptureTest {
           .isCloseTo(speed * Math.cos(course), within(1e-6));
     }
     assertThat(fix.satellites()).as(where).isEqualTo(Integer.parseInt(row[6]));
-    assertThat(fix.horizontalSigmaM().orElseThrow()).as(where).isBetween(1.0, 10.0);
+    assertThat(fix.horizontalSigmaM().orElseThrow()).as(where).isBetween(0.8, 10.0);
     assertThat(fix.measuredAtMicros()).isLessThan(100 * SECOND_MICROS);
   }
 }

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.drivers.nmea.Nmea;
 
 class NmeaGpsTest {
@@ -72,6 +75,70 @@ class NmeaGpsTest {
     assertThat(fix().horizontalSigmaM().orElseThrow())
         .isCloseTo(4.0 * 2.0 / Math.sqrt(2), within(1e-9));
     assertThat(fix().verticalSigmaM()).hasValue(4.0 * 1.5);
+  }
+
+  private static String gga(String time, int quality) {
+    return gga(time).replace(",W,1,", ",W," + quality + ",").replace(",1.5,634", ",1.0,634");
+  }
+
+  private static String rmc(String time, String mode) {
+    return rmc(time).replace(",,,A", ",,," + mode);
+  }
+
+  /** The figures of {@link FixQuality}'s sources, for HDOP 1 and RANGE ERROR 4 m. */
+  @ParameterizedTest
+  @CsvSource({"1, A, 4.0", "2, D, 2.4", "3, P, 4.0", "4, R, 0.024", "5, F, 0.6"})
+  void accept_qualityWithoutGst_sigmaIsThatOfTheSolution(
+      int quality, String mode, double rangeErrorM) {
+    hear(gga("120000.00", quality), gga("120001.00", quality), gga("120002.00", quality));
+    assertThat(fix().horizontalSigmaM().orElseThrow())
+        .isCloseTo(rangeErrorM / Math.sqrt(2), within(1e-9));
+    assertThat(fix().valid()).isTrue();
+
+    hear("GPGSA,A,3,05,07,08,10,15,17,18,19,30,,,,2.5,1.0,2.0");
+    hear(rmc("120003.00", mode), rmc("120004.00", mode), rmc("120005.00", mode));
+    assertThat(fix().horizontalSigmaM().orElseThrow())
+        .as("by RMC alone")
+        .isCloseTo(rangeErrorM / Math.sqrt(2), within(1e-9));
+    assertThat(fix().verticalSigmaM().orElseThrow()).isCloseTo(2.0 * rangeErrorM, within(1e-9));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 6, 7, 8})
+  void accept_qualityThatIsNoMeasurement_isNoFix(int quality) {
+    hear(gga("120000.00", quality), gga("120001.00", quality));
+    assertThat(fix().valid()).isFalse();
+  }
+
+  @Test
+  void accept_worseReceiverThanItsRtk_isNotMadeWorse() {
+    NmeaGps good = new NmeaGps(0.5);
+    byte[] bytes = Nmea.bytes(gga("120000.00", 5));
+    good.accept(bytes, bytes.length, now);
+    bytes = Nmea.bytes(gga("120001.00", 5));
+    good.accept(bytes, bytes.length, now);
+    assertThat(good.latest().orElseThrow().horizontalSigmaM().orElseThrow())
+        .isCloseTo(0.5 / Math.sqrt(2), within(1e-9));
+  }
+
+  @Test
+  void accept_rtkSaidAsDgpsByRmc_ggaCounts() { // as receivers with NMEA 2.3 do
+    for (String time : new String[] {"120000.00", "120001.00", "120002.00"}) {
+      hear(rmc(time, "D"), gga(time, 4));
+    }
+    assertThat(fix().horizontalSigmaM().orElseThrow())
+        .isCloseTo(0.024 / Math.sqrt(2), within(1e-9));
+  }
+
+  @Test
+  void accept_rtkLost_itsGstIsForgottenAtOnce() {
+    for (String time : new String[] {"120000.00", "120001.00", "120002.00"}) {
+      hear(gga(time, 4), "GPGST," + time + ",1.8,,,,0.01,0.01,0.02");
+    }
+    hear(gga("120003.00", 4));
+    assertThat(fix().horizontalSigmaM().orElseThrow()).isCloseTo(0.01, within(1e-9));
+    hear(gga("120004.00", 1));
+    assertThat(fix().horizontalSigmaM().orElseThrow()).isCloseTo(4.0 / Math.sqrt(2), within(1e-9));
   }
 
   @Test

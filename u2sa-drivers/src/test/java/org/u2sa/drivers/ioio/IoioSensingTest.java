@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.Geodetic;
 
 /** What the service tells of GPS, compass and battery at the board. */
 class IoioSensingTest {
@@ -49,56 +48,42 @@ class IoioSensingTest {
     on.bench.send(13, sentence(body).getBytes(StandardCharsets.US_ASCII));
   }
 
-  private static Geodetic place(StateInformation state) {
-    return new Geodetic(state.x().orElseThrow(), state.y().orElseThrow(), 0.0);
+  private List<StateInformation> measured(String sensor) {
+    return on.kit.published(Channels.SENSED_STATE).stream()
+        .filter(each -> each.sensorName().equals(sensor))
+        .toList();
   }
 
+  /** One fix counts once, however often the compass measures. */
   @Test
-  void step_fixAndHeadings_areOneStateForEachHeading() {
+  void step_fixesAndHeadings_areEachPublishedOnceAtTheirOwnTime() {
     on.start();
-    gps(1, 4.0, 90.0);
-    on.kit.advance(0.2);
-    gps(2, 4.0, 90.0);
-    on.kit.advance(0.2);
-    assertThat(on.kit.published(Channels.SENSED_STATE)).isEmpty();
-    compass(90.0);
-    on.kit.advance(0.1);
-    compass(350.0);
-    on.kit.advance(0.4);
-
-    List<StateInformation> states = on.kit.published(Channels.SENSED_STATE);
-    assertThat(states).hasSize(2);
-    assertThat(states.get(0).psi().orElseThrow()).isCloseTo(Math.PI / 2.0, within(1e-9));
-    assertThat(states.get(1).psi().orElseThrow()).isCloseTo(Math.toRadians(350.0), within(1e-9));
-    double eastMps = 4.0 * 1852.0 / 3600.0;
-    assertThat(states.get(1).xDot().orElseThrow()).isCloseTo(eastMps, within(1e-6));
-    assertThat(states.get(1).yDot().orElseThrow()).isCloseTo(0.0, within(1e-6));
-    assertThat(states.get(1).psiSigma()).hasValue(Math.toRadians(1.0));
-    Geodetic first = place(states.get(0));
-    Geodetic second = place(states.get(1));
-    double betweenS =
-        (states.get(1).timestamp().orElseThrow() - states.get(0).timestamp().orElseThrow()) * 1e-6;
-    assertThat(betweenS).isBetween(0.08, 0.12);
-    assertThat(first.distanceM(second)).isCloseTo(eastMps * betweenS, within(1e-3));
-    assertThat(first.bearingRad(second)).isCloseTo(Math.PI / 2.0, within(1e-3));
-  }
-
-  @Test
-  void step_fixTooOld_headingAlone() {
-    on.start();
-    gps(1, 0.0, 0.0);
-    on.kit.advance(0.2);
-    gps(2, 0.0, 0.0);
-    on.kit.advance(0.2);
-    compass(44.0);
-    on.kit.advance(0.1);
-    assertThat(on.kit.latest(Channels.SENSED_STATE).orElseThrow().x()).isPresent();
-    on.kit.advance(2.5);
-    compass(45.0);
-    on.kit.advance(0.1);
-    StateInformation state = on.kit.latest(Channels.SENSED_STATE).orElseThrow();
-    assertThat(state.psi().orElseThrow()).isCloseTo(Math.PI / 4.0, within(1e-9));
-    assertThat(state.x()).isEmpty();
+    for (int second = 1; second <= 3; second++) {
+      gps(second, 4.0, 90.0);
+      for (int i = 0; i < 5; i++) {
+        compass(90.0 + i);
+        on.kit.advance(0.1);
+      }
+    }
+    List<StateInformation> fixes = measured("IoioService GPS");
+    assertThat(fixes).as("the last one waits for the next time").hasSize(2);
+    StateInformation fix = fixes.get(1);
+    assertThat(fix.x().orElseThrow()).isCloseTo(-78.0, within(1e-9));
+    assertThat(fix.xDot().orElseThrow()).isCloseTo(4.0 * 1852.0 / 3600.0, within(1e-6));
+    assertThat(fix.psi()).as("measured by another").isEmpty();
+    assertThat(fix.timestamp().getAsLong() - fixes.get(0).timestamp().getAsLong())
+        .isCloseTo(500_000L, within(30_000L));
+    List<StateInformation> headings = measured("IoioService compass");
+    assertThat(headings).hasSizeGreaterThan(10);
+    assertThat(headings)
+        .allSatisfy(
+            heading -> {
+              assertThat(heading.x()).isEmpty();
+              assertThat(heading.xSigma()).isEmpty();
+              assertThat(heading.psiSigma()).hasValue(Math.toRadians(1.0));
+            });
+    assertThat(headings.stream().map(StateInformation::timestamp).distinct())
+        .hasSameSizeAs(headings);
   }
 
   @Test

@@ -5,10 +5,13 @@ import static org.awaitility.Awaitility.await;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Function;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
@@ -30,6 +33,7 @@ public final class RealTime implements AutoCloseable {
   private final SystemClock clock = new SystemClock();
   private final LocalBus bus = new LocalBus(SYSTEM_ID);
   private final Map<String, U2SAData> latest = new ConcurrentHashMap<>(); // by channel
+  private final Map<String, Queue<U2SAData>> all = new ConcurrentHashMap<>(); // by channel
   private final Map<String, Object> variables = new HashMap<>();
   private final Path logs;
   private U2SAService service;
@@ -37,7 +41,12 @@ public final class RealTime implements AutoCloseable {
   /** Logs go to a folder. */
   public RealTime(Path logs) {
     this.logs = logs;
-    bus.attach((channel, message) -> latest.put(channel.name(), message));
+    bus.attach((channel, message) -> keep(channel.name(), message));
+  }
+
+  private void keep(String channel, U2SAData message) {
+    latest.put(channel, message);
+    all.computeIfAbsent(channel, name -> new ConcurrentLinkedQueue<>()).add(message);
   }
 
   /** Sets a variable of the service. */
@@ -66,6 +75,13 @@ public final class RealTime implements AutoCloseable {
   /** What was published last on a channel. */
   public <T extends U2SAData> Optional<T> latest(Channel<T> channel) {
     return Optional.ofNullable(latest.get(channel.name())).map(channel.type().messageClass()::cast);
+  }
+
+  /** All that was published on a channel, the oldest first. */
+  public <T extends U2SAData> List<T> published(Channel<T> channel) {
+    return all.getOrDefault(channel.name(), new ConcurrentLinkedQueue<>()).stream()
+        .map(channel.type().messageClass()::cast)
+        .toList();
   }
 
   /** Forgets what was published last on a channel. */

@@ -11,6 +11,7 @@ import io.dronefleet.mavlink.common.GpsFixType;
 import io.dronefleet.mavlink.common.GpsRawInt;
 import io.dronefleet.mavlink.common.MavSeverity;
 import io.dronefleet.mavlink.common.RcChannelsOverride;
+import io.dronefleet.mavlink.common.SetAttitudeTarget;
 import io.dronefleet.mavlink.common.SetPositionTargetLocalNed;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -28,6 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
@@ -116,8 +118,16 @@ class MavlinkAutopilotTest {
     return all.get(all.size() - 1);
   }
 
-  private StateInformation state() {
-    return kit.latest(Channels.SENSED_STATE).orElseThrow();
+  /** The newest with that number. */
+  private StateInformation state(StateField field) {
+    return kit.published(Channels.SENSED_STATE).stream()
+        .filter(state -> state.number(field).isPresent())
+        .reduce((first, second) -> second)
+        .orElseThrow();
+  }
+
+  private boolean hasPosition() {
+    return kit.published(Channels.SENSED_STATE).stream().anyMatch(each -> each.x().isPresent());
   }
 
   private String lastError() {
@@ -125,9 +135,8 @@ class MavlinkAutopilotTest {
   }
 
   @Test
-  void step_attitudeAndPosition_areAStateInGlobal() {
+  void step_attitudeAndPosition_areStatesInGlobal() {
     start();
-    say(position(473977420));
     say(
         GpsRawInt.builder()
             .fixType(GpsFixType.GPS_FIX_TYPE_3D_FIX)
@@ -136,9 +145,10 @@ class MavlinkAutopilotTest {
             .vAcc(1500)
             .velAcc(300)
             .build());
+    say(position(473977420));
     say(attitude(-0.2, -1.5));
     kit.advance(0.1);
-    StateInformation state = state();
+    StateInformation state = state(StateField.X);
     assertThat(state.referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
     assertThat(state.y().getAsDouble()).isCloseTo(47.397742, within(1.0e-9));
     assertThat(state.x().getAsDouble()).isCloseTo(8.545594, within(1.0e-9));
@@ -146,36 +156,63 @@ class MavlinkAutopilotTest {
     assertThat(state.xDot()).as("east").hasValue(2.0);
     assertThat(state.yDot()).as("north").hasValue(1.0);
     assertThat(state.zDot()).as("up").hasValue(-0.5);
+    assertThat(state.xSigma().getAsDouble())
+        .as("h_acc is the distance's")
+        .isCloseTo(0.8 / Math.sqrt(2.0), within(1.0e-9));
+    assertThat(state.zSigma()).hasValue(1.5);
+    assertThat(state.zDotSigma()).hasValue(0.3);
+    assertThat(state.psi()).as("measured apart").isEmpty();
+    state = state(StateField.PHI);
+    assertThat(state.referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
+    assertThat(state.x()).as("measured apart").isEmpty();
     assertThat(state.phi().getAsDouble()).isCloseTo(0.1, within(1.0e-6));
     assertThat(state.theta().getAsDouble()).isCloseTo(-0.2, within(1.0e-6));
     assertThat(state.psi().getAsDouble()).isCloseTo(2.0 * Math.PI - 1.5, within(1.0e-6));
     // psiDot = (q sin phi + r cos phi) / cos theta
     assertThat(state.psiDot().getAsDouble())
         .isCloseTo((0.02 * Math.sin(0.1) + 0.03 * Math.cos(0.1)) / Math.cos(-0.2), within(1.0e-6));
-    assertThat(state.xSigma()).hasValue(0.8);
-    assertThat(state.zSigma()).hasValue(1.5);
-    assertThat(state.zDotSigma()).hasValue(0.3);
   }
 
   @Test
-  void step_noFixOrOldOrImpossiblePosition_attitudeOnly() {
+  void step_onePositionManyAttitudes_thePositionIsPublishedOnce() {
+    start();
+    say(position(473977420));
+    for (int i = 0; i < 10; i++) {
+      say(attitude(0.0, 0.0));
+      live(0.1);
+    }
+    List<StateInformation> all = kit.published(Channels.SENSED_STATE);
+    assertThat(all.stream().filter(each -> each.psi().isPresent())).hasSize(10);
+    assertThat(all.stream().filter(each -> each.x().isPresent())).as("one measurement").hasSize(1);
+    assertThat(all.stream().map(StateInformation::sensorName).distinct())
+        .as("a newer attitude does not replace a position that nobody read yet")
+        .containsExactlyInAnyOrder("MavlinkAutopilot position", "MavlinkAutopilot");
+  }
+
+  @Test
+  void step_noFixOrImpossiblePosition_attitudeOnly() {
     start();
     say(attitude(0.0, 0.0));
     kit.advance(0.1);
-    assertThat(state().x()).as("no position yet").isEmpty();
+    assertThat(hasPosition()).as("no position yet").isFalse();
     say(position(1_200_000_000));
     say(attitude(0.0, 0.0));
     kit.advance(0.1);
-    assertThat(state().x()).as("120 degrees north").isEmpty();
+    assertThat(hasPosition()).as("120 degrees north").isFalse();
+    say(
+        GpsRawInt.builder()
+            .fixType(GpsFixType.GPS_FIX_TYPE_2D_FIX)
+            .timeUsec(BigInteger.ZERO)
+            .build());
+    say(position(473977420));
+    kit.advance(0.1);
+    assertThat(hasPosition()).as("the GPS has no 3D fix").isFalse();
+    live(1.5);
     say(position(0));
     say(attitude(Math.PI / 2.0, 0.0));
     kit.advance(0.1);
-    assertThat(state().x()).as("on the equator").isPresent();
-    assertThat(state().psiDot()).as("not defined, straight up").isEmpty();
-    live(1.5);
-    say(attitude(0.0, 0.0));
-    kit.advance(0.1);
-    assertThat(state().x()).as("older than a second").isEmpty();
+    assertThat(hasPosition()).as("on the equator").isTrue();
+    assertThat(state(StateField.PHI).psiDot()).as("not defined, straight up").isEmpty();
     kit.forget();
     say(attitude(Double.NaN, 0.0));
     kit.advance(0.3);
@@ -226,6 +263,82 @@ class MavlinkAutopilotTest {
       live(0.1);
     }
     assertThat(heard(CommandLong.class)).as("no longer when it comes").isEmpty();
+  }
+
+  private double[] targetAngles() {
+    List<Float> q = last(SetAttitudeTarget.class).q();
+    double w = q.get(0);
+    double x = q.get(1);
+    double y = q.get(2);
+    double z = q.get(3);
+    return new double[] {
+      Math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y)),
+      Math.asin(2.0 * (w * y - z * x)),
+      Math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+    };
+  }
+
+  @Test
+  void step_attitudeCommands_areAnglesAtTheVehiclesOwnHeadingWithoutRates() {
+    kit.with("COMMANDS", "attitude");
+    start();
+    say(attitude(0.0, 1.2));
+    kit.advance(0.02);
+    command("ROLL ANGLE", 40.0);
+    command("PITCH ANGLE", -20.0);
+    kit.advance(0.1);
+    SetAttitudeTarget target = last(SetAttitudeTarget.class);
+    assertThat(target.typeMask().value())
+        .as("some of the three rates would stop ArduCopter")
+        .isEqualTo(0b111);
+    assertThat(targetAngles()[0]).isCloseTo(0.2, within(1.0e-6));
+    assertThat(targetAngles()[1]).isCloseTo(-0.1, within(1.0e-6));
+    assertThat(targetAngles()[2]).as("not north").isCloseTo(1.2, within(1.0e-6));
+    assertThat(target.thrust()).as("neutral").isEqualTo(0.5f);
+  }
+
+  @Test
+  void step_yawRateCommanded_theHeadingMovesOnAndStaysWhereItEnded() {
+    kit.with("COMMANDS", "attitude").with("FULL TURN", 0.8);
+    start();
+    double yaw = 3.0;
+    for (int i = 0; i < 20; i++) { // a vehicle that follows 0.1 s late, past south
+      say(attitude(0.0, Math.IEEEremainder(yaw + 0.04 * Math.max(0, i - 1), 2.0 * Math.PI)));
+      command("YAW RATE", 50.0);
+      live(0.1);
+    }
+    // The first message is sent 0.02 s after the first command: 2 s at 0.4 rad/s, less that.
+    double reached = targetAngles()[2];
+    assertThat(reached).isCloseTo(Math.IEEEremainder(3.8, 2.0 * Math.PI), within(0.05));
+    for (int i = 0; i < 5; i++) {
+      say(attitude(0.0, reached));
+      command("ROLL ANGLE", 0.0);
+      command("YAW RATE", 0.0);
+      live(0.1);
+    }
+    assertThat(targetAngles()[2]).isCloseTo(reached, within(0.02));
+  }
+
+  @Test
+  void step_vehicleDoesNotFollow_theHeadingLeadsByHalfARadianAtMost() {
+    kit.with("COMMANDS", "attitude");
+    start();
+    for (int i = 0; i < 50; i++) {
+      say(attitude(0.0, -1.0));
+      command("YAW RATE", 100.0);
+      live(0.1);
+    }
+    assertThat(targetAngles()[2]).isCloseTo(-0.5, within(1.0e-3));
+  }
+
+  @Test
+  void step_attitudeCommandsBeforeAnyAttitude_waitAndSaySo() {
+    kit.with("COMMANDS", "attitude");
+    start();
+    command("ROLL ANGLE", 40.0);
+    kit.advance(0.3);
+    assertThat(heard(SetAttitudeTarget.class)).isEmpty();
+    assertThat(lastError()).contains("commands wait").contains("ATTITUDE");
   }
 
   private void rc() {

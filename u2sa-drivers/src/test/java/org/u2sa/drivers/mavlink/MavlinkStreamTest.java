@@ -59,7 +59,8 @@ class MavlinkStreamTest {
         .encode(
             form.message(
                 new CommandForm.Target(1, 1),
-                name -> map.getOrDefault(name, OptionalDouble.empty())));
+                name -> map.getOrDefault(name, OptionalDouble.empty()),
+                0));
   }
 
   @Test

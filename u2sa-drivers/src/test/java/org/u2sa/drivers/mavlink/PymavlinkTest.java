@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.drivers.link.RealTime;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.EmergencyStop;
 
@@ -61,18 +62,19 @@ class PymavlinkTest {
   @ValueSource(strings = {"tcp", "udp"})
   void vehicleSpeaks_stateAndPowerArePublished(String kind) throws Exception {
     start(kind);
-    real.until(() -> real.latest(Channels.SENSED_STATE).flatMap(s -> optional(s)).isPresent());
-    StateInformation state = real.latest(Channels.SENSED_STATE).orElseThrow();
+    real.until(() -> sensed(StateField.PHI).isPresent() && sensed(StateField.X_SIGMA).isPresent());
+    StateInformation state = sensed(StateField.X_SIGMA).orElseThrow();
     assertThat(state.y().getAsDouble()).isCloseTo(47.397742, within(1.0e-9));
     assertThat(state.x().getAsDouble()).isCloseTo(8.545594, within(1.0e-9));
     assertThat(state.z()).hasValue(488.1);
     assertThat(state.xDot()).hasValue(2.0);
     assertThat(state.yDot()).hasValue(1.0);
     assertThat(state.zDot()).hasValue(-0.5);
+    assertThat(state.xSigma().getAsDouble()).isCloseTo(0.8 / Math.sqrt(2.0), within(1.0e-9));
+    state = sensed(StateField.PHI).orElseThrow();
     assertThat(state.phi().getAsDouble()).isCloseTo(0.1, within(1.0e-6));
     assertThat(state.theta().getAsDouble()).isCloseTo(-0.2, within(1.0e-6));
     assertThat(state.psi().getAsDouble()).isCloseTo(2.0 * Math.PI - 1.5, within(1.0e-6));
-    assertThat(state.xSigma()).hasValue(0.8);
     real.until(() -> real.latest(Channels.POWER).isPresent());
     BatteryState battery = real.latest(Channels.POWER).orElseThrow();
     assertThat(battery.voltage().getAsDouble()).isCloseTo(15.2, within(1.0e-9));
@@ -87,11 +89,11 @@ class PymavlinkTest {
     assertThat(vehicle.heard("BAD_DATA")).isEmpty();
   }
 
-  /** With position and errors. */
-  private static Optional<StateInformation> optional(StateInformation state) {
-    return state.x().isPresent() && state.xSigma().isPresent()
-        ? Optional.of(state)
-        : Optional.empty();
+  /** The newest with that number. */
+  private Optional<StateInformation> sensed(StateField field) {
+    return real.published(Channels.SENSED_STATE).stream()
+        .filter(state -> state.number(field).isPresent())
+        .reduce((first, second) -> second);
   }
 
   @Test
@@ -159,15 +161,15 @@ class PymavlinkTest {
           real.command("YAW RATE", 30.0);
           real.command("THRUST", 75.0);
           String target = last("SET_ATTITUDE_TARGET");
-          return !target.isEmpty() && number(target, "body_yaw_rate") > 0.2;
+          return !target.isEmpty() && number(target, "yaw") > -1.4;
         });
     String target = last("SET_ATTITUDE_TARGET");
     assertThat(number(target, "roll")).isCloseTo(0.2, within(1.0e-6));
     assertThat(number(target, "pitch")).isCloseTo(-0.1, within(1.0e-6));
-    assertThat(number(target, "yaw")).isCloseTo(0.0, within(1.0e-6));
+    assertThat(number(target, "yaw")).as("from the vehicle's -1.5").isBetween(-1.4, -0.99);
     assertThat(number(target, "thrust")).isEqualTo(0.75);
-    assertThat(number(target, "type_mask")).isEqualTo(3.0);
-    assertThat(number(target, "body_yaw_rate")).isCloseTo(0.3, within(1.0e-6));
+    assertThat(number(target, "type_mask")).as("angles, no rates").isEqualTo(7.0);
+    assertThat(number(target, "body_yaw_rate")).isZero();
   }
 
   @Test

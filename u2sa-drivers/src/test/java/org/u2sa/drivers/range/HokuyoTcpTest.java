@@ -9,7 +9,6 @@ import org.u2sa.drivers.link.DeviceServer;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.RealTime;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.PointCloud;
 
 /** A simulated Hokuyo behind a real socket, in real time. */
 class HokuyoTcpTest {
@@ -23,14 +22,13 @@ class HokuyoTcpTest {
       new SimulatedHokuyo(far, real.clock()::micros, degrees -> 3.0);
       real.with("CONNECTION", server.address()).with("LIDAR", "hokuyo").with("PUBLISH EVERY", 8);
       real.start(LidarSensor::new);
-      real.until(() -> real.latest(Channels.SENSED_OBJECTS).isPresent());
+      real.until(() -> real.latest(Channels.SCANS).isPresent());
       server.unplug();
       real.until(() -> real.lastError().startsWith("the laser is lost"));
-      real.forget(Channels.SENSED_OBJECTS);
+      real.forget(Channels.SCANS);
       server.plug();
-      real.until(() -> real.latest(Channels.SENSED_OBJECTS).isPresent());
-      PointCloud cloud = (PointCloud) real.latest(Channels.SENSED_OBJECTS).orElseThrow();
-      assertThat(cloud.points()).hasSize(1081);
+      real.until(() -> real.latest(Channels.SCANS).isPresent());
+      assertThat(real.latest(Channels.SCANS).orElseThrow().points()).hasSize(1081);
     }
   }
 }

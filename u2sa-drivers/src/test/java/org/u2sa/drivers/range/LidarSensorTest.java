@@ -1,5 +1,6 @@
 package org.u2sa.drivers.range;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
@@ -8,9 +9,9 @@ import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.drivers.link.MemoryLink;
+import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.PointCloud;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -49,43 +50,151 @@ class LidarSensorTest {
     return device;
   }
 
-  private List<ObjectDescription> clouds() {
-    return kit.published(Channels.SENSED_OBJECTS);
+  private List<RangeScan> scans() {
+    return kit.published(Channels.SCANS);
   }
 
   private String lastError() {
     return kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError).orElse("");
   }
 
-  private void assertWallAhead(int points) {
-    assertThat(clouds()).isNotEmpty();
-    PointCloud cloud = (PointCloud) clouds().get(clouds().size() - 1);
-    assertThat(cloud.referenceFrame()).isEqualTo(ReferenceFrame.BODY);
-    assertThat(cloud.uid()).isEqualTo("LidarSensor");
-    assertThat(cloud.points()).hasSize(points);
-    for (Point point : cloud.points()) {
+  /** With so many beams in all, of which so many see the wall. */
+  private void assertWallAhead(int beams, int echoes) {
+    assertThat(scans()).isNotEmpty();
+    RangeScan scan = scans().get(scans().size() - 1);
+    assertThat(scan.referenceFrame()).isEqualTo(ReferenceFrame.BODY);
+    assertThat(scan.sensorName()).isEqualTo("LidarSensor");
+    assertThat(scan.beams()).as("those without an echo too").hasSize(beams);
+    assertThat(scan.points()).hasSize(echoes);
+    for (Point point : scan.points()) {
       assertThat(point.x()).isCloseTo(WALL_M + 0.2, within(0.01));
       assertThat(point.z()).isCloseTo(-0.5, within(1.0e-9));
     }
-    assertThat(cloud.points().stream().mapToDouble(Point::y).max().orElseThrow())
+    assertThat(scan.points().stream().mapToDouble(Point::y).max().orElseThrow())
         .isCloseTo(WALL_M * Math.tan(Math.toRadians(60.0)), within(0.02));
-    assertThat(cloud.center().distanceTo(Point.of(WALL_M + 0.2, 0.0, -0.5))).isLessThan(0.05);
   }
 
   @Test
-  void rplidar_scans_areCloudsInBody() {
+  void rplidar_scans_areInBody() {
     rplidar();
     kit.advance(1.0);
-    assertWallAhead(121);
-    assertThat(clouds()).hasSizeBetween(7, 10);
+    assertWallAhead(360, 121);
+    assertThat(scans()).hasSizeBetween(7, 10);
   }
 
   @Test
-  void hokuyo_scans_areCloudsInBody() {
+  void hokuyo_scans_areInBody() {
     hokuyo();
     kit.advance(1.0);
-    assertWallAhead(481);
-    assertThat(clouds()).as("each fourth of 40 a second").hasSizeBetween(8, 10);
+    assertWallAhead(1081, 481);
+    assertThat(scans()).as("each fourth of 40 a second").hasSizeBetween(8, 10);
+  }
+
+  @Test
+  void rplidar_scan_hasTheTimeOfItsFirstBeam() {
+    rplidar();
+    kit.advance(1.0);
+    List<RangeScan> all = scans();
+    RangeScan last = all.get(all.size() - 1);
+    RangeScan before = all.get(all.size() - 2);
+    assertThat(last.timestamp().getAsLong() - before.timestamp().getAsLong())
+        .as("ten turns a second")
+        .isCloseTo(100_000L, within(20_000L));
+    assertThat(last.timeIncrement()).isCloseTo(0.1 / 360, within(0.02 / 360));
+    assertThat(last.timestamp().getAsLong() + Clock.micros(0.1))
+        .as("it ended before it was published")
+        .isLessThanOrEqualTo(kit.clock().micros());
+  }
+
+  @Test
+  void hokuyo_scan_hasTheTimeOfItsFirstBeam() {
+    hokuyo();
+    kit.advance(1.0);
+    RangeScan last = scans().get(scans().size() - 1);
+    assertThat(last.timeIncrement()).as("40 turns of 1440 steps").isEqualTo(0.025 / 1440);
+    assertThat(kit.clock().micros() - last.timestamp().getAsLong())
+        .isBetween(Clock.micros(0.025 * 1080 / 1440), Clock.micros(0.15));
+    assertThat(last.startAngle()).isCloseTo(Math.toRadians(-135.0), within(1.0e-9));
+    assertThat(last.angleIncrement()).isCloseTo(Math.toRadians(0.25), within(1.0e-9));
+    assertThat(last.minRange()).as("NEAREST").isEqualTo(0.1);
+    assertThat(last.maxRange()).as("its own").isEqualTo(30.0);
+  }
+
+  @Test
+  void bothFamilies_nothingInReach_areScansWithoutEcho() {
+    SimulatedRplidar device = new SimulatedRplidar(link, kit.clock()::micros, degrees -> 0.0);
+    service = kit.start(context -> new LidarSensor(context, link));
+    kit.advance(1.0);
+    assertThat(device.isScanning()).isTrue();
+    assertThat(scans()).hasSizeBetween(7, 10);
+    assertThat(scans())
+        .allSatisfy(scan -> assertThat(scan.returns()).hasSize(360).doesNotContain(true));
+    kit.forget();
+    MemoryLink other = new MemoryLink();
+    new SimulatedHokuyo(other, kit.clock()::micros, degrees -> 0.0);
+    kit.with("LIDAR", "hokuyo").with("SERVICE NAME", "other");
+    kit.start(context -> new LidarSensor(context, other));
+    kit.advance(0.5);
+    assertThat(scans().stream().filter(scan -> scan.sensorName().equals("other")))
+        .isNotEmpty()
+        .allSatisfy(scan -> assertThat(scan.returns()).hasSize(1081).doesNotContain(true));
+  }
+
+  @Test
+  void hokuyo_thatWakesUpWithScip1_isToldToSpeakScip2AtEachStart() {
+    SimulatedHokuyo device = new SimulatedHokuyo(link, kit.clock()::micros, LidarSensorTest::wall);
+    device.powerOn(true);
+    kit.with("LIDAR", "hokuyo");
+    service = kit.start(context -> new LidarSensor(context, link));
+    kit.advance(1.0);
+    assertWallAhead(1081, 481);
+    device.powerOn(true); // power went and came, the line stayed
+    kit.forget();
+    kit.advance(2.0);
+    assertThat(device.isScip1()).isFalse();
+    assertWallAhead(1081, 481);
+    link.unplug();
+    kit.advance(1.0);
+    device.powerOn(true);
+    kit.forget();
+    link.plug();
+    kit.advance(2.0);
+    assertWallAhead(1081, 481);
+  }
+
+  @Test
+  void hokuyo_inScip2Already_itsRefusalWillDo() {
+    SimulatedHokuyo device = new SimulatedHokuyo(link, kit.clock()::micros, LidarSensorTest::wall);
+    device.powerOn(true);
+    link.write("SCIP2.0\n".getBytes(US_ASCII)); // by another program, before
+    assertThat(device.isScip1()).isFalse();
+    kit.with("LIDAR", "hokuyo");
+    service = kit.start(context -> new LidarSensor(context, link));
+    kit.advance(1.0);
+    assertWallAhead(1081, 481);
+    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError)).isEmpty();
+  }
+
+  @Test
+  void rplidar_onItsMotorBoard_motorIsRunAndStoppedAtTheEnd() {
+    SimulatedRplidar device =
+        new SimulatedRplidar(link, kit.clock()::micros, LidarSensorTest::wall);
+    device.withMotorBoard();
+    service = kit.start(context -> new LidarSensor(context, link));
+    kit.advance(1.5);
+    assertThat(device.motorRequests()).containsExactly("a5f0029402c1");
+    assertWallAhead(360, 121);
+    service.kill();
+    assertThat(device.motorRequests()).containsExactly("a5f0029402c1", "a5f002000057");
+    assertThat(device.isScanning()).isFalse();
+  }
+
+  @Test
+  void rplidar_a1_isNotToldOfAMotor() {
+    SimulatedRplidar device = rplidar();
+    kit.advance(1.0);
+    service.kill();
+    assertThat(device.motorRequests()).isEmpty();
   }
 
   @Test
@@ -93,8 +202,7 @@ class LidarSensorTest {
     kit.with("MOUNTED YAW", Math.PI);
     rplidar();
     kit.advance(1.0);
-    PointCloud cloud = (PointCloud) clouds().get(0);
-    assertThat(cloud.points())
+    assertThat(scans().get(0).points())
         .allSatisfy(point -> assertThat(point.x()).isCloseTo(-WALL_M + 0.2, within(0.01)));
   }
 
@@ -110,7 +218,7 @@ class LidarSensorTest {
     kit.forget();
     kit.advance(0.5);
     assertThat(device.resets()).isEqualTo(1);
-    assertWallAhead(121);
+    assertWallAhead(360, 121);
   }
 
   @Test
@@ -125,7 +233,7 @@ class LidarSensorTest {
     kit.advance(1.8);
     kit.forget();
     kit.advance(0.2);
-    assertWallAhead(481);
+    assertWallAhead(1081, 481);
   }
 
   @Test
@@ -137,30 +245,30 @@ class LidarSensorTest {
     assertThat(lastError()).contains("the laser sent what cannot be read");
     device.dropEach(0);
     kit.advance(1.8);
-    assertThat(clouds())
+    assertThat(scans())
         .allSatisfy(
-            cloud ->
-                assertThat(((PointCloud) cloud).points())
+            scan ->
+                assertThat(scan.points())
                     .allSatisfy(
                         point -> assertThat(point.x()).isCloseTo(WALL_M + 0.2, within(0.01))));
     kit.forget();
     kit.advance(0.2);
-    assertWallAhead(121);
+    assertWallAhead(360, 121);
   }
 
   @Test
-  void hokuyo_wrongSums_noCloudAndItGoesOnWithinTwoSeconds() {
+  void hokuyo_wrongSums_noScanAndItGoesOnWithinTwoSeconds() {
     SimulatedHokuyo device = hokuyo();
     kit.advance(1.0);
     device.wrongSums(true);
     kit.advance(0.1);
     kit.forget();
     kit.advance(3.0);
-    assertThat(clouds()).isEmpty();
+    assertThat(scans()).isEmpty();
     assertThat(lastError()).contains("the laser");
     device.wrongSums(false);
     kit.advance(2.0);
-    assertWallAhead(481);
+    assertWallAhead(1081, 481);
   }
 
   private void unplugFor(double seconds) {
@@ -177,14 +285,14 @@ class LidarSensorTest {
   void rplidar_unplugged_isSetUpAgainWithinTwoSeconds() {
     rplidar();
     unplugFor(5.0);
-    assertWallAhead(121);
+    assertWallAhead(360, 121);
   }
 
   @Test
   void hokuyo_unplugged_isSetUpAgainWithinTwoSeconds() {
     hokuyo();
     unplugFor(5.0);
-    assertWallAhead(481);
+    assertWallAhead(1081, 481);
   }
 
   @Test
@@ -197,7 +305,7 @@ class LidarSensorTest {
     device.mute(false);
     kit.forget();
     kit.advance(2.0);
-    assertWallAhead(121);
+    assertWallAhead(360, 121);
   }
 
   @Test
@@ -210,7 +318,7 @@ class LidarSensorTest {
     device.mute(false);
     kit.forget();
     kit.advance(2.0);
-    assertWallAhead(481);
+    assertWallAhead(1081, 481);
   }
 
   @Test
@@ -248,6 +356,6 @@ class LidarSensorTest {
     kit.advance(0.3);
     assertThat(kit.published(Channels.HEALTH))
         .allSatisfy(health -> assertThat(health.exceptions()).isZero());
-    assertThat(clouds()).isEmpty();
+    assertThat(scans()).isEmpty();
   }
 }

@@ -6,12 +6,13 @@ import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.RangeScan;
 
 /** Slamtec's descriptors and measurements, whole, cut and out of step. */
 class RplidarParserTest {
@@ -21,11 +22,11 @@ class RplidarParserTest {
   private static final byte[] HEALTH = {(byte) 0xA5, 0x5A, 0x03, 0x00, 0x00, 0x00, 0x06};
 
   private final RplidarParser parser = new RplidarParser();
-  private final List<List<Point>> scans = new ArrayList<>();
+  private final List<List<RangeScan.Beam>> scans = new ArrayList<>();
 
   private void say(byte... bytes) {
-    parser.accept(bytes, bytes.length);
-    parser.takeScan().ifPresent(scans::add);
+    parser.accept(bytes, bytes.length, 1_000);
+    parser.takeTurn().ifPresent(turn -> scans.add(turn.beams()));
   }
 
   /** Turns of 360 measurements, one a degree, 2 m away, and the first 20 of the next. */
@@ -47,6 +48,30 @@ class RplidarParserTest {
   }
 
   @Test
+  void accept_infoAndBoard_areRead() {
+    parser.beginAnew();
+    say((byte) 0xA5, (byte) 0x5A, (byte) 0x14, (byte) 0, (byte) 0, (byte) 0, (byte) 0x04);
+    byte[] info = new byte[20];
+    info[0] = 0x28; // A2M8
+    say(info);
+    assertThat(parser.model()).hasValue(0x28);
+    say((byte) 0xA5, (byte) 0x5A, (byte) 0x04, (byte) 0, (byte) 0, (byte) 0, (byte) 0xFF);
+    say((byte) 1, (byte) 0, (byte) 0, (byte) 0);
+    assertThat(parser.hasMotorBoard()).hasValue(true);
+  }
+
+  /** As Slamtec's SDK sends them. */
+  @Test
+  void motor_requests_areTheSdks() {
+    assertThat(RplidarRequest.motor(660))
+        .isEqualTo(new byte[] {(byte) 0xA5, (byte) 0xF0, 0x02, (byte) 0x94, 0x02, (byte) 0xC1});
+    assertThat(RplidarRequest.motor(0))
+        .isEqualTo(new byte[] {(byte) 0xA5, (byte) 0xF0, 0x02, 0x00, 0x00, 0x57});
+    assertThat(RplidarRequest.of(0xFF, 0, 0, 0, 0))
+        .isEqualTo(new byte[] {(byte) 0xA5, (byte) 0xFF, 0x04, 0, 0, 0, 0, 0x5E});
+  }
+
+  @Test
   void accept_measurement_byHand() {
     parser.beginAnew();
     say(SCAN);
@@ -61,10 +86,11 @@ class RplidarParserTest {
       say(SimulatedRplidar.node(false, 15, degree, 1.0));
     }
     assertThat(scans).hasSize(1);
-    assertThat(scans.get(0)).as("distance 0 is no measurement").hasSize(1);
-    assertThat(scans.get(0).get(0).distanceTo(Point.of(0.0, -1.0, 0.0)))
-        .as("clockwise from above: 90 degrees is the right")
-        .isLessThan(1.0e-9);
+    assertThat(scans.get(0))
+        .as("clockwise from above: 90 degrees is the right; distance 0 is no echo")
+        .containsExactly(
+            new RangeScan.Beam(-Math.PI / 2.0, OptionalDouble.of(1.0)),
+            new RangeScan.Beam(-Math.PI, OptionalDouble.empty()));
   }
 
   @Test
@@ -81,14 +107,14 @@ class RplidarParserTest {
   void accept_anyPieces_areTheSameScans(@ForAll @IntRange(min = 1, max = 5000) int piece) {
     RplidarParser any = new RplidarParser();
     any.beginAnew();
-    any.accept(SCAN, SCAN.length);
+    any.accept(SCAN, SCAN.length, 0);
     byte[] whole = turns(3);
     int count = 0;
     for (int from = 0; from < whole.length; from += piece) {
       int length = Math.min(piece, whole.length - from);
       byte[] part = Arrays.copyOfRange(whole, from, from + length);
-      any.accept(part, length);
-      count += any.takeScan().filter(scan -> scan.size() == 360).isPresent() ? 1 : 0;
+      any.accept(part, length, 0);
+      count += any.takeTurn().filter(turn -> turn.beams().size() == 360).isPresent() ? 1 : 0;
     }
     assertThat(count).isBetween(piece > 1800 ? 1 : 3, 3);
     assertThat(any.malformed()).isZero();

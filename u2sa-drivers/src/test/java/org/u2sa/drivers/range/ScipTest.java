@@ -10,10 +10,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 
 /** SCIP 2 against Hokuyo's own examples and a scan that scripts/sensors/scip.py encoded. */
@@ -63,7 +65,8 @@ class ScipTest {
   @Test
   void parameters_answerOfARealSensor_areItsOwn() {
     ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
-    assertThat(sensor).isEqualTo(new ScipParameters(20, 5600, 1024, 44, 725, 384));
+    assertThat(sensor).isEqualTo(new ScipParameters(20, 5600, 1024, 44, 725, 384, 600));
+    assertThat(sensor.stepS()).as("10 turns of 1024 steps a second").isEqualTo(0.1 / 1024);
     assertThat(sensor.azimuth(384)).isZero();
     assertThat(Math.toDegrees(sensor.azimuth(384 + 256))).as("left").isCloseTo(90.0, within(1e-9));
   }
@@ -88,9 +91,15 @@ class ScipTest {
     List<String> answer = scanned();
     assertThat(answer.get(0)).isEqualTo("GD0044072501");
     assertThat(answer.get(1)).isEqualTo("00P");
+    ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
+    List<OptionalDouble> ranges =
+        ScipScan.ranges(answer.subList(2, answer.size()), sensor).orElseThrow();
+    assertThat(ranges).as("none is left out").hasSize(682);
     List<Point> points =
-        ScipScan.points(answer.subList(2, answer.size()), ScipParameters.of(PP).orElseThrow())
-            .orElseThrow();
+        new RangeScan()
+            .maxRange(5.6)
+            .beams(sensor.azimuth(sensor.firstStep()), sensor.stepRad(), ranges)
+            .points();
     // As the script counts: 584 of 682 distances are 20…5600 mm, the others an error code.
     assertThat(points).hasSize(584);
     assertThat(points.stream().mapToDouble(Point::distance).min().orElseThrow())
@@ -113,12 +122,12 @@ class ScipTest {
       turned[at] ^= 0x01;
       ScipReader reader = new ScipReader();
       reader.accept(turned, turned.length);
-      Optional<List<Point>> points =
+      Optional<List<OptionalDouble>> ranges =
           reader
               .take()
               .filter(lines -> lines.size() > 2)
-              .flatMap(lines -> ScipScan.points(lines.subList(2, lines.size()), sensor));
-      assertThat(points).as("byte " + at).isEmpty();
+              .flatMap(lines -> ScipScan.ranges(lines.subList(2, lines.size()), sensor));
+      assertThat(ranges).as("byte " + at).isEmpty();
     }
   }
 

@@ -25,6 +25,8 @@ final class SimulatedHokuyo {
   private boolean mute;
   private boolean wrongSums;
   private boolean broken;
+  private boolean isScip1; // as a URG-04LX wakes up
+  private boolean wakesUpWithScip1;
 
   SimulatedHokuyo(MemoryLink link, LongSupplier clock, DoubleUnaryOperator world) {
     this.link = link;
@@ -47,6 +49,18 @@ final class SimulatedHokuyo {
     measures = isBroken ? "" : measures;
   }
 
+  /** It gets power: one that wakes up with SCIP 1.1 has to be told again. */
+  void powerOn(boolean withScip1) {
+    wakesUpWithScip1 = withScip1;
+    isScip1 = withScip1;
+    lit = false;
+    measures = "";
+  }
+
+  boolean isScip1() {
+    return isScip1;
+  }
+
   boolean isLit() {
     return lit;
   }
@@ -63,6 +77,15 @@ final class SimulatedHokuyo {
   }
 
   private void obey(String command) {
+    if (command.equals("SCIP2.0") && wakesUpWithScip1) {
+      say(command, isScip1 ? "0" : sum("0E"));
+      isScip1 = false;
+      return;
+    }
+    if (isScip1) {
+      say(command, "E"); // SCIP 1.1 has no such command
+      return;
+    }
     switch (command.substring(0, Math.min(2, command.length()))) {
       case "QT":
         produce(); // what is on its way still comes

@@ -1,5 +1,8 @@
 package org.u2sa.drivers.range;
 
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.LongSupplier;
 import org.u2sa.drivers.link.MemoryLink;
@@ -22,6 +25,9 @@ final class SimulatedRplidar {
   private int dropEach; // each so manieth byte is lost; 0: none
   private long bytes;
   private int resets;
+  private boolean hasBoard; // an A2 on its USB adapter
+  private int motorWidth;
+  private final List<String> motorRequests = new ArrayList<>();
 
   SimulatedRplidar(MemoryLink link, LongSupplier clock, DoubleUnaryOperator world) {
     this.link = link;
@@ -43,6 +49,16 @@ final class SimulatedRplidar {
     dropEach = count;
   }
 
+  /** An A2, whose motor stands until the adapter's board is told to run it. */
+  void withMotorBoard() {
+    hasBoard = true;
+  }
+
+  /** All that was said to the board, in hexadecimal digits. */
+  List<String> motorRequests() {
+    return motorRequests;
+  }
+
   boolean isScanning() {
     return scanning;
   }
@@ -52,10 +68,25 @@ final class SimulatedRplidar {
   }
 
   private void accept(byte[] request) {
-    if (request.length != 2 || (request[0] & 0xFF) != 0xA5) {
+    if ((request[0] & 0xFF) != 0xA5) {
       return;
     }
     switch (request[1]) {
+      case 0x50:
+        say(0xA5, 0x5A, 0x14, 0x00, 0x00, 0x00, 0x04);
+        say(hasBoard ? 0x28 : 0x18, 29, 1, 7);
+        say(new byte[16]);
+        break;
+      case (byte) 0xFF:
+        if (hasBoard) {
+          say(0xA5, 0x5A, 0x04, 0x00, 0x00, 0x00, 0xFF);
+          say(1, 0, 0, 0);
+        }
+        break;
+      case (byte) 0xF0:
+        motorRequests.add(HexFormat.of().formatHex(request));
+        motorWidth = hasBoard ? request[3] & 0xFF | (request[4] & 0xFF) << 8 : 0;
+        break;
       case 0x25:
         produce(); // what is on its way still comes
         scanning = false;
@@ -85,6 +116,9 @@ final class SimulatedRplidar {
 
   private void produce() {
     long due = (clock.getAsLong() - beganMicros) * NODES_PER_S / 1_000_000;
+    if (hasBoard && motorWidth == 0) {
+      sent = due; // a motor that stands: nothing is measured
+    }
     while (scanning && sent < due) {
       int degree = (int) (sent++ % 360);
       say(node(degree == 0, 15, degree, world.applyAsDouble(degree)));

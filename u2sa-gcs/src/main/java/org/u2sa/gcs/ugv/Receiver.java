@@ -30,7 +30,9 @@ enum Receiver {
     return parameters;
   }
 
-  /** The board's FIX TIMEOUT, which must be longer than the time between two fixes [s]. */
+  /**
+   * The State Estimator's STALE AFTER, which must be longer than the time between two fixes [s].
+   */
   double fixTimeoutS() {
     return fixTimeoutS;
   }

@@ -158,7 +158,7 @@ final class UgvDemo implements Callable<Integer> {
         new LaunchOptions()
             .console(line -> terminal.out().println(line))
             .override("MissionManager", "MISSION", absolute(mission.origin()))
-            .override("IoioService", "FIX TIMEOUT", receiver.fixTimeoutS())
+            .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
             .override("SafetyManager", "ARM AT START", true); // the demo is its own operator
     if (options.mission().isPresent()) {
       launch.override(

@@ -157,7 +157,7 @@ class StandsStillTest {
       Stop stop = drive.stop(5.0);
       report("GPS lost", stop);
 
-      assertThat(stop.motorsOffS()).isLessThan(2.5); // FIX TIMEOUT, and braking from 1 m/s
+      assertThat(stop.motorsOffS()).isLessThan(2.5); // STALE AFTER, and braking from 1 m/s
       drive.requireStanding(15.0);
       assertThat(drive.operator.action()).isEqualTo(FailsafeAction.HOLD);
       assertThat(drive.operator.causes()).anyMatch(cause -> cause.startsWith("position"));

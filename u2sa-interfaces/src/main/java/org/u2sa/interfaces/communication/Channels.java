@@ -9,6 +9,7 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -38,6 +39,10 @@ public final class Channels {
   /** What exteroceptive sensors saw; to the World Modeler. */
   public static final Channel<ObjectDescription> SENSED_OBJECTS =
       Channel.every("sensed-objects", ObjectDescription.TYPE);
+
+  /** What scanning range finders measured, beam by beam; to the World Modeler. */
+  public static final Channel<RangeScan> SCANS =
+      Channel.latest("scans", RangeScan.TYPE, RangeScan::sensorName);
 
   /** The World Modeler's objects; to the planner. */
   public static final Channel<ObjectList> OBJECTS =
@@ -130,6 +135,7 @@ public final class Channels {
           SENSED_STATE,
           STATE,
           SENSED_OBJECTS,
+          SCANS,
           OBJECTS,
           GOALS,
           GOAL_REPORTS,

@@ -1,0 +1,285 @@
+package org.u2sa.messages;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.Rotation;
+
+/**
+ * One turn or sweep of a scanning range finder, beam by beam, those without an echo too: that
+ * nothing was seen in a direction is what a map of free space is made of.
+ *
+ * <p>The timestamp is that of the first beam. Beams lie in the plane of the sensor's x (ahead) and
+ * y (left) axes.
+ */
+public final class RangeScan extends U2SAData {
+  private static final int FORMAT = 3; // joined the wire format with it
+  private static final Schema<RangeScan> SCHEMA =
+      Schema.of("RangeScan", RangeScan.class, RangeScan::new, U2SAData.TYPE).since(FORMAT);
+  private static final ValueField<RangeScan, String> SENSOR_NAME =
+      SCHEMA.requiredText("sensorName");
+  private static final ValueField<RangeScan, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.BODY);
+  private static final NumberField<RangeScan> X = SCHEMA.number("x", "m", 0.0);
+  private static final NumberField<RangeScan> Y = SCHEMA.number("y", "m", 0.0);
+  private static final NumberField<RangeScan> Z = SCHEMA.number("z", "m", 0.0);
+  private static final NumberField<RangeScan> PHI = SCHEMA.number("phi", "rad", 0.0);
+  private static final NumberField<RangeScan> THETA = SCHEMA.number("theta", "rad", 0.0);
+  private static final NumberField<RangeScan> PSI = SCHEMA.number("psi", "rad", 0.0);
+  private static final NumberField<RangeScan> MIN_RANGE = SCHEMA.number("minRange", "m", 0.0, 0.0);
+  private static final NumberField<RangeScan> MAX_RANGE =
+      SCHEMA.requiredNumber("maxRange", "m", 0.0, Double.POSITIVE_INFINITY);
+  private static final NumberField<RangeScan> TIME_INCREMENT =
+      SCHEMA.number("timeIncrement", "s", 0.0, 0.0);
+  private static final NumberField<RangeScan> START_ANGLE = SCHEMA.number("startAngle", "rad", 0.0);
+  private static final NumberField<RangeScan> ANGLE_INCREMENT =
+      SCHEMA.number("angleIncrement", "rad", 0.0);
+  private static final ValueField<RangeScan, List<Double>> ANGLES = SCHEMA.numbers("angles", "rad");
+  private static final ValueField<RangeScan, List<Double>> RANGES = SCHEMA.numbers("ranges", "m");
+  private static final ValueField<RangeScan, List<Boolean>> RETURNS = SCHEMA.flags("returns");
+
+  /** The schema. */
+  public static final MessageType<RangeScan> TYPE = SCHEMA.build();
+
+  /**
+   * One measurement.
+   *
+   * @param angle from straight ahead of the sensor, to the left positive [rad]
+   * @param range to what returned an echo [m]; empty if nothing did
+   */
+  public record Beam(double angle, OptionalDouble range) {}
+
+  @Override
+  public MessageType<RangeScan> type() {
+    return TYPE;
+  }
+
+  /** What measured it; tells several scanners apart. */
+  public String sensorName() {
+    return require(SENSOR_NAME);
+  }
+
+  /** Sets {@link #sensorName()}. */
+  public RangeScan sensorName(String value) {
+    put(SENSOR_NAME, value);
+    return this;
+  }
+
+  /** The axes of the sensor's place and of how it is turned; BODY until set. */
+  public ReferenceFrame referenceFrame() {
+    return get(REFERENCE_FRAME);
+  }
+
+  /** Sets {@link #referenceFrame()}. */
+  public RangeScan referenceFrame(ReferenceFrame value) {
+    put(REFERENCE_FRAME, value);
+    return this;
+  }
+
+  /** Place of the sensor [m]; forward in BODY. */
+  public double x() {
+    return get(X).orElseThrow();
+  }
+
+  /** Sets {@link #x()}. */
+  public RangeScan x(double value) {
+    put(X, value);
+    return this;
+  }
+
+  /** Place of the sensor [m]; to the left in BODY. */
+  public double y() {
+    return get(Y).orElseThrow();
+  }
+
+  /** Sets {@link #y()}. */
+  public RangeScan y(double value) {
+    put(Y, value);
+    return this;
+  }
+
+  /** Place of the sensor [m]; down in BODY. */
+  public double z() {
+    return get(Z).orElseThrow();
+  }
+
+  /** Sets {@link #z()}. */
+  public RangeScan z(double value) {
+    put(Z, value);
+    return this;
+  }
+
+  /** How the sensor is turned about its x axis [rad]; left side down positive in BODY. */
+  public double phi() {
+    return get(PHI).orElseThrow();
+  }
+
+  /** Sets {@link #phi()}. */
+  public RangeScan phi(double value) {
+    put(PHI, value);
+    return this;
+  }
+
+  /** How the sensor is tilted [rad]; front up positive in BODY. */
+  public double theta() {
+    return get(THETA).orElseThrow();
+  }
+
+  /** Sets {@link #theta()}. */
+  public RangeScan theta(double value) {
+    put(THETA, value);
+    return this;
+  }
+
+  /** How the sensor is turned about the vertical [rad]; to the left positive in BODY. */
+  public double psi() {
+    return get(PSI).orElseThrow();
+  }
+
+  /** Sets {@link #psi()}. */
+  public RangeScan psi(double value) {
+    put(PSI, value);
+    return this;
+  }
+
+  /** A return from nearer says nothing of the surroundings [m]: it is the vehicle itself. */
+  public double minRange() {
+    return get(MIN_RANGE).orElseThrow();
+  }
+
+  /** Sets {@link #minRange()}. */
+  public RangeScan minRange(double value) {
+    put(MIN_RANGE, value);
+    return this;
+  }
+
+  /** How far the sensor sees [m]: a beam without a return met nothing that it could have seen. */
+  public double maxRange() {
+    return get(MAX_RANGE).orElseThrow();
+  }
+
+  /** Sets {@link #maxRange()}. */
+  public RangeScan maxRange(double value) {
+    put(MAX_RANGE, value);
+    return this;
+  }
+
+  /** Time from each beam to the next [s]; 0 if not known. */
+  public double timeIncrement() {
+    return get(TIME_INCREMENT).orElseThrow();
+  }
+
+  /** Sets {@link #timeIncrement()}. */
+  public RangeScan timeIncrement(double value) {
+    put(TIME_INCREMENT, value);
+    return this;
+  }
+
+  /** Direction of the first beam [rad] from straight ahead, to the left positive in BODY. */
+  public double startAngle() {
+    return get(START_ANGLE).orElseThrow();
+  }
+
+  /** From each beam's direction to the next [rad]; negative if it turns to the right. */
+  public double angleIncrement() {
+    return get(ANGLE_INCREMENT).orElseThrow();
+  }
+
+  /** Direction of each beam [rad], where they are uneven; then the two above say nothing. */
+  public List<Double> angles() {
+    return get(ANGLES);
+  }
+
+  /** What each beam measured [m]; 0 and of no meaning where returns says that nothing came. */
+  public List<Double> ranges() {
+    return get(RANGES);
+  }
+
+  /** Whether each beam's echo returned, as many as ranges; false: no echo. */
+  public List<Boolean> returns() {
+    return get(RETURNS);
+  }
+
+  /**
+   * Sets the beams of a sensor with even steps.
+   *
+   * @param startAngle of the first [rad]
+   * @param angleIncrement to the next [rad]
+   * @param ranges in that order [m]; empty: no echo
+   */
+  public RangeScan beams(double startAngle, double angleIncrement, List<OptionalDouble> ranges) {
+    put(START_ANGLE, startAngle);
+    put(ANGLE_INCREMENT, angleIncrement);
+    put(ANGLES, List.of());
+    return measured(ranges);
+  }
+
+  /** Sets the beams of a sensor whose steps are uneven, in the order in which it measured. */
+  public RangeScan beams(List<Beam> beams) {
+    List<Double> angles = new ArrayList<>(beams.size());
+    List<OptionalDouble> ranges = new ArrayList<>(beams.size());
+    for (Beam beam : beams) {
+      angles.add(beam.angle());
+      ranges.add(beam.range());
+    }
+    put(ANGLES, angles);
+    return measured(ranges);
+  }
+
+  private RangeScan measured(List<OptionalDouble> measured) {
+    List<Double> ranges = new ArrayList<>(measured.size());
+    List<Boolean> returns = new ArrayList<>(measured.size());
+    for (OptionalDouble range : measured) {
+      ranges.add(range.orElse(0.0));
+      returns.add(range.isPresent());
+    }
+    put(RANGES, ranges);
+    put(RETURNS, returns);
+    return this;
+  }
+
+  /** All beams, in the order in which they were measured. */
+  public List<Beam> beams() {
+    List<Double> angles = angles();
+    List<Double> ranges = ranges();
+    List<Boolean> returns = returns();
+    int count = Math.min(ranges.size(), returns.size()); // a writer may err
+    count = angles.isEmpty() ? count : Math.min(count, angles.size());
+    List<Beam> beams = new ArrayList<>(count);
+    for (int i = 0; i < count; i++) {
+      double angle = angles.isEmpty() ? startAngle() + i * angleIncrement() : angles.get(i);
+      beams.add(
+          new Beam(
+              angle, returns.get(i) ? OptionalDouble.of(ranges.get(i)) : OptionalDouble.empty()));
+    }
+    return beams;
+  }
+
+  /**
+   * What was seen from minRange to maxRange, as points in BODY.
+   *
+   * @throws IllegalStateException if the sensor's place is not in BODY
+   */
+  public List<Point> points() {
+    if (!referenceFrame().equals(ReferenceFrame.BODY)) {
+      throw new IllegalStateException(
+          "a scan in " + referenceFrame() + " has no points: expected " + ReferenceFrame.BODY);
+    }
+    // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have the other
+    // sign.
+    Rotation frd = Rotation.nedFromFrd(-phi(), theta(), -psi());
+    Point place = Point.of(x(), y(), z());
+    List<Point> points = new ArrayList<>();
+    for (Beam beam : beams()) {
+      double range = beam.range().orElse(-1.0);
+      if (range >= minRange() && range <= maxRange()) {
+        Point seen = Point.polar(-beam.angle(), 0.0, range); // FRD: to the right positive
+        Point turned = frd.times(seen);
+        points.add(Point.of(turned.x(), -turned.y(), turned.z()).plus(place));
+      }
+    }
+    return points;
+  }
+}
