@@ -10,7 +10,8 @@ import org.u2sa.service.HandOver;
 final class Autopilot {
   private static final double LONGEST_STEP_S = 0.2; // a longer gap is a lost link, not a step
   private static final double SHORTEST_STEP_S = 1e-3;
-  private static final double AT_GROUND_M = 3.0; // who is led below this above ground is to land
+  private static final double GLIDE_SINK_MPS = 3.0; // sinking faster, it flares sooner
+  private static final double SOONER_S = 1.0;
 
   private final Tuning tuning;
   private final TakeOffSequence sequence;
@@ -89,8 +90,11 @@ final class Autopilot {
 
   private boolean isLanding(FlightState state, Optional<GuidanceTarget> target) {
     double groundM = state.altitudeM() - state.heightM();
-    return state.heightM() < touchDown.heightM()
-        && target.filter(point -> point.altitudeM() - groundM < AT_GROUND_M).isPresent();
+    double sooner = SOONER_S * Math.max(0.0, -state.climbMps() - GLIDE_SINK_MPS);
+    return state.heightM() < touchDown.heightM() + sooner
+        && target
+            .filter(point -> point.altitudeM() - groundM < LandingRefusal.LEADS_DOWN_M)
+            .isPresent();
   }
 
   private void enter(FlightState state, FlightPhase before, boolean first) {

@@ -9,7 +9,8 @@ import org.u2sa.service.HandOver;
  * up until navigation leads up again: a new approach is somebody's decision.
  */
 final class LandingRefusal {
-  private static final double LEADS_DOWN_M = 15.0; // above ground; nobody cruises so low
+  /** Who is led below this above ground is to land: nobody cruises so low [m]. */
+  static final double LEADS_DOWN_M = 15.0;
 
   private final double maxCrosswindMps;
   private final double safeHeightM;
