@@ -51,7 +51,7 @@ public final class DemoOptions {
       names = "--seed",
       paramLabel = "N",
       description =
-          "Seed of wind, gusts and sensor noise: the same seed gives the same run, to the byte. Default: "
+          "Seed of all that is drawn at random: the same seed gives the same run, to the byte. Default: "
               + DEFAULT_SEED
               + ".")
   private void seed(long value) {

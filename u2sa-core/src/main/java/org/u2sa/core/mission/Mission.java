@@ -27,8 +27,12 @@ public final class Mission {
   private final List<GoalInformation> goals;
   private final List<String> warnings;
 
-  Mission(String origin, Optional<Home> home, List<GoalInformation> goals, List<String> warnings) {
-    this.origin = origin;
+  private final XmlElement root;
+
+  Mission(
+      XmlElement root, Optional<Home> home, List<GoalInformation> goals, List<String> warnings) {
+    this.root = root;
+    this.origin = root.origin();
     this.home = home;
     this.goals = Collections.unmodifiableList(new ArrayList<>(goals));
     this.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
@@ -72,6 +76,32 @@ public final class Mission {
   /** The goals in the order of the file; at least one. */
   public List<GoalInformation> goals() {
     return goals;
+  }
+
+  /**
+   * What is wrong with the home for somebody who cannot start there: names file, line and element.
+   *
+   * @param child of {@code <home>} that is wrong, such as {@code y}
+   * @param what value and what was expected
+   */
+  public BadInputException homeError(String child, String what) {
+    XmlElement element = root.child("home").orElse(root);
+    return element.child(child).orElse(element).error(what);
+  }
+
+  /**
+   * What is wrong with a goal for somebody who cannot use it: names file, line and element.
+   *
+   * @param index of the goal in {@link #goals}
+   * @param what is wrong, and what was expected
+   */
+  public BadInputException goalError(int index, String what) {
+    return root.children().stream()
+        .filter(element -> !element.name().equals("home"))
+        .skip(index)
+        .findFirst()
+        .orElseThrow()
+        .error(what);
   }
 
   /** What is odd but not wrong, such as goals that no other leads to: file, line, and what. */

@@ -39,7 +39,7 @@ final class MissionReader {
     WaypointRules.check(goals.values());
     GoalGraph graph = new GoalGraph(goals);
     graph.refuseUnknownSuccessors();
-    return new Mission(root.origin(), home, messages(goals), graph.warnings());
+    return new Mission(root, home, messages(goals), graph.warnings());
   }
 
   private void add(Map<String, GoalElement> goals, XmlElement element) {

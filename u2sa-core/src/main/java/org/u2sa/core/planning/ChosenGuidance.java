@@ -54,6 +54,11 @@ final class ChosenGuidance implements WaypointGuidance {
   }
 
   @Override
+  public boolean isApproaching() {
+    return chosen().isApproaching();
+  }
+
+  @Override
   public void handOver(HandOver state) {
     lines.handOver(state);
   }

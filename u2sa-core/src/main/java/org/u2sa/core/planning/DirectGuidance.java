@@ -49,4 +49,9 @@ final class DirectGuidance implements WaypointGuidance {
   public boolean isNearest() {
     return true; // thesis 3.2.3.4: complete as soon as the vehicle is within the threshold
   }
+
+  @Override
+  public boolean isApproaching() {
+    return true;
+  }
 }

@@ -45,7 +45,7 @@ final class LineGuidance implements WaypointGuidance {
   private Optional<Place> start = Optional.empty();
   private boolean leaving; // flies away from a waypoint inside its turning circle
   private boolean turning; // already follows the next leg
-  private double nearestM; // to the target, since the way to it began
+  private double nearestM; // to the target, since the vehicle heads for it or turns at it
   private double distanceM; // to the target
   private boolean passed;
 
@@ -100,6 +100,11 @@ final class LineGuidance implements WaypointGuidance {
     return turnsOnTheSpot() || passed || distanceM > nearestM + GROWN_M;
   }
 
+  @Override
+  public boolean isApproaching() {
+    return start.isPresent();
+  }
+
   private boolean turnsOnTheSpot() {
     return settings.get().turns().accelerationMps2() == 0.0;
   }
@@ -116,6 +121,7 @@ final class LineGuidance implements WaypointGuidance {
     nearestM = Math.min(nearestM, distanceM);
     if (start.isEmpty() && isHeadingFor(vehicle, to)) {
       start = Optional.of(vehicle.place());
+      nearestM = distanceM; // how near it was while it turned round is no approach
     }
     Optional<Leg> leg =
         start.map(from -> legFrom(vehicle.nedOf(from), to)).filter(l -> !l.isPoint());
@@ -181,6 +187,7 @@ final class LineGuidance implements WaypointGuidance {
     double distance = settings.get().turns().distanceM(vehicle.speedMps(), turn, inside, threshold);
     if (remaining <= distance && Math.abs(inside) <= threshold) {
       turning = true;
+      nearestM = distanceM; // a wide turn into the leg may have come nearer than this
     }
   }
 

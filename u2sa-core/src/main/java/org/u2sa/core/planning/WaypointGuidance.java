@@ -38,6 +38,12 @@ interface WaypointGuidance {
    */
   boolean isNearest();
 
+  /**
+   * Whether the vehicle is on its way to the target; false while it turns round, or flies away to
+   * get room for the turn: how near it is then says nothing of the attempt.
+   */
+  boolean isApproaching();
+
   /** Writes down how the present leg stands, for a planner that takes over. */
   default void handOver(HandOver state) {}
 

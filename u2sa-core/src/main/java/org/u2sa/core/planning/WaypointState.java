@@ -32,7 +32,7 @@ final class WaypointState implements PlannerState {
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
   private boolean reached;
-  private double nearestM;
+  private double nearestM; // in this attempt, since the vehicle is on its way
   private Optional<StateInformation> last = Optional.empty();
 
   WaypointState(WaypointGuidance guidance, Supplier<PlanningSettings> settings) {
@@ -125,7 +125,7 @@ final class WaypointState implements PlannerState {
             .orElse(Point.ORIGIN);
     double distance = new Leg(from.x(), from.y(), 0.0, 0.0).distanceM(to.x(), to.y());
     boolean within = distance <= waypoint.horizontalThreshold();
-    nearestM = Math.min(nearestM, distance);
+    nearestM = guidance.isApproaching() ? Math.min(nearestM, distance) : distance;
     if (!armed) {
       armed = Math.hypot(to.x(), to.y()) > waypoint.horizontalThreshold();
     } else if (within) {

@@ -5,10 +5,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import org.u2sa.core.mission.MissionManager;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.U2SAService;
 import org.u2sa.testkit.ServiceKit;
 
 /** Mission Manager and Path Planner in lockstep with a test vehicle. */
@@ -29,12 +32,20 @@ final class TestDrive implements AutoCloseable {
   }
 
   TestDrive(TestVehicle vehicle, Map<String, Object> manager, Map<String, Object> planner) {
+    this(vehicle, manager, planner, PathPlanner::new);
+  }
+
+  TestDrive(
+      TestVehicle vehicle,
+      Map<String, Object> manager,
+      Map<String, Object> planner,
+      Function<ServiceContext, U2SAService> make) {
     this.vehicle = vehicle;
     manager.forEach(kit::with);
     kit.start(MissionManager::new);
     kit.withoutVariables();
     planner.forEach(kit::with);
-    kit.start(PathPlanner::new);
+    kit.start(make);
     kit.withoutVariables();
   }
 

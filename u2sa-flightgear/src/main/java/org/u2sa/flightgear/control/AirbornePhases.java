@@ -3,10 +3,9 @@ package org.u2sa.flightgear.control;
 import java.util.Optional;
 import org.u2sa.service.HandOver;
 
-/** The phases in which the wings carry: climb-out, cruise and holding, and the flare. */
+/** The phases in which the wings carry: climb-out, cruise, holding and going around. */
 final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
-  private static final double FLARE_BANK_RAD = Math.toRadians(8.0); // more would touch a wing
 
   private final Tuning tuning;
   private final GroundSteering steering;
@@ -14,32 +13,31 @@ final class AirbornePhases {
   private final LateralGuidance lateral;
   private final StallGuard stall;
   private final EnergyLaw energy;
-  private final FlareLaw flare;
+
+  private final WindEstimate wind;
 
   private double holdAltitudeM;
   private double altitudeDemandM;
   private double speedDemandMps; // calibrated
 
-  AirbornePhases(Tuning tuning, GroundSteering steering, InnerLoops loops) {
+  AirbornePhases(Tuning tuning, GroundSteering steering, InnerLoops loops, WindEstimate wind) {
     this.tuning = tuning;
     this.steering = steering;
     this.loops = loops;
+    this.wind = wind;
     lateral = new LateralGuidance(tuning.shortestL1M());
     stall = new StallGuard(tuning.stall());
     energy = new EnergyLaw(tuning.energy());
-    flare = new FlareLaw(tuning.flare());
     speedDemandMps = tuning.cruiseMps();
-  }
-
-  /** Height above ground at which the flare begins [m]. */
-  double flareHeightM() {
-    return flare.heightM();
   }
 
   /** The altitude to hold without navigation is the present one, or a safe one above it. */
   void holdHere(FlightState state) {
-    double safeM = state.altitudeM() - state.heightM() + tuning.takeOff().safeHeightM();
-    holdAltitudeM = Math.max(state.altitudeM(), safeM);
+    holdAltitudeM = Math.max(state.altitudeM(), safeAltitudeM(state));
+  }
+
+  private double safeAltitudeM(FlightState state) {
+    return state.altitudeM() - state.heightM() + tuning.takeOff().safeHeightM();
   }
 
   /** Begins to balance energy at a pitch, with the throttle where it is. */
@@ -47,16 +45,12 @@ final class AirbornePhases {
     energy.restart(state, pitchRad, loops.throttle());
   }
 
-  void restartFlare() {
-    flare.restart(loops.pitchRad());
-  }
-
   Surfaces climbOut(FlightState state, double dtS) {
     Tuning.ClimbOut climb = tuning.climbOut();
     double look = climb.lookAheadM();
     double bank =
         lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
-    altitudeDemandM = state.altitudeM() - state.heightM() + tuning.takeOff().safeHeightM();
+    altitudeDemandM = safeAltitudeM(state);
     speedDemandMps = climb.speedMps();
     // Near the ground the nose stays where it was raised to, whatever the airspeed asks for.
     double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
@@ -84,6 +78,17 @@ final class AirbornePhases {
     return surfaces(state, bank, tuning.bankLimitRad(), false, tuning.leastPitchRad(), dtS);
   }
 
+  /** Follows navigation sideways, and down to the safe height. */
+  Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
+    GuidanceTarget above =
+        new GuidanceTarget(
+            target.northM(),
+            target.eastM(),
+            Math.max(target.altitudeM(), safeAltitudeM(state)),
+            target.speedMps());
+    return fly(state, Optional.of(above), false, dtS);
+  }
+
   private Surfaces surfaces(
       FlightState state,
       double bank,
@@ -93,7 +98,10 @@ final class AirbornePhases {
       double dtS) {
     double limit = Math.min(bankLimit, stall.bankLimitRad(state));
     loops.bankTowards(Limit.symmetric(bank, limit), dtS);
-    double slowest = stall.leastSpeedMps(loops.bankRad()) + 0.5 * tuning.stall().bandMps();
+    double slowest =
+        stall.leastSpeedMps(loops.bankRad())
+            + 0.5 * tuning.stall().bandMps()
+            + tuning.gustShare() * wind.speedMps();
     speedDemandMps = Limit.within(slowest, speedDemandMps, tuning.fastestMps());
     double most = Math.min(tuning.mostPitchRad(), stall.pitchLimitRad(state));
     EnergyLaw.Command command =
@@ -116,24 +124,6 @@ final class AirbornePhases {
     return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
   }
 
-  /** Follows navigation sideways only, and lets the aircraft down on its wheels. */
-  Surfaces touchDown(FlightState state, Optional<GuidanceTarget> target, double dtS) {
-    double bank =
-        target.map(ahead -> lateral.bankRad(state, ahead.northM(), ahead.eastM())).orElse(0.0);
-    loops.bankTowards(state.onGround() ? 0.0 : Limit.symmetric(bank, FLARE_BANK_RAD), dtS);
-    loops.throttleTowards(0.0, dtS);
-    loops.pitch(flare.pitchRad(state, dtS));
-    double aileron = loops.aileron(state, dtS);
-    double elevator = loops.elevator(state, dtS);
-    if (state.onGround()) {
-      loops.rudder(steering.rudder(state, true, dtS));
-    } else {
-      steering.lineUpAlongTrack(state);
-      loops.coordinate(state, aileron, dtS);
-    }
-    return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
-  }
-
   /** Altitude demanded, above mean sea level [m]. */
   double altitudeDemandM() {
     return altitudeDemandM;
@@ -150,7 +140,6 @@ final class AirbornePhases {
         .number("ALTITUDE DEMAND", altitudeDemandM)
         .number("SPEED DEMAND", speedDemandMps);
     energy.handOver(state);
-    flare.handOver(state);
   }
 
   void takeOver(HandOver state) {
@@ -158,6 +147,5 @@ final class AirbornePhases {
     altitudeDemandM = state.number("ALTITUDE DEMAND").orElse(0.0);
     speedDemandMps = state.number("SPEED DEMAND").orElse(tuning.cruiseMps());
     energy.takeOver(state);
-    flare.takeOver(state);
   }
 }

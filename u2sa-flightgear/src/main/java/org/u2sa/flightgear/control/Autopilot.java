@@ -10,7 +10,8 @@ import org.u2sa.service.HandOver;
 final class Autopilot {
   private static final double LONGEST_STEP_S = 0.2; // a longer gap is a lost link, not a step
   private static final double SHORTEST_STEP_S = 1e-3;
-  private static final double AT_GROUND_M = 3.0; // who is led below this above ground is to land
+  private static final double GLIDE_SINK_MPS = 3.0; // sinking faster, it flares sooner
+  private static final double SOONER_S = 1.0;
 
   private final Tuning tuning;
   private final TakeOffSequence sequence;
@@ -18,6 +19,10 @@ final class Autopilot {
   private final InnerLoops loops;
   private final GroundPhases ground;
   private final AirbornePhases air;
+  private final TouchDown touchDown;
+  private final WindEstimate wind = new WindEstimate();
+  private final FinalApproach approach = new FinalApproach();
+  private final LandingRefusal refusal;
 
   private FlightPhase phase = FlightPhase.RUN_UP;
   private boolean takenOver; // the throttle is another law's, and not to jump
@@ -30,7 +35,11 @@ final class Autopilot {
     steering = new GroundSteering(tuning.ground());
     loops = new InnerLoops(tuning);
     ground = new GroundPhases(tuning, sequence, steering, loops);
-    air = new AirbornePhases(tuning, steering, loops);
+    air = new AirbornePhases(tuning, steering, loops, wind);
+    touchDown = new TouchDown(tuning.touchDown(), tuning.flare(), steering, loops);
+    refusal =
+        new LandingRefusal(
+            tuning.maxCrosswindMps(), tuning.takeOff().safeHeightM(), touchDown.heightM());
   }
 
   /**
@@ -49,7 +58,18 @@ final class Autopilot {
     if (first || target.isPresent()) {
       navigatedS = state.timeS();
     }
-    phase = sequence.step(state, target.isPresent(), isLanding(state, target), loops.throttle());
+    wind.step(state, dtS);
+    if (phase != FlightPhase.FLARE && phase != FlightPhase.STOPPED) {
+      target.ifPresent(ahead -> approach.see(state, ahead, dtS));
+    }
+    phase =
+        sequence.step(
+            state,
+            target.isPresent(),
+            isLanding(state, target),
+            refusal.step(state, target, wind, approach),
+            tuning.takeOff().rotateMps() + tuning.gustShare() * wind.speedMps(),
+            loops.throttle());
     if (first || phase != before) {
       enter(state, before, first);
     }
@@ -58,8 +78,9 @@ final class Autopilot {
       case ROLL, ROTATE -> ground.run(state, phase == FlightPhase.ROTATE, dtS);
       case CLIMB_OUT -> air.climbOut(state, dtS);
       case CRUISE, HOLD -> air.fly(state, target, isLost(state), dtS);
-      case FLARE -> air.touchDown(state, target, dtS);
-      case STOPPED -> ground.stop(state, dtS);
+      case GO_AROUND -> air.goAround(state, target.orElseThrow(), dtS);
+      case FLARE -> touchDown.flare(state, dtS);
+      case STOPPED -> touchDown.rollOut(state, dtS);
     };
   }
 
@@ -69,15 +90,19 @@ final class Autopilot {
 
   private boolean isLanding(FlightState state, Optional<GuidanceTarget> target) {
     double groundM = state.altitudeM() - state.heightM();
-    return state.heightM() < air.flareHeightM()
-        && target.filter(point -> point.altitudeM() - groundM < AT_GROUND_M).isPresent();
+    double sooner = SOONER_S * Math.max(0.0, -state.climbMps() - GLIDE_SINK_MPS);
+    return state.heightM() < touchDown.heightM() + sooner
+        && target
+            .filter(point -> point.altitudeM() - groundM < LandingRefusal.LEADS_DOWN_M)
+            .isPresent();
   }
 
   private void enter(FlightState state, FlightPhase before, boolean first) {
     if (first || phase == FlightPhase.HOLD) {
       air.holdHere(state);
     }
-    boolean airborne = phase == FlightPhase.CRUISE || phase == FlightPhase.HOLD;
+    boolean airborne =
+        phase == FlightPhase.CRUISE || phase == FlightPhase.HOLD || phase == FlightPhase.GO_AROUND;
     if (airborne && (first || before == FlightPhase.RUN_UP || before == FlightPhase.STOPPED)) {
       loops.throttle(takenOver ? loops.throttle() : tuning.energy().throttleTrim());
       takenOver = false;
@@ -91,7 +116,7 @@ final class Autopilot {
         loops.restartYaw();
         air.restartEnergy(state, loops.pitchRad());
       }
-      case FLARE -> air.restartFlare();
+      case FLARE -> touchDown.begin(state, approach);
       case ROLL -> loops.restart();
       default -> {
         // nothing begins there
@@ -106,6 +131,10 @@ final class Autopilot {
     steering.handOver(state);
     loops.handOver(state);
     air.handOver(state);
+    touchDown.handOver(state);
+    wind.handOver(state);
+    approach.handOver(state);
+    refusal.handOver(state);
   }
 
   /** Goes on exactly where another one was. */
@@ -117,12 +146,21 @@ final class Autopilot {
     steering.takeOver(state);
     loops.takeOver(state);
     air.takeOver(state);
+    touchDown.takeOver(state);
+    wind.takeOver(state);
+    approach.takeOver(state);
+    refusal.takeOver(state);
   }
 
   /** Begins in the air from what another control law commanded, shares of full as in Surfaces. */
   void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
     loops.takeOver(aileron, elevator, lastRudder, lastThrottle);
     takenOver = true;
+  }
+
+  /** Why it goes around. */
+  String refusalWords() {
+    return refusal.words();
   }
 
   FlightPhase phase() {

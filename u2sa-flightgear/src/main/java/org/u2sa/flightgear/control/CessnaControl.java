@@ -107,6 +107,9 @@ public final class CessnaControl extends ControlSystem {
       log(
           LogLevelEnum.INFO,
           "phase " + phase + (navigating ? "" : ", no navigation: " + without(phase)));
+      if (phase == FlightPhase.GO_AROUND && phase != loggedPhase) {
+        log(LogLevelEnum.ERROR, autopilot.refusalWords());
+      }
       loggedPhase = phase;
       loggedNavigating = navigating;
     }
@@ -122,7 +125,7 @@ public final class CessnaControl extends ControlSystem {
       case STOPPED -> "stands on the brakes";
       case HOLD -> "wings level, later a circle, altitude held";
       case FLARE -> "touches down";
-      case ROLL, ROTATE, CLIMB_OUT, CRUISE -> "goes on to the safe height";
+      case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "goes on to the safe height";
     };
   }
 
@@ -130,7 +133,7 @@ public final class CessnaControl extends ControlSystem {
     ControlStatus status = new ControlStatus().phase(autopilot.phase()).navigating(navigating);
     boolean flying =
         switch (autopilot.phase()) {
-          case CLIMB_OUT, CRUISE, HOLD -> true;
+          case CLIMB_OUT, CRUISE, HOLD, GO_AROUND -> true;
           case RUN_UP, ROLL, ROTATE, STOPPED, FLARE -> false;
         };
     return flying

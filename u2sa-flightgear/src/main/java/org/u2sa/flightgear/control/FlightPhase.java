@@ -17,5 +17,7 @@ public enum FlightPhase {
   /** On the ground for good: brakes on, engine idling. */
   STOPPED,
   /** Where navigation leads to the ground, the last metres: sink and power are taken away. */
-  FLARE
+  FLARE,
+  /** Does not land, because of the wind: follows navigation sideways at the safe height. */
+  GO_AROUND
 }

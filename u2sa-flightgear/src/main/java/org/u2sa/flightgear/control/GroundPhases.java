@@ -1,19 +1,19 @@
 package org.u2sa.flightgear.control;
 
-/** The phases in which the wheels carry: running the engine up, the take-off run, the halt. */
+/** The phases in which the wheels carry before the flight: the run-up and the take-off run. */
 final class GroundPhases {
-  private static final double ROLLING_MPS = 2.0;
-
   private final Tuning tuning;
   private final TakeOffSequence sequence;
   private final GroundSteering steering;
   private final InnerLoops loops;
+  private final StallGuard stall;
 
   GroundPhases(Tuning tuning, TakeOffSequence sequence, GroundSteering steering, InnerLoops loops) {
     this.tuning = tuning;
     this.sequence = sequence;
     this.steering = steering;
     this.loops = loops;
+    stall = new StallGuard(tuning.stall());
   }
 
   Surfaces runUp(FlightState state, boolean navigating, double dtS) {
@@ -40,19 +40,12 @@ final class GroundPhases {
     if (rotating) {
       Tuning.ClimbOut climb = tuning.climbOut();
       double step = climb.rotateRate() * dtS;
-      loops.pitch(Limit.approach(loops.pitchRad(), climb.rotatePitchRad(), step));
+      double pitch = Limit.approach(loops.pitchRad(), climb.rotatePitchRad(), step);
+      loops.pitch(Math.min(pitch, stall.pitchLimitRad(state)));
       elevator = loops.elevator(state, dtS);
       level = loops.levelAileron(state, dtS);
     }
     double aileron = Limit.symmetric(steering.aileron(state) + level, 1.0);
     return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
-  }
-
-  Surfaces stop(FlightState state, double dtS) {
-    loops.throttle(0.0);
-    Surfaces parked = Surfaces.parked();
-    boolean rolls = steering.lined() && state.groundSpeedMps() > ROLLING_MPS;
-    loops.rudder(rolls ? steering.rudder(state, true, dtS) : 0.0);
-    return new Surfaces(0.0, 0.0, loops.rudder(), 0.0, parked.mixture(), 0.0, parked.brakes());
   }
 }

@@ -35,6 +35,11 @@ final class GroundSteering {
       double intoWind) {}
 
   private static final double SLOWEST_MPS = 4.0; // slower, the wheel's geometry would ask too much
+  private static final double GENTLE_MPS2 = 55.0; // sideways, per radian of heading error
+  private static final double GENTLE_SHARE = 0.3; // of the heading's pace, for the offset
+  private static final double VANE_SHARE = 0.4; // the tyres hold the rest
+  private static final double VANE_RAD = 0.4; // more is slow, and for the nose wheel to hold
+  private static final double CLOSING_MPS = 2.0; // most speed across the line, back to it
   private static final double REFERENCE_MPS = 10.0;
   private static final double AILERON_WORKS_MPS = 40.0; // aileron needed falls to nothing here
 
@@ -62,6 +67,20 @@ final class GroundSteering {
   void lineUpAlongTrack(FlightState state) {
     lineUp(state);
     headingRad = StrictMath.atan2(state.eastMps(), state.northMps());
+  }
+
+  /** Lays the centreline through a point, along a course. */
+  void lineUpAlong(double throughNorthM, double throughEastM, double courseRad) {
+    northM = throughNorthM;
+    eastM = throughEastM;
+    headingRad = courseRad;
+    integral = 0.0;
+    lined = true;
+  }
+
+  /** Goes on from a rudder that something else has found. */
+  void holds(double rudder) {
+    integral = rudder;
   }
 
   void handOver(HandOver state) {
@@ -116,21 +135,55 @@ final class GroundSteering {
    */
   double rudder(FlightState state, boolean noseDown, double dtS) {
     double ground = state.groundSpeedMps();
-    double speed = Math.max(SLOWEST_MPS, ground);
     double look = Math.max(parameters.shortestM(), parameters.lookAheadS() * ground);
     double wanted = headingRad - StrictMath.atan2(offsetM(state), look);
     double rate = parameters.headingGain() * Limit.angle(wanted - state.headingRad());
+    double vane = noseDown ? 0.0 : -parameters.weathercock() * state.betaRad();
+    return rudder(state, rate, noseDown, vane, dtS);
+  }
+
+  /**
+   * Rudder of a roll-out, −1…1, positive turns right: the faster it rolls the more gently it turns
+   * back to the line, as it comes from the air with some way sideways and light on its wheels.
+   *
+   * @param noseDown whether the nose wheel steers
+   */
+  double gentleRudder(FlightState state, boolean noseDown, double dtS) {
+    double speed = Math.max(SLOWEST_MPS, state.groundSpeedMps());
+    double gain = Math.min(parameters.headingGain(), GENTLE_MPS2 / speed);
+    double closing = Limit.symmetric(-offsetM(state) * gain * GENTLE_SHARE, CLOSING_MPS);
+    double wanted = headingRad + StrictMath.atan2(closing, speed);
+    double rate = gain * Limit.angle(wanted - state.headingRad());
+    double vane =
+        -parameters.weathercock() * Limit.symmetric(state.betaRad(), VANE_RAD) * VANE_SHARE;
+    return rudder(state, rate, noseDown, vane, dtS);
+  }
+
+  private double rudder(FlightState state, double rate, boolean noseDown, double vane, double dtS) {
+    double ground = state.groundSpeedMps();
+    double speed = Math.max(SLOWEST_MPS, ground);
     double error = rate - state.yawRate();
     double perSpeed = REFERENCE_MPS / speed;
     double damping = noseDown ? parameters.damping() * perSpeed : parameters.airDamping();
     double gain = noseDown ? parameters.integral() * perSpeed : parameters.airIntegral();
-    double vane = noseDown ? 0.0 : -parameters.weathercock() * state.betaRad();
     double direct = rate * parameters.steeringLengthM() / speed + damping * error + vane;
     double next = integral + gain * error * dtS;
     double raw = direct + next;
     boolean deeper = (raw > 1.0 && error > 0.0) || (raw < -1.0 && error < 0.0);
     boolean rolling = ground > 1.0;
     if (!deeper && rolling) {
+      integral = Limit.symmetric(next, 1.0);
+    }
+    return Limit.symmetric(direct + integral, 1.0);
+  }
+
+  /** Rudder in the air that turns the nose along the line, −1…1, positive turns right. */
+  double align(FlightState state, double dtS) {
+    double rate = parameters.headingGain() * Limit.angle(headingRad - state.headingRad());
+    double error = rate - state.yawRate();
+    double next = integral + parameters.airIntegral() * error * dtS;
+    double direct = parameters.airDamping() * error;
+    if (Math.abs(direct + next) < 1.0 || error * next < 0.0) {
       integral = Limit.symmetric(next, 1.0);
     }
     return Limit.symmetric(direct + integral, 1.0);

@@ -56,6 +56,15 @@ final class GuidanceVariables {
           15.0,
           4.0,
           "Above the least airspeed, in which speed gains priority over altitude.");
+  static final Variable<Double> GUST_SHARE =
+      number(
+          "GUST SHARE",
+          "",
+          0.0,
+          1.0,
+          0.3,
+          "Share of the wind's speed that is added to the rotation speed and the least speed: near"
+              + " the ground gusts are as strong (MIL-F-8785C: σ about 0.2).");
   static final Variable<Double> ALPHA_LIMIT =
       number(
           "ANGLE OF ATTACK LIMIT",
@@ -122,6 +131,9 @@ final class GuidanceVariables {
         TakeOffVariables.ground(c),
         TakeOffVariables.climbOut(c),
         LandingVariables.hold(c),
-        LandingVariables.flare(c));
+        LandingVariables.flare(c),
+        LandingVariables.touchDown(c),
+        c.getVariable(LandingVariables.MAX_CROSSWIND),
+        c.getVariable(GUST_SHARE));
   }
 }

@@ -52,19 +52,28 @@ final class TakeOffSequence {
   /**
    * @param navigating whether navigation is there and fresh
    * @param landing whether it leads to the ground, which is near
+   * @param refused whether it may not be followed there
+   * @param rotateMps calibrated airspeed at which the nose is raised
    * @param throttle that was commanded last, 0…1
    */
-  FlightPhase step(FlightState state, boolean navigating, boolean landing, double throttle) {
+  FlightPhase step(
+      FlightState state,
+      boolean navigating,
+      boolean landing,
+      boolean refused,
+      double rotateMps,
+      double throttle) {
     liftedSinceS = since(liftedSinceS, !state.onGround(), state.timeS());
     landedSinceS = since(landedSinceS, state.onGround(), state.timeS());
     readySinceS = since(readySinceS, engineReady(state) && navigating, state.timeS());
-    phase = next(state, navigating, landing, throttle);
+    FlightPhase flying =
+        !navigating ? FlightPhase.HOLD : refused ? FlightPhase.GO_AROUND : FlightPhase.CRUISE;
+    phase = next(state, flying, landing && !refused, rotateMps, throttle);
     return phase;
   }
 
   private FlightPhase next(
-      FlightState state, boolean navigating, boolean landing, double throttle) {
-    FlightPhase flying = navigating ? FlightPhase.CRUISE : FlightPhase.HOLD;
+      FlightState state, FlightPhase flying, boolean landing, double rotateMps, double throttle) {
     boolean high = !state.onGround() && state.heightM() > FLYING_HEIGHT_M;
     if (phase == null) {
       return high ? flying : first(state, landing);
@@ -75,11 +84,11 @@ final class TakeOffSequence {
         yield high ? flying : open ? FlightPhase.ROLL : FlightPhase.RUN_UP;
       }
       case ROLL -> {
-        if (state.calibratedAirspeedMps() >= parameters.rotateMps()) {
+        if (state.calibratedAirspeedMps() >= rotateMps) {
           yield FlightPhase.ROTATE;
         }
         // Without navigation or power the take-off is rejected while the brakes still serve.
-        yield navigating && state.engineRpm() >= parameters.readyRpm()
+        yield flying != FlightPhase.HOLD && state.engineRpm() >= parameters.readyRpm()
             ? FlightPhase.ROLL
             : FlightPhase.STOPPED;
       }
@@ -87,7 +96,7 @@ final class TakeOffSequence {
           lasting(liftedSinceS, state, LIFTED_FOR_S) ? FlightPhase.CLIMB_OUT : FlightPhase.ROTATE;
       case CLIMB_OUT ->
           state.heightM() >= parameters.safeHeightM() ? flying : FlightPhase.CLIMB_OUT;
-      case CRUISE, HOLD -> {
+      case CRUISE, HOLD, GO_AROUND -> {
         boolean landed =
             lasting(landedSinceS, state, LANDED_FOR_S)
                 && state.calibratedAirspeedMps() < parameters.rotateMps();

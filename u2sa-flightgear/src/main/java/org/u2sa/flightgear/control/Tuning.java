@@ -11,6 +11,8 @@ package org.u2sa.flightgear.control;
  * @param turnPitch pitch added per excess load factor [rad]
  * @param leastPitchRad demanded in the cruise
  * @param mostPitchRad demanded ever
+ * @param maxCrosswindMps most wind across the approach in which it lands [m/s]
+ * @param gustShare of the wind's speed that is added to speeds near the stall
  */
 record Tuning(
     double referenceSpeedMps,
@@ -31,7 +33,10 @@ record Tuning(
     GroundSteering.Parameters ground,
     ClimbOut climbOut,
     Hold hold,
-    FlareLaw.Parameters flare) {
+    FlareLaw.Parameters flare,
+    TouchDown.Parameters touchDown,
+    double maxCrosswindMps,
+    double gustShare) {
 
   /**
    * What the aircraft does without navigation.

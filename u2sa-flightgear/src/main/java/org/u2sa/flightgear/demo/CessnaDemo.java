@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
       "Fly a Cessna 172 over ten waypoints, take-off included.",
       "",
       "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded simulator, and shows what "
-          + "happens. Wind and gusts follow from the seed.",
+          + "happens. Wind and gusts follow from the seed. Control flies on the simulator's truth: no sensor is noisy.",
       "",
       "Other MQTT clients can listen meanwhile, for example:",
       "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
@@ -50,6 +50,12 @@ final class CessnaDemo implements Callable<Integer> {
       description =
           "calm, or m/s@degrees it blows from, such as 5@270. Default: by the seed, up to 8 m/s.")
   private String wind;
+
+  @Option(
+      names = "--shear",
+      description =
+          "Wind grows with height: --wind is 6 m above ground, 1.8 times as much blows at 300 m. Default: alike at every height.")
+  private boolean shear;
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -89,10 +95,11 @@ final class CessnaDemo implements Callable<Integer> {
         .out()
         .printf(
             Locale.ROOT,
-            "Seed %d, wind %.1f m/s from %.0f degrees%n",
+            "Seed %d, wind %.1f m/s from %.0f degrees%s%n",
             seed,
             demoWind.speedMps(),
-            Math.toDegrees(demoWind.fromRad()));
+            Math.toDegrees(demoWind.fromRad()),
+            shear ? " near the ground, more above" : "");
     LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));
     CessnaFiles.fly(launch, mission, options.mission().isEmpty());
     demoWind.applyTo(launch);
@@ -109,10 +116,10 @@ final class CessnaDemo implements Callable<Integer> {
 
   private DemoWind windOf(long seed) {
     if (wind == null) {
-      return DemoWind.ofSeed(seed);
+      return DemoWind.ofSeed(seed).withShear(shear);
     }
     try {
-      return DemoWind.parse(wind);
+      return DemoWind.parse(wind).withShear(shear);
     } catch (IllegalArgumentException e) {
       throw new ParameterException(command.commandLine(), "--wind: " + e.getMessage());
     }

@@ -9,10 +9,11 @@ import org.u2sa.sim.atmosphere.Wind;
 /**
  * The wind of a demo flight.
  *
- * @param speedMps at every height [m/s]
+ * @param speedMps at every height, or with shear 6 m above ground [m/s]
  * @param fromRad where it blows from, true, clockwise from north [rad]
+ * @param shear whether it grows with height
  */
-record DemoWind(double speedMps, double fromRad) {
+record DemoWind(double speedMps, double fromRad, boolean shear) {
   private static final double STRONGEST_MPS = 8.0;
   private static final double STRONGEST_ASKED_FOR_MPS = 30.0;
   private static final double FULL_CIRCLE_DEG = 360.0;
@@ -22,7 +23,8 @@ record DemoWind(double speedMps, double fromRad) {
   static DemoWind ofSeed(long seed) {
     SplittableRandom random =
         new SplittableRandom(seed); // unlike Random, neighbouring seeds give unlike winds
-    return new DemoWind(STRONGEST_MPS * random.nextDouble(), 2.0 * Math.PI * random.nextDouble());
+    return new DemoWind(
+        STRONGEST_MPS * random.nextDouble(), 2.0 * Math.PI * random.nextDouble(), false);
   }
 
   /**
@@ -33,14 +35,14 @@ record DemoWind(double speedMps, double fromRad) {
    */
   static DemoWind parse(String text) {
     if (text.equals("calm")) {
-      return new DemoWind(0.0, 0.0);
+      return new DemoWind(0.0, 0.0, false);
     }
     Matcher matcher = TEXT.matcher(text);
     if (matcher.matches()) {
       double speed = Double.parseDouble(matcher.group(1));
       double from = Double.parseDouble(matcher.group(2));
       if (speed <= STRONGEST_ASKED_FOR_MPS && from <= FULL_CIRCLE_DEG) {
-        return new DemoWind(speed, Math.toRadians(from));
+        return new DemoWind(speed, Math.toRadians(from), false);
       }
     }
     throw new IllegalArgumentException(
@@ -51,12 +53,18 @@ record DemoWind(double speedMps, double fromRad) {
 
   /** The same for an aircraft that is stepped here, with gusts by the seed. */
   Wind wind(long seed) {
-    return Wind.gusty(fromRad, speedMps, seed);
+    return Wind.gusty(fromRad, speedMps, seed).withShear(shear);
+  }
+
+  /** The same wind near the ground, stronger above if so wanted. */
+  DemoWind withShear(boolean growsWithHeight) {
+    return new DemoWind(speedMps, fromRad, growsWithHeight);
   }
 
   void applyTo(LaunchOptions options) {
     options
         .override("Simulator", "WIND SPEED", speedMps)
-        .override("Simulator", "WIND FROM", fromRad);
+        .override("Simulator", "WIND FROM", fromRad)
+        .override("Simulator", "WIND SHEAR", shear);
   }
 }

@@ -22,7 +22,28 @@ public final class EmbeddedStart {
     home.z().orElseThrow(() -> lacks(mission, "the altitude <z> of its <home>"));
     double heading =
         home.headingRad().orElseThrow(() -> lacks(mission, "the heading <psi> of its <home>"));
+    requireWithin(
+        mission,
+        "y",
+        place.latitudeDeg(),
+        -RunwayStart.NORTHERNMOST_DEG,
+        RunwayStart.NORTHERNMOST_DEG,
+        "deg of latitude, where the aircraft can start: nearer to a pole headings change too fast");
+    requireWithin(
+        mission,
+        "z",
+        place.altitudeM(),
+        RunwayStart.LOWEST_M,
+        RunwayStart.HIGHEST_M,
+        "m above sea level, where the aircraft can start");
     return new RunwayStart(place.longitudeDeg(), place.latitudeDeg(), place.altitudeM(), heading);
+  }
+
+  private static void requireWithin(
+      Mission mission, String child, double value, double least, double most, String what) {
+    if (value < least || value > most) {
+      throw mission.homeError(child, value + " is outside " + least + "…" + most + " " + what);
+    }
   }
 
   private static BadInputException lacks(Mission mission, String what) {

@@ -28,7 +28,8 @@ final class LinkConfiguration {
       Variable.number("WIND SPEED", "m/s")
           .range(Range.of(0.0, 30.0))
           .ifAbsent(0.0)
-          .describedAs("Wind at every height, for the embedded aircraft.");
+          .describedAs(
+              "Wind for the embedded aircraft: at every height, or with WIND SHEAR 6 m above ground.");
 
   static final Variable<Double> WIND_FROM =
       Variable.number("WIND FROM", "rad")
@@ -36,6 +37,12 @@ final class LinkConfiguration {
           .ifAbsent(0.0)
           .describedAs(
               "Where the wind blows from, true, clockwise from north, for the embedded aircraft.");
+
+  static final Variable<Boolean> WIND_SHEAR =
+      Variable.flag("WIND SHEAR")
+          .ifAbsent(false)
+          .describedAs(
+              "Whether the wind grows with height (MIL-F-8785C, 3.7.3.4: 1.8 times as strong at 300 m), for the embedded aircraft.");
 
   static final Variable<Boolean> GUSTS =
       Variable.flag("GUSTS")
@@ -84,6 +91,7 @@ final class LinkConfiguration {
     String mission = variables.getVariable(MISSION);
     double windSpeedMps = variables.getVariable(WIND_SPEED);
     double windFromRad = variables.getVariable(WIND_FROM);
+    boolean shear = variables.getVariable(WIND_SHEAR);
     boolean gusts = variables.getVariable(GUSTS);
     String host = variables.getVariable(HOST);
     int outPort = variables.getVariable(OUT_PORT);
@@ -96,10 +104,11 @@ final class LinkConfiguration {
       throw new BadInputException(
           "variable \"LINK\": \"embedded\": the aircraft has ended with the Simulator that was before; run the system anew");
     }
-    Wind wind =
+    Wind steady =
         gusts
             ? Wind.gusty(windFromRad, windSpeedMps, context.seed())
             : Wind.constant(windFromRad, windSpeedMps);
+    Wind wind = steady.withShear(shear);
     return new EmbeddedAircraft(
         Cessna172.onRunway(
             EmbeddedStart.of(Mission.load(context.configuration().resolve(mission))), wind, true));

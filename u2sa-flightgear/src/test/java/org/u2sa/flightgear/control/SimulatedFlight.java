@@ -54,12 +54,17 @@ final class SimulatedFlight {
   }
 
   FlightScore fly() {
+    return fly(LONGEST_S);
+  }
+
+  /** Flies for that long at most [s]. */
+  FlightScore fly(double longestS) {
     int late = (int) Math.round(loop.delayS() * loop.rateHz());
     ControlInputs now = inputs(Surfaces.parked());
     for (int i = 0; i < late; i++) {
       underWay.add(now);
     }
-    while (!planner.finished() && aircraft.state().timeS() < LONGEST_S) {
+    while (!planner.finished() && aircraft.state().timeS() < longestS) {
       AircraftState truth = aircraft.state();
       FlightState state = see(truth, FROM_LONGITUDE, FROM_LATITUDE);
       Optional<GuidanceTarget> target = Optional.of(planner.follow(state));

@@ -89,7 +89,8 @@ class TakeOffSequenceTest {
   @Test
   void step_firstSeenWhileItLands_landsOn() {
     FlightState flaring = rolling(31.0).onGround(false).time(timeS).now();
-    assertThat(sequence.step(flaring, true, true, 0.0)).isEqualTo(FlightPhase.FLARE);
+    assertThat(sequence.step(flaring, true, true, false, ROTATION_MPS, 0.0))
+        .isEqualTo(FlightPhase.FLARE);
   }
 
   @Test
@@ -112,6 +113,7 @@ class TakeOffSequenceTest {
 
   private FlightPhase step(States states, boolean navigating, double throttle) {
     timeS += 0.05;
-    return sequence.step(states.time(timeS).now(), navigating, false, throttle);
+    return sequence.step(
+        states.time(timeS).now(), navigating, false, false, ROTATION_MPS, throttle);
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,12 +24,19 @@ class LandingFlightTest {
   @TempDir private Path directory;
 
   private void land(long seed, String wind) throws InterruptedException {
+    land(seed, wind, false);
+  }
+
+  private void land(long seed, String wind, boolean shear) throws InterruptedException {
     try (TroubledFlight flight =
         TroubledFlight.start(
             directory,
             seed,
             wind,
-            options -> options.override("SafetyManager", "ON OPERATOR LOSS", "LAND"))) {
+            options ->
+                options
+                    .override("SafetyManager", "ON OPERATOR LOSS", "LAND")
+                    .override("Simulator", "WIND SHEAR", shear))) {
       flight.flyIntoCruise();
       Trouble.OPERATOR.begin(flight);
       flight.flyUntil(() -> flight.witness().action() == FailsafeAction.LAND, 10.0);
@@ -61,10 +69,16 @@ class LandingFlightTest {
   }
 
   @ParameterizedTest(name = "seed {0}, wind {1}")
-  @CsvSource({"5, 8@180", "10, 8@270"})
+  @CsvSource({"5, 8@180", "10, 8@270", "21, 12@0"})
   void land_acrossAndWithTheWind_standsOnTheRunway(long seed, String wind)
       throws InterruptedException {
     land(seed, wind);
+  }
+
+  /** 7 m/s near the ground are 13 m/s where it cruises. */
+  @Test
+  void land_throughWindShear_standsOnTheRunway() throws InterruptedException {
+    land(31, "7@160", true);
   }
 
   @Tag("long")

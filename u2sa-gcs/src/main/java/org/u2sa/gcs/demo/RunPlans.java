@@ -9,8 +9,10 @@ import org.u2sa.gcs.report.Home;
 import org.u2sa.gcs.report.PlannedWaypoint;
 import org.u2sa.gcs.report.RunPlan;
 import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.ReferenceFrame;
 
 /** A mission as reports and screens see it. */
 public final class RunPlans {
@@ -20,22 +22,41 @@ public final class RunPlans {
    * The plan of a mission on the earth.
    *
    * @param home where the vehicle starts
+   * @throws org.u2sa.interfaces.BadInputException if a waypoint is no place on the earth
    */
   public static RunPlan of(Domain domain, Mission mission, Optional<Home> home) {
     List<PlannedWaypoint> waypoints = new ArrayList<>();
-    for (GoalInformation goal : mission.goals()) {
+    for (int i = 0; i < mission.goals().size(); i++) {
+      GoalInformation goal = mission.goals().get(i);
       if (goal instanceof Waypoint waypoint) {
+        StateInformation place = onEarth(mission, i, waypoint);
         waypoints.add(
             new PlannedWaypoint(
                 waypoint.uid(),
-                waypoint.x().orElseThrow(),
-                waypoint.y().orElseThrow(),
+                place.x().orElseThrow(),
+                place.y().orElseThrow(),
                 waypoint.z(),
                 waypoint.horizontalThreshold(),
                 waypoint.verticalThreshold()));
       }
     }
     return new RunPlan(domain, home, waypoints);
+  }
+
+  /** The waypoint's longitude and latitude [deg]. */
+  private static StateInformation onEarth(Mission mission, int index, Waypoint waypoint) {
+    if (!waypoint.referenceFrame().isEarth() || waypoint.x().isEmpty() || waypoint.y().isEmpty()) {
+      throw mission.goalError(
+          index,
+          "goal \""
+              + waypoint.uid()
+              + "\" is no place on the earth; expected <x> and <y> in longitude and latitude, or UTM");
+    }
+    return new StateInformation()
+        .referenceFrame(waypoint.referenceFrame())
+        .x(waypoint.x().getAsDouble())
+        .y(waypoint.y().getAsDouble())
+        .in(ReferenceFrame.GLOBAL);
   }
 
   /** The way from home past all waypoints [m]. */

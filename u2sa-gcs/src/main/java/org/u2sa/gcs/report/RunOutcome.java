@@ -20,6 +20,11 @@ public record RunOutcome(int contacts, boolean stalled, List<String> violations)
     return new RunOutcome(0, false, List.of());
   }
 
+  /** Whether nothing was hit, no wing stalled and no rule was broken. */
+  public boolean isClean() {
+    return contacts == 0 && !stalled && violations.isEmpty();
+  }
+
   /** Whether it hit anything. */
   public boolean crashed() {
     return contacts > 0;

@@ -35,10 +35,10 @@ public record RunScore(
   }
 
   /**
-   * Whether all waypoints were captured, at least one was planned, and nothing crashed: what exit
-   * code 0 asks for.
+   * Whether all waypoints were captured, at least one was planned, and the {@linkplain
+   * RunOutcome#isClean outcome is clean}: what exit code 0 asks for.
    */
   public boolean success() {
-    return !waypoints.isEmpty() && captured() == waypoints.size() && !outcome.crashed();
+    return !waypoints.isEmpty() && captured() == waypoints.size() && outcome.isClean();
   }
 }

@@ -38,11 +38,23 @@ public final class WaypointTable {
     summary(score).forEach(line -> terminal.out().println(terminal.fitted(line)));
     String verdict = format("%d of %d waypoints captured", score.captured(), results.size());
     terminal.out().println(score.success() ? terminal.good(verdict) : terminal.bad(verdict));
+    if (score.outcome().crashed()) {
+      terminal.out().println(terminal.bad("no success: " + contacts(score)));
+    }
+    if (score.outcome().stalled()) {
+      terminal.out().println(terminal.bad("no success: the wing stalled in the air"));
+    }
     score
         .outcome()
         .violations()
         .forEach(v -> terminal.out().println(terminal.bad(terminal.fitted("violation: " + v))));
     terminal.out().flush();
+  }
+
+  private static String contacts(RunScore score) {
+    return score.flight().isPresent()
+        ? "the aircraft crashed"
+        : format("%d contacts", score.outcome().contacts());
   }
 
   private static void row(

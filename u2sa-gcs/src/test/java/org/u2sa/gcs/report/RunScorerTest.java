@@ -7,7 +7,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class RunScorerTest {
 
@@ -197,14 +200,27 @@ class RunScorerTest {
     assertThat(after.flight().orElseThrow().minAirspeedMps().getAsDouble()).isEqualTo(35.0);
   }
 
-  @Test
-  void success_crashAfterTheLastWaypoint_isNone() {
+  static Stream<RunOutcome> unclean() {
+    return Stream.of(
+        new RunOutcome(1, false, List.of()),
+        new RunOutcome(0, true, List.of()),
+        new RunOutcome(0, false, List.of("left the fence at 12.0 s")));
+  }
+
+  @ParameterizedTest
+  @MethodSource("unclean")
+  void success_contactStallOrViolation_isNone(RunOutcome outcome) {
     RunScore score =
-        RunScorer.score(
-            SyntheticFlight.twoWaypoints(),
-            SyntheticFlight.northward(0, 0),
-            new RunOutcome(1, false, List.of()));
+        RunScorer.score(SyntheticFlight.twoWaypoints(), SyntheticFlight.northward(0, 0), outcome);
     assertThat(score.captured()).isEqualTo(2);
     assertThat(score.success()).isFalse();
+  }
+
+  @Test
+  void success_allCapturedAndClean_isOne() {
+    RunScore score =
+        RunScorer.score(
+            SyntheticFlight.twoWaypoints(), SyntheticFlight.northward(0, 0), RunOutcome.clean());
+    assertThat(score.success()).isTrue();
   }
 }

@@ -15,7 +15,10 @@ import static org.u2sa.sim.aircraft.Airframe.WING_AREA_M2;
  * blend into a flat plate, Beard and McLain, Small Unmanned Aircraft, eq. 4.9, placed so that the
  * handbook's stall speeds come out (172P: 51 KCAS flaps up, 46 KCAS flaps 30°); the plate's normal
  * force goes with 2 sin α, as their eq. 4.10 (2 sin² α) takes more lift than such wings lose.
- * Ground effect: McCormick, Aerodynamics, Aeronautics, and Flight Mechanics, eq. 5.86.
+ * Ground effect: McCormick, Aerodynamics, Aeronautics, and Flight Mechanics, eq. 5.86. Air that
+ * flows along the span lifts nothing: wing and tailplane feel the part of the flow in the plane of
+ * symmetry alone (R. T. Jones, NACA Report 863, 1947), which counts for an aircraft that stands
+ * across the wind.
  */
 final class Aerodynamics {
   private static final double CL_0 = 0.31; // body axes lie along the flow in the book's cruise
@@ -131,9 +134,10 @@ final class Aerodynamics {
     double cosAlpha = plane < 0.01 ? 1.0 : u / plane;
     double sinBeta = v * perSpeed;
     double alpha = plane < 0.01 ? 0.0 : StrictMath.atan2(w, u);
-    double pressure = 0.5 * density * speed2;
-    double tail = (pressure + slipstreamPa) * WING_AREA_M2;
-    double qs = pressure * WING_AREA_M2;
+    double qs = 0.5 * density * speed2 * WING_AREA_M2; // of all the air: fuselage and fin
+    double qsWing = 0.5 * density * plane2 * WING_AREA_M2; // of the air across the span
+    double tail = qsWing + slipstreamPa * WING_AREA_M2;
+    double fin = qs + slipstreamPa * WING_AREA_M2;
     double rate = 0.25 * density * speed * WING_AREA_M2; // q S / (2 V)
 
     double roll = p * cosAlpha + r * sinAlpha; // the book's axes: forward along the flow
@@ -146,14 +150,13 @@ final class Aerodynamics {
     double ground = groundFactor(heightM);
     double attachedDrag = CD_0 + flapDrag + CD_INDUCED * ground * attached * attached;
     double plateDrag = CD_0 + flapDrag + PLATE_NORMAL * sinAlpha * sinAlpha;
-    double wingDrag =
-        (1.0 - stall) * attachedDrag + stall * plateDrag + CD_SIDESLIP * sinBeta * sinBeta;
+    double wingDrag = (1.0 - stall) * attachedDrag + stall * plateDrag;
 
-    double lift = qs * wingLift + tail * CL_ELEVATOR * elevator + rate * CHORD_M * CL_Q * q;
-    double drag = qs * wingDrag;
+    double lift = qsWing * wingLift + tail * CL_ELEVATOR * elevator + rate * CHORD_M * CL_Q * q;
+    double drag = qsWing * wingDrag + qs * CD_SIDESLIP * sinBeta * sinBeta;
     double side =
         qs * CY_BETA * sinBeta
-            + tail * CY_RUDDER * rudder
+            + fin * CY_RUDDER * rudder
             + rate * SPAN_M * (CY_P * roll + CY_R * yaw);
     forceX = lift * sinAlpha - drag * u * perSpeed;
     forceY = side; // the book counts what drag does sideways into this derivative
@@ -166,20 +169,24 @@ final class Aerodynamics {
     double rollDamping = (1.0 - stall) * CR_P + stall * AUTOROTATION;
     double helix = roll * SPAN_M * 0.5 * perSpeed;
     double rolling =
-        qs
+        qs * CR_BETA * sinBeta
+            + qsWing
                 * (CR_RIGGING
-                    + CR_BETA * sinBeta
                     + CR_AILERON * aileron * (1.0 - 0.5 * stall)
                     + ROLL_DAMPING_2 * stall * helix * Math.abs(helix))
-            + tail * CR_RUDDER * rudder
+            + fin * CR_RUDDER * rudder
             + rate * SPAN_M * (rollDamping * roll + rollOfYaw * yaw);
     double pitching =
-        qs * (CM_ALPHA * sinAlpha + flapMoment + STALL_NOSE_DROP * stall * Math.signum(sinAlpha))
+        qsWing
+                * (CM_ALPHA * sinAlpha
+                    + flapMoment
+                    + STALL_NOSE_DROP * stall * Math.signum(sinAlpha))
             + tail * CM_ELEVATOR * elevator
             + rate * CHORD_M * CM_Q * q;
     double yawing =
-        qs * (CN_RIGGING + CN_BETA * sinBeta + CN_AILERON * aileron)
-            + tail * CN_RUDDER * rudder
+        qs * CN_BETA * sinBeta
+            + qsWing * (CN_RIGGING + CN_AILERON * aileron)
+            + fin * CN_RUDDER * rudder
             + rate * SPAN_M * (CN_P * roll + CN_R * yaw);
     momentX = (rolling * cosAlpha - yawing * sinAlpha) * SPAN_M;
     momentY = pitching * CHORD_M;

@@ -11,13 +11,23 @@ package org.u2sa.sim.aircraft;
 public record RunwayStart(
     double longitudeDeg, double latitudeDeg, double elevationM, double headingRad) {
 
+  /** Latitude up to which an aircraft can start, north and south [deg]. */
+  public static final double NORTHERNMOST_DEG = 85.0;
+
+  /** Lowest ground [m]. */
+  public static final double LOWEST_M = -500.0;
+
+  /** Highest ground [m]. */
+  public static final double HIGHEST_M = 5_000.0;
+
   /**
    * @throws IllegalArgumentException if a value is not a number or outside its range
    */
   public RunwayStart {
     Arguments.requireInside("start longitude [deg]", longitudeDeg, -180.0, 180.0);
-    Arguments.requireInside("start latitude [deg]", latitudeDeg, -85.0, 85.0);
-    Arguments.requireInside("start elevation [m]", elevationM, -500.0, 5_000.0);
+    Arguments.requireInside(
+        "start latitude [deg]", latitudeDeg, -NORTHERNMOST_DEG, NORTHERNMOST_DEG);
+    Arguments.requireInside("start elevation [m]", elevationM, LOWEST_M, HIGHEST_M);
     Arguments.requireInside("start heading [rad]", headingRad, -10.0, 10.0);
   }
 }

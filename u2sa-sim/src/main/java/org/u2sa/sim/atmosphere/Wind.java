@@ -49,6 +49,11 @@ public record Wind(
     return constant(fromRad, speedMps).withGusts(SIGMA_PER_WIND * speedMps, seed);
   }
 
+  /** This wind, growing with height or the same at every height. */
+  public Wind withShear(boolean growsWithHeight) {
+    return new Wind(fromRad, speedMps, growsWithHeight, gustSigmaMps, seed);
+  }
+
   /** This wind with other gusts. */
   public Wind withGusts(double sigmaMps, long gustSeed) {
     return new Wind(fromRad, speedMps, heightProfile, sigmaMps, gustSeed);
