@@ -30,6 +30,7 @@ final class TestDrive implements AutoCloseable {
 
   TestDrive(TestVehicle vehicle, Map<String, Object> manager, Map<String, Object> planner) {
     this.vehicle = vehicle;
+    kit.with("DEFAULT THRESHOLD", 100.0);
     manager.forEach(kit::with);
     kit.start(MissionManager::new);
     kit.withoutVariables();

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.launch.VehicleMission;
 import org.u2sa.core.mission.Home;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.drivers.ioio.IoioService;
@@ -84,10 +85,13 @@ final class UgvDemo implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException, IOException {
     Path root = UgvFiles.root();
-    Mission mission = Mission.load(options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
     SystemFile system = SystemFile.read(root.resolve("config/ugv").resolve(systemFile()));
+    LaunchOptions changed = new LaunchOptions();
+    changes.applyTo(changed);
+    Mission mission =
+        VehicleMission.load(
+            system, changed, options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
     UgvFiles.home(mission); // what is wrong is said before anything is made
-    changes.settings();
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(
