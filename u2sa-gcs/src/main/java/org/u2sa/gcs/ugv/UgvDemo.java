@@ -51,6 +51,7 @@ final class UgvDemo implements Callable<Integer> {
   @Mixin private DemoOptions options;
   @Mixin private BrokerPort broker;
   @Mixin private RunChanges changes;
+  @Mixin private ConditionOptions around;
   @Spec private CommandSpec command;
 
   @Option(
@@ -91,13 +92,14 @@ final class UgvDemo implements Callable<Integer> {
     Mission mission =
         VehicleMission.load(
             system, changed, options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
-    UgvFiles.home(mission); // what is wrong is said before anything is made
+    // what is wrong is said before anything is made
+    DriveConditions conditions = around.conditions(vehicle, UgvFiles.plan(mission));
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(
             NAME,
             (directory, seed, interruption) ->
-                drive(system, mission, planned, directory, seed, interruption));
+                drive(system, mission, conditions, planned, directory, seed, interruption));
   }
 
   private String systemFile() {
@@ -115,6 +117,7 @@ final class UgvDemo implements Callable<Integer> {
   private RunReport drive(
       SystemFile system,
       Mission mission,
+      DriveConditions conditions,
       List<PlannedSwap> swaps,
       Path directory,
       long seed,
@@ -124,7 +127,7 @@ final class UgvDemo implements Callable<Integer> {
     Mission driven =
         Laps.write(mission, wanted, receiver.leastThresholdM(), directory.resolve("mission.xml"));
     Home home = UgvFiles.home(driven);
-    UgvWorld world = new UgvWorld(home, vehicle, receiver, seed, Hazards.none());
+    UgvWorld world = new UgvWorld(home, vehicle, receiver, seed, Hazards.none(), conditions);
     DemoRun run =
         new DemoRun(
                 NAME,
@@ -136,17 +139,19 @@ final class UgvDemo implements Callable<Integer> {
                 options.terminal(),
                 interruption)
             .swapping(swaps);
-    return drive(run, launch(system, driven), world, seed);
+    return drive(run, launch(system, driven), world, conditions.words(), seed);
   }
 
-  private RunReport drive(DemoRun run, LaunchOptions launch, UgvWorld world, long seed)
+  private RunReport drive(
+      DemoRun run, LaunchOptions launch, UgvWorld world, String words, long seed)
       throws InterruptedException {
     String simulator =
         vehicle.words()
             + " behind an IOIO, "
             + receiver.words()
             + ", "
-            + control.name().toLowerCase(Locale.ROOT);
+            + control.name().toLowerCase(Locale.ROOT)
+            + (words.isEmpty() ? "" : ", " + words);
     if (options.realtime()) {
       BoardServer server = new BoardServer(world, simulator);
       launch.override("IoioService", "CONNECTION", server.address());
