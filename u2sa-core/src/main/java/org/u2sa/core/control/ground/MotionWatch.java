@@ -11,12 +11,14 @@ import java.util.Optional;
 final class MotionWatch {
   private static final double FULL_EFFORT = 0.98;
   private static final double MOVES_SHARE = 0.1; // of what is demanded
-  private static final double ROLLS_BACK_MPS = 0.05;
+  private static final double ROLLS_MPS = 0.1;
 
   private double heldS;
   private double turnedRad;
   private double goneM;
   private double restS;
+  private double quietS; // until it says again what goes on without a rest
+  private boolean rolls; // when its motors rest, until it has moved as it is to
 
   /**
    * What was demanded of the motors, and what became of it, since the call before.
@@ -24,7 +26,7 @@ final class MotionWatch {
    * @param afterS how long they may try [s]
    * @param pauseS how long they rest then [s]
    * @param effort of the motors, 1 and more if they give all
-   * @return what to tell the user, once for each attempt
+   * @return what to tell the user, once for each attempt, or each pause without one
    */
   Optional<String> see(
       Drive demanded,
@@ -33,6 +35,7 @@ final class MotionWatch {
       double afterS,
       double pauseS,
       double stepS) {
+    quietS = Math.max(0.0, quietS - stepS);
     boolean known =
         measured.forwardMps().isPresent() && measured.yawRateRadPerS().isPresent() && stepS > 0.0;
     if (effort < FULL_EFFORT || !known) {
@@ -59,14 +62,22 @@ final class MotionWatch {
             turns
                 ? String.format(Locale.ROOT, "turned by %.0f degrees", Math.toDegrees(turnedRad))
                 : String.format(Locale.ROOT, "went %.2f m", goneM));
-    boolean rollsBack = !turns && goneM < -ROLLS_BACK_MPS * heldS;
+    rolls |= !turns && goneM < -ROLLS_MPS * heldS;
     forget();
     if (moved) {
+      rolls = false;
       return Optional.empty();
     }
-    restS = rollsBack ? 0.0 : pauseS; // at rest it would roll back faster
+    if (rolls && quietS > 0.0) {
+      return Optional.empty();
+    }
+    restS = rolls ? 0.0 : pauseS;
+    quietS = pauseS;
     return Optional.of(
-        words + (rollsBack ? "; it rolls back" : "; they rest, then it tries again"));
+        words
+            + (rolls
+                ? "; they go on, for at rest it would roll away"
+                : "; they rest, then it tries again"));
   }
 
   private void forget() {
@@ -75,9 +86,13 @@ final class MotionWatch {
     goneM = 0.0;
   }
 
-  /** Whether the motors are to rest. */
-  boolean rests(double stepS) {
+  /** Whether the motors are to rest. On a slope they do not: there is no other brake. */
+  boolean rests(GroundControl.Measured measured, double stepS) {
     restS = Math.max(0.0, restS - stepS);
+    if (restS > 0.0 && Math.abs(measured.forwardMps().orElse(0.0)) > ROLLS_MPS) {
+      rolls = true;
+      restS = 0.0;
+    }
     return restS > 0.0;
   }
 }

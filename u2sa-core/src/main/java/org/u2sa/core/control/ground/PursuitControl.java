@@ -51,7 +51,7 @@ abstract class PursuitControl extends GroundControl {
 
   @Override
   final void drive(Optional<GroundTarget> target, Measured measured, double stepS) {
-    Drive drive = law.step(watch.rests(stepS) ? Optional.empty() : target, stepS);
+    Drive drive = law.step(watch.rests(measured, stepS) ? Optional.empty() : target, stepS);
     Drive due = reference.step(drive, getVariable(PursuitVariables.RESPONSE_TIME), stepS);
     double trim =
         speedTrim.step(
