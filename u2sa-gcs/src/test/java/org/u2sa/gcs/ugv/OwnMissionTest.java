@@ -10,6 +10,7 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.gcs.ExitCode;
 import org.u2sa.messages.frame.Geodetic;
@@ -75,6 +76,18 @@ class OwnMissionTest {
             });
 
     requireAll(drive(bare), 8, 0.5);
+  }
+
+  @ParameterizedTest(name = "longitude {0}, latitude {1}")
+  @CsvSource({"-70.9, -53.1", "179.9999, 10.0", "-179.99995, -16.5", "0.0, 0.0", "15.6, 78.2"})
+  void demo_zigZagElsewhereOnEarth_passesEach(double longitudeDeg, double latitudeDeg)
+      throws IOException {
+    double[][] zigZag = {{-4, 0}, {2, 6}, {-4, 12}, {2, 18}, {-4, 12}, {30, 12}};
+
+    requireAll(
+        drive(mission(new Geodetic(longitudeDeg, latitudeDeg, 0.0), "", zigZag)),
+        zigZag.length,
+        0.5);
   }
 
   @Test

@@ -12,6 +12,7 @@ abstract class PursuitControl extends GroundControl {
   private final Reference reference = new Reference();
   private final Trim speedTrim = new Trim("SPEED TRIM");
   private final MotionWatch watch = new MotionWatch();
+  private boolean atFullPower;
 
   /** Subclasses must be able to answer {@link #settings} once this has returned. */
   PursuitControl(ServiceContext context) {
@@ -57,11 +58,13 @@ abstract class PursuitControl extends GroundControl {
         speedTrim.step(
             drive,
             error(due.speedMps(), measured.forwardMps()),
+            atFullPower,
             getVariable(PursuitVariables.SPEED_GAIN),
             calibration().maxMps(),
             stepS);
     double effort =
         command(drive, trim, error(due.yawRateRadPerS(), measured.yawRateRadPerS()), stepS);
+    atFullPower = effort > 1.0;
     watch
         .see(
             drive,

@@ -67,7 +67,7 @@ final class PursuitVariables {
           "",
           0.0,
           10.0,
-          1.0,
+          2.0,
           "Yaw rate commanded more for each deg/s by which the measured one falls short; 0: none.");
   static final Variable<Double> RESPONSE_TIME =
       number(

@@ -35,10 +35,17 @@ final class Trim {
    *
    * @param demanded what the motors are told
    * @param error of the same quantity, demanded less measured; empty if unknown
+   * @param atFullPower whether the motors give all that they can: more would only be wound up
    * @param gain the share of an error taken out in a second [1/s]; 0: no feedback
    * @param most of demanded and trim together, either way
    */
-  double step(Drive demanded, OptionalDouble error, double gain, double most, double stepS) {
+  double step(
+      Drive demanded,
+      OptionalDouble error,
+      boolean atFullPower,
+      double gain,
+      double most,
+      double stepS) {
     boolean drives = demanded.speedMps() > 0.0;
     if (demanded.isStanding() || drives != drove) {
       trim = 0.0;
@@ -46,7 +53,8 @@ final class Trim {
     drove = drives;
     if (!demanded.isStanding() && error.isPresent()) {
       double speed = demanded.speedMps();
-      trim += gain * stepS * error.getAsDouble();
+      double more = gain * stepS * error.getAsDouble();
+      trim += atFullPower ? Math.min(0.0, more) : more;
       trim = Math.max(-most - speed, Math.min(most - speed, trim));
     }
     return trim;

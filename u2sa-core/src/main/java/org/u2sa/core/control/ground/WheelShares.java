@@ -12,9 +12,16 @@ record WheelShares(double left, double right) {
     return Math.max(Math.abs(left), Math.abs(right));
   }
 
-  /** Both less by the same share if one motor cannot do so much, so that the arc stays. */
+  /**
+   * What the motors can do of it. One that drives ahead, or back, does so slower before it turns
+   * less: it can be late, not beside its line. One that turns on the spot turns slower.
+   */
   WheelShares possible() {
-    double most = Math.max(1.0, effort());
-    return new WheelShares(left / most, right / most);
+    double ahead = 0.5 * (left + right);
+    double slower = Math.min(Math.max(0.0, effort() - 1.0), Math.abs(ahead));
+    WheelShares kept =
+        new WheelShares(left - Math.copySign(slower, ahead), right - Math.copySign(slower, ahead));
+    double most = Math.max(1.0, kept.effort());
+    return new WheelShares(kept.left / most, kept.right / most);
   }
 }

@@ -16,7 +16,7 @@ class TrimTest {
   private double after(double seconds, Drive demanded, OptionalDouble errorMps) {
     double answer = 0.0;
     for (int i = 0; i < seconds * 10.0; i++) {
-      answer = trim.step(demanded, errorMps, 0.2, MOST_MPS, 0.1);
+      answer = trim.step(demanded, errorMps, false, 0.2, MOST_MPS, 0.1);
     }
     return answer;
   }
@@ -26,6 +26,16 @@ class TrimTest {
     assertThat(after(1.0, DRIVES, OptionalDouble.of(0.2))).isBetween(0.03, 0.05);
     assertThat(after(100.0, DRIVES, OptionalDouble.of(0.2)))
         .isCloseTo(MOST_MPS - 1.0, within(1.0e-9));
+  }
+
+  @Test
+  void step_atFullPower_windsNothingUpAndStillGivesWay() {
+    double before = after(1.0, DRIVES, OptionalDouble.of(0.2));
+
+    assertThat(trim.step(DRIVES, OptionalDouble.of(0.2), true, 0.2, MOST_MPS, 0.1))
+        .isEqualTo(before);
+    assertThat(trim.step(DRIVES, OptionalDouble.of(-0.2), true, 0.2, MOST_MPS, 0.1))
+        .isLessThan(before);
   }
 
   @Test
