@@ -110,7 +110,8 @@ class ConfigurationPageTest {
     // devices.
     XmlConfiguration configuration =
         XmlConfiguration.inMemory(
-            "the page", Map.of("MISSION", MISSION, "CONNECTION", "tcp:127.0.0.1:9"));
+            "the page",
+            Map.of("MISSION", MISSION, "DEFAULT THRESHOLD", 1.0, "CONNECTION", "tcp:127.0.0.1:9"));
     ServiceContext context =
         ServiceContext.of("docs", configuration)
             .transport(new LocalBus("docs"))

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -13,15 +14,10 @@ import org.u2sa.messages.MessageTypes;
 
 /**
  * A mission as its file has it (docs/missions.md): the goals in the file's order, and where the
- * vehicle starts. Immutable; its goals are frozen and have unique names.
+ * vehicle starts. Its goals have unique names and are frozen, but for waypoints that lack a
+ * threshold (see {@link #load(Path)}): nobody can publish those.
  */
 public final class Mission {
-  /**
-   * Horizontal threshold of waypoints for which neither the mission nor a configuration says one
-   * [m].
-   */
-  public static final double DEFAULT_THRESHOLD_M = 100.0;
-
   private final String origin;
   private final Optional<Home> home;
   private final List<GoalInformation> goals;
@@ -36,16 +32,18 @@ public final class Mission {
     this.home = home;
     this.goals = Collections.unmodifiableList(new ArrayList<>(goals));
     this.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
-    goals.forEach(GoalInformation::freeze);
   }
 
   /**
-   * Reads a mission with all goal classes on the class path and {@link #DEFAULT_THRESHOLD_M}.
+   * Reads a mission with all goal classes on the class path, as its file has it: a waypoint for
+   * which the file gives no horizontal threshold has none, and asking for it throws. What it is
+   * then depends on the vehicle (variable DEFAULT THRESHOLD of its Mission Manager).
    *
    * @throws BadInputException naming file, line, element, value and what was expected
    */
   public static Mission load(Path file) {
-    return load(file, MessageTypes.discovered(), DEFAULT_THRESHOLD_M);
+    return parse(
+        XmlReader.read(file, "mission"), MessageTypes.discovered(), OptionalDouble.empty());
   }
 
   /**
@@ -56,10 +54,10 @@ public final class Mission {
    * @throws BadInputException naming file, line, element, value and what was expected
    */
   public static Mission load(Path file, MessageTypes types, double defaultThresholdM) {
-    return parse(XmlReader.read(file, "mission"), types, defaultThresholdM);
+    return parse(XmlReader.read(file, "mission"), types, OptionalDouble.of(defaultThresholdM));
   }
 
-  static Mission parse(XmlElement root, MessageTypes types, double defaultThresholdM) {
+  static Mission parse(XmlElement root, MessageTypes types, OptionalDouble defaultThresholdM) {
     return new MissionReader(types, defaultThresholdM).read(root);
   }
 

@@ -37,6 +37,9 @@ public final class MissionManager extends EventDrivenService {
   /** The mission by which it lands; the Safety Manager asks whether there is one. */
   public static final Variable<String> LAND_MISSION = FailsafeMissions.LAND_MISSION;
 
+  /** The horizontal threshold of waypoints whose mission gives none [m]. */
+  public static final Variable<Double> DEFAULT_THRESHOLD = MissionVariables.DEFAULT_THRESHOLD;
+
   /** The goal to which a vehicle returns on command. */
   static final String HOME = "home";
 

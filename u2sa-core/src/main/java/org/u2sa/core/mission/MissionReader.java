@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.GoalInformation;
@@ -16,9 +17,9 @@ import org.u2sa.messages.Waypoint;
 /** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and refuses what contradicts itself. */
 final class MissionReader {
   private final MessageTypes types;
-  private final double defaultThresholdM;
+  private final OptionalDouble defaultThresholdM;
 
-  MissionReader(MessageTypes types, double defaultThresholdM) {
+  MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
     this.types = types;
     this.defaultThresholdM = defaultThresholdM;
   }
@@ -44,9 +45,8 @@ final class MissionReader {
 
   private void add(Map<String, GoalElement> goals, XmlElement element) {
     GoalElement goal = GoalElement.read(element, goalType(element));
-    if (goal.message() instanceof Waypoint waypoint
-        && goal.field("horizontalThreshold").isEmpty()) {
-      waypoint.horizontalThreshold(defaultThresholdM);
+    if (lacksThreshold(goal)) {
+      defaultThresholdM.ifPresent(((Waypoint) goal.message())::horizontalThreshold);
     }
     if (goal.field("uid").isEmpty()) {
       goal.message().uid(String.valueOf(goals.size() + 1));
@@ -62,6 +62,10 @@ final class MissionReader {
                   + goal.message().uid()
                   + "\" already; names must differ (without one, a goal's name is its number in the file)");
     }
+  }
+
+  private static boolean lacksThreshold(GoalElement goal) {
+    return goal.message() instanceof Waypoint && goal.field("horizontalThreshold").isEmpty();
   }
 
   private MessageType<? extends GoalInformation> goalType(XmlElement element) {
@@ -104,9 +108,14 @@ final class MissionReader {
     return names;
   }
 
-  private static List<GoalInformation> messages(Map<String, GoalElement> goals) {
+  private List<GoalInformation> messages(Map<String, GoalElement> goals) {
     List<GoalInformation> messages = new ArrayList<>();
-    goals.values().forEach(goal -> messages.add(goal.message()));
+    for (GoalElement goal : goals.values()) {
+      if (defaultThresholdM.isPresent() || !lacksThreshold(goal)) {
+        goal.message().freeze();
+      }
+      messages.add(goal.message());
+    }
     return messages;
   }
 }

@@ -23,10 +23,10 @@ final class MissionVariables {
           .describedAs(
               "Of several next goals, whether ALL are to be finished before what follows, or ANY one.");
 
+  /** Without a default: what is near enough for an aircraft is another place for a rover. */
   static final Variable<Double> DEFAULT_THRESHOLD =
       Variable.number("DEFAULT THRESHOLD", "m")
           .range(Range.positive())
-          .ifAbsent(Mission.DEFAULT_THRESHOLD_M)
           .describedAs("Horizontal threshold of waypoints that give none.");
 
   private MissionVariables() {}

@@ -49,7 +49,7 @@ final class WaypointRules {
   }
 
   private static void checkThresholds(GoalElement goal, Waypoint waypoint) {
-    if (waypoint.horizontalThreshold() == 0.0) {
+    if (goal.field("horizontalThreshold").isPresent() && waypoint.horizontalThreshold() == 0.0) {
       throw element(goal, "horizontalThreshold")
           .error("0.0 m can never be met; expected more than 0 m");
     }

@@ -38,7 +38,7 @@ class FailsafeMissionTest {
 
   @BeforeEach
   void configure() throws IOException {
-    kit.with("MISSION", write("mission.xml", HOME));
+    kit.with("MISSION", write("mission.xml", HOME)).with("DEFAULT THRESHOLD", 1.0);
   }
 
   @AfterEach

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -44,7 +45,7 @@ class MissionDocumentTest {
           Mission.parse(
               XmlReader.read(new ByteArrayInputStream(bytes), "docs/missions.md", "mission"),
               MessageTypes.standard(),
-              Mission.DEFAULT_THRESHOLD_M);
+              OptionalDouble.of(2.0));
       assertThat(mission.warnings()).isEmpty();
     }
   }

@@ -120,12 +120,7 @@ class MissionManagerTest extends ThreeWaypoints {
 
     assertThat(goals().goals())
         .singleElement()
-        .isEqualTo(
-            new Waypoint()
-                .uid("home")
-                .x(8.0)
-                .y(50.0)
-                .horizontalThreshold(Mission.DEFAULT_THRESHOLD_M));
+        .isEqualTo(new Waypoint().uid("home").x(8.0).y(50.0).horizontalThreshold(DEFAULT_M));
     kit.publish(Channels.GOAL_REPORTS, report("home").completed(true));
     assertThat(goals().goals()).isEmpty();
   }

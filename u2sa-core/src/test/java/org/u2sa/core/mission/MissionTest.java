@@ -7,6 +7,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Paths;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -24,7 +25,7 @@ class MissionTest {
         XmlReader.read(
             new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "m.xml", "mission"),
         MessageTypes.standard(),
-        80.0);
+        OptionalDouble.of(80.0));
   }
 
   private static Waypoint only(String content) {

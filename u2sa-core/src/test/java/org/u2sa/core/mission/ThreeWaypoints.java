@@ -15,6 +15,8 @@ import org.u2sa.testkit.ServiceKit;
 
 /** Tests of a MissionManager with a mission of three waypoints. */
 abstract class ThreeWaypoints {
+  static final double DEFAULT_M = 7.0;
+
   final ServiceKit kit = new ServiceKit();
   @TempDir Path directory;
   Path file;
@@ -25,7 +27,7 @@ abstract class ThreeWaypoints {
     Files.writeString(
         file,
         "<mission><waypoint><x>1</x></waypoint><waypoint><x>2</x></waypoint><waypoint><x>3</x></waypoint></mission>");
-    kit.with("MISSION", file.toString());
+    kit.with("MISSION", file.toString()).with("DEFAULT THRESHOLD", DEFAULT_M);
   }
 
   @AfterEach

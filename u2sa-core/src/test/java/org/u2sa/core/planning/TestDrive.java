@@ -41,6 +41,7 @@ final class TestDrive implements AutoCloseable {
       Map<String, Object> planner,
       Function<ServiceContext, U2SAService> make) {
     this.vehicle = vehicle;
+    kit.with("DEFAULT THRESHOLD", 100.0);
     manager.forEach(kit::with);
     kit.start(MissionManager::new);
     kit.withoutVariables();

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.launch.VehicleMission;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.gcs.DemoOptions;
@@ -61,11 +62,12 @@ final class CessnaDemo implements Callable<Integer> {
   public Integer call() throws InterruptedException, IOException {
     Path home = CessnaFiles.root();
     Path missionFile = options.mission().orElse(home.resolve("missions/cessna/mission.xml"));
-    Mission mission = Mission.load(missionFile);
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
+    LaunchOptions changed = new LaunchOptions();
+    changes.applyTo(changed);
+    Mission mission = VehicleMission.load(system, changed, missionFile);
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     windOf(options.seed());
-    changes.settings();
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(

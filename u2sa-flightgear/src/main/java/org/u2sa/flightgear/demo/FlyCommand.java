@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.launch.VehicleMission;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
@@ -77,9 +78,12 @@ final class FlyCommand implements Callable<Integer> {
       return ExitCode.DONE;
     }
     Path root = CessnaFiles.root();
-    Mission mission =
-        Mission.load(options.mission().orElse(root.resolve("missions/cessna/mission.xml")));
     SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
+    Mission mission =
+        VehicleMission.load(
+            system,
+            new LaunchOptions(),
+            options.mission().orElse(root.resolve("missions/cessna/mission.xml")));
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     patience();
     return new RunLoop(options, command.commandLine().getOut())

@@ -22,6 +22,7 @@ public final class RunRecord {
   private final Track track = new Track();
   private final Consumer<TrackSample> screen;
   private int leg = -1;
+  private boolean seen = true; // whether a sample shows the present target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
   private volatile int completed;
@@ -38,12 +39,21 @@ public final class RunRecord {
 
   /** Takes note of what the Mission Manager pursues. */
   public void follow(GoalList goals) {
+    seen = false;
     if (goals.goals().isEmpty()) {
       leg = names.size();
       missionOver = true;
     } else {
       leg = names.indexOf(goals.goals().get(0).uid());
     }
+  }
+
+  /**
+   * Whether the target has had no {@link #moment} yet: before another takes its place it needs one,
+   * or the score would not know that it was the target.
+   */
+  public boolean isTargetUnseen() {
+    return !seen && leg >= 0 && leg < names.size();
   }
 
   /** Takes note of a goal that the Path Planner reports. */
@@ -85,6 +95,7 @@ public final class RunRecord {
             phase,
             flight);
     track.append(sample);
+    seen = true;
     readings++;
     screen.accept(sample);
   }

@@ -9,8 +9,8 @@ public enum Domain {
    */
   AIR(1000.0, 500.0, "flown"),
   /**
-   * A ground vehicle, over metres. It turns beside the waypoint, within the 2 m in which that
-   * counts as reached, and then needs about a metre to be on the line.
+   * A ground vehicle, over metres. It turns beside the waypoint, up to 2 m away where a mission
+   * allows that much, and then needs about a metre to be on the line.
    */
   GROUND(3.0, 10.0, "driven");
 

@@ -34,6 +34,14 @@ public record RunScore(
     return (int) waypoints.stream().filter(WaypointResult::captured).count();
   }
 
+  /** How many waypoints were passed within a distance [m], whatever their own capture radius. */
+  int within(double distanceM) {
+    return (int)
+        waypoints.stream()
+            .filter(result -> result.missM().orElse(Double.POSITIVE_INFINITY) <= distanceM)
+            .count();
+  }
+
   /**
    * Whether all waypoints were captured, at least one was planned, and the {@linkplain
    * RunOutcome#isClean outcome is clean}: what exit code 0 asks for.

@@ -8,6 +8,9 @@ import java.util.OptionalDouble;
 /** Writes {@code summary.json} of one run, keys in a fixed order. */
 final class SummaryJson {
 
+  /** What IGVC's qualification asks for, whatever the mission does [m]. */
+  private static final double QUALIFYING_M = 2.0;
+
   private final SummaryNumbers numbers;
   private final JsonGenerator json;
 
@@ -32,6 +35,9 @@ final class SummaryJson {
     json.writeBooleanField("success", score.success());
     json.writeNumberField("waypoints", planned);
     json.writeNumberField("waypointsCaptured", score.captured());
+    if (domain == Domain.GROUND) {
+      json.writeNumberField("waypointsWithin2M", score.within(QUALIFYING_M));
+    }
     json.writeNumberField("goals", planned);
     json.writeNumberField("goalsCompleted", facts.goalsCompleted().orElse(score.captured()));
     json.writeArrayFieldStart("perWaypoint");

@@ -37,7 +37,7 @@ final class Laps {
     number(text, "x", OptionalDouble.of(home.x()));
     number(text, "y", OptionalDouble.of(home.y()));
     number(text, "z", home.z());
-    number(text, "psi", OptionalDouble.of(Math.toDegrees(home.headingRad().orElse(0.0))));
+    home.headingRad().ifPresent(rad -> number(text, "psi", OptionalDouble.of(Math.toDegrees(rad))));
     text.append("  </home>\n");
     for (int lap = 1; lap <= laps; lap++) {
       for (GoalInformation goal : mission.goals()) {

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.launch.VehicleMission;
 import org.u2sa.core.mission.Home;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.drivers.ioio.IoioService;
@@ -50,6 +51,7 @@ final class UgvDemo implements Callable<Integer> {
   @Mixin private DemoOptions options;
   @Mixin private BrokerPort broker;
   @Mixin private RunChanges changes;
+  @Mixin private ConditionOptions around;
   @Spec private CommandSpec command;
 
   @Option(
@@ -84,16 +86,20 @@ final class UgvDemo implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException, IOException {
     Path root = UgvFiles.root();
-    Mission mission = Mission.load(options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
     SystemFile system = SystemFile.read(root.resolve("config/ugv").resolve(systemFile()));
-    UgvFiles.home(mission); // what is wrong is said before anything is made
-    changes.settings();
+    LaunchOptions changed = new LaunchOptions();
+    changes.applyTo(changed);
+    Mission mission =
+        VehicleMission.load(
+            system, changed, options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
+    // what is wrong is said before anything is made
+    DriveConditions conditions = around.conditions(vehicle, UgvFiles.plan(mission));
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(
             NAME,
             (directory, seed, interruption) ->
-                drive(system, mission, planned, directory, seed, interruption));
+                drive(system, mission, conditions, planned, directory, seed, interruption));
   }
 
   private String systemFile() {
@@ -111,6 +117,7 @@ final class UgvDemo implements Callable<Integer> {
   private RunReport drive(
       SystemFile system,
       Mission mission,
+      DriveConditions conditions,
       List<PlannedSwap> swaps,
       Path directory,
       long seed,
@@ -120,7 +127,7 @@ final class UgvDemo implements Callable<Integer> {
     Mission driven =
         Laps.write(mission, wanted, receiver.leastThresholdM(), directory.resolve("mission.xml"));
     Home home = UgvFiles.home(driven);
-    UgvWorld world = new UgvWorld(home, vehicle, receiver, seed, Hazards.none());
+    UgvWorld world = new UgvWorld(home, vehicle, receiver, seed, Hazards.none(), conditions);
     DemoRun run =
         new DemoRun(
                 NAME,
@@ -132,17 +139,19 @@ final class UgvDemo implements Callable<Integer> {
                 options.terminal(),
                 interruption)
             .swapping(swaps);
-    return drive(run, launch(system, driven), world, seed);
+    return drive(run, launch(system, driven), world, conditions.words(), seed);
   }
 
-  private RunReport drive(DemoRun run, LaunchOptions launch, UgvWorld world, long seed)
+  private RunReport drive(
+      DemoRun run, LaunchOptions launch, UgvWorld world, String words, long seed)
       throws InterruptedException {
     String simulator =
         vehicle.words()
             + " behind an IOIO, "
             + receiver.words()
             + ", "
-            + control.name().toLowerCase(Locale.ROOT);
+            + control.name().toLowerCase(Locale.ROOT)
+            + (words.isEmpty() ? "" : ", " + words);
     if (options.realtime()) {
       BoardServer server = new BoardServer(world, simulator);
       launch.override("IoioService", "CONNECTION", server.address());

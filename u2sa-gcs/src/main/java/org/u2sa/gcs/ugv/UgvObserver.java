@@ -52,6 +52,9 @@ final class UgvObserver extends PeriodicService implements RunObserver {
   @Override
   public void callback(U2SAData data) {
     if (data instanceof GoalList goals) {
+      if (record.isTargetUnseen()) { // waypoints nearer to each other than two looks
+        look();
+      }
       record.follow(goals);
     } else if (data instanceof GoalInformation report) {
       record.reported(report);
@@ -64,9 +67,16 @@ final class UgvObserver extends PeriodicService implements RunObserver {
 
   @Override
   protected void step(double nowS) {
+    if (look()) {
+      lookForTheEnd(lastS);
+    }
+  }
+
+  /** Records the truth; false if its time stands still, as until the board is there. */
+  private boolean look() {
     GroundState truth = world.truth();
     if (truth.timeS() <= lastS) {
-      return; // the vehicle's time stands still until the board is there
+      return false;
     }
     lastS = truth.timeS();
     unarmed.see(truth);
@@ -83,7 +93,7 @@ final class UgvObserver extends PeriodicService implements RunObserver {
         truth.speedMps(),
         truth.timeS() - movedS < STANDS_AFTER_S ? "DRIVES" : "STANDS",
         Optional.empty());
-    lookForTheEnd(truth.timeS());
+    return true;
   }
 
   private void lookForTheEnd(double timeS) {

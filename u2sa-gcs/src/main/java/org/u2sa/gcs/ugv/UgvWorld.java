@@ -11,6 +11,7 @@ import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.ground.MiniMolle;
+import org.u2sa.sim.ground.Terrain;
 import org.u2sa.sim.ioio.IoioBoard;
 import org.u2sa.sim.ioio.IoioFirmware;
 import org.u2sa.sim.ioio.IoioInProcess;
@@ -28,6 +29,7 @@ final class UgvWorld {
   private static final double MOST_MISMATCH = 0.05;
 
   private final LocalPlane plane;
+  private final Terrain terrain;
   private final MiniMolle vehicle;
   private final IoioFirmware board;
   private final IoioInProcess cable;
@@ -37,17 +39,35 @@ final class UgvWorld {
    * @param hazards what goes wrong
    */
   UgvWorld(Home home, VehicleKind kind, Receiver receiver, long seed, Hazards hazards) {
+    this(home, kind, receiver, seed, hazards, DriveConditions.usual());
+  }
+
+  /**
+   * @param conditions of vehicle and ground
+   */
+  UgvWorld(
+      Home home,
+      VehicleKind kind,
+      Receiver receiver,
+      long seed,
+      Hazards hazards,
+      DriveConditions conditions) {
     Geodetic place = home.geodetic().orElseThrow();
     plane = new LocalPlane(place);
-    double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
+    terrain = conditions.terrain();
+    double bySeed = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
+    double mismatch = conditions.mismatch().orElse(bySeed);
+    GroundStart start = new GroundStart(0.0, 0.0, home.headingRad().orElse(0.0));
     double declinationRad =
         MagneticModel.declinationRad(
             place.latitudeDeg(), place.longitudeDeg(), place.altitudeM(), YEAR);
     vehicle =
         MiniMolle.on(plane)
-            .vehicle(kind.make(new GroundStart(0.0, 0.0, home.headingRad().orElse(0.0)), mismatch))
+            .vehicle(kind.make(start, mismatch, conditions.payloadKg()))
             .gps(receiver.parameters(), UbloxSettings.factory())
             .compass(CompassParameters.calibrated(declinationRad), COMPASS_BAUD)
+            .surface(conditions.surface())
+            .terrain(terrain)
             .hazards(hazards)
             .seed(seed)
             .build();
@@ -83,6 +103,6 @@ final class UgvWorld {
 
   /** Where on the earth that is. */
   Geodetic place(GroundState truth) {
-    return plane.at(truth.eastM(), truth.northM(), 0.0);
+    return plane.at(truth.eastM(), truth.northM(), terrain.heightM(truth.eastM(), truth.northM()));
   }
 }

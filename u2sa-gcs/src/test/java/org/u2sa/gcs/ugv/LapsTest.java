@@ -11,9 +11,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.Waypoint;
 
 class LapsTest {
+  private static final double DEFAULT_M = 3.0;
   private static final String HOME = "<home><x>-81</x><y>29</y><psi>90</psi></home>";
   private static final String TWO =
       "<waypoint><name>door &amp; gate</name><x>-81.001</x><y>29</y><horizontalThreshold>0.5</horizontalThreshold></waypoint>"
@@ -23,7 +25,9 @@ class LapsTest {
 
   private Mission mission(String text) throws IOException {
     return Mission.load(
-        Files.writeString(directory.resolve("given.xml"), "<mission>" + text + "</mission>"));
+        Files.writeString(directory.resolve("given.xml"), "<mission>" + text + "</mission>"),
+        MessageTypes.discovered(),
+        DEFAULT_M);
   }
 
   private Mission laps(String text, int laps, double leastThresholdM) throws IOException {
@@ -40,7 +44,7 @@ class LapsTest {
     Waypoint last = (Waypoint) laps.goals().get(3);
     assertThat(last.y()).hasValue(29.001);
     assertThat(last.speed()).hasValue(0.4);
-    assertThat(last.horizontalThreshold()).isEqualTo(Mission.DEFAULT_THRESHOLD_M);
+    assertThat(last.horizontalThreshold()).isEqualTo(DEFAULT_M);
     assertThat(laps.home().orElseThrow().headingRad().orElseThrow()).isEqualTo(Math.PI / 2.0);
   }
 
@@ -49,8 +53,7 @@ class LapsTest {
     Mission laps = laps(HOME + TWO, 1, 1.5);
 
     assertThat(((Waypoint) laps.goals().get(0)).horizontalThreshold()).isEqualTo(1.5);
-    assertThat(((Waypoint) laps.goals().get(1)).horizontalThreshold())
-        .isEqualTo(Mission.DEFAULT_THRESHOLD_M);
+    assertThat(((Waypoint) laps.goals().get(1)).horizontalThreshold()).isEqualTo(DEFAULT_M);
   }
 
   @Test

@@ -6,6 +6,7 @@ package org.u2sa.sim.ground;
  * @param massKg without payload [kg]
  * @param yawInertiaKgM2 without payload, about its own centre of gravity [kg m²]
  * @param cogAheadM of the rear axle, without payload [m]
+ * @param cogHeightM height of the centre of gravity, with and without payload [m]
  * @param wheelbaseM [m]
  * @param wheelRadiusM [m]
  * @param wheelInertiaKgM2 of all that turns with the rear axle, without motor [kg m²]
@@ -17,6 +18,7 @@ public record AckermannParameters(
     double massKg,
     double yawInertiaKgM2,
     double cogAheadM,
+    double cogHeightM,
     double wheelbaseM,
     double wheelRadiusM,
     double wheelInertiaKgM2,
@@ -35,6 +37,7 @@ public record AckermannParameters(
     Arguments.requirePositive("yaw inertia", yawInertiaKgM2);
     Arguments.requirePositive("wheelbase", wheelbaseM);
     Arguments.requireInside("centre of gravity ahead", cogAheadM, 0.0, wheelbaseM);
+    Arguments.requireInside("height of the centre of gravity", cogHeightM, 0.0, 2.0);
     Arguments.requirePositive("wheel radius", wheelRadiusM);
     Arguments.requirePositive("wheel inertia", wheelInertiaKgM2);
     Arguments.requireInside("steering angle", steerMaxRad, 0.01, 1.2);
@@ -44,14 +47,16 @@ public record AckermannParameters(
 
   /**
    * A 1:10 truck. Mass, inertia, axles, steering angle and rate are those of F1TENTH's simulator
-   * (f1tenth_gym: m 3.74 kg, I 0.04712 kg m², lf 0.15875 m, lr 0.17145 m, 0.4189 rad, 3.2 rad/s);
-   * geared for 1.9 m/s. The servo's lag is a hobby servo's 0.1 s for 60°, taken as 0.05 s.
+   * (f1tenth_gym: m 3.74 kg, I 0.04712 kg m², lf 0.15875 m, lr 0.17145 m, h 0.074 m, 0.4189 rad,
+   * 3.2 rad/s); geared for 1.9 m/s. The servo's lag is a hobby servo's 0.1 s for 60°, taken as 0.05
+   * s.
    */
   public static AckermannParameters truck() {
     return new AckermannParameters(
         3.74,
         0.04712,
         0.17145,
+        0.074,
         0.3302,
         0.055,
         0.0005,
@@ -70,6 +75,7 @@ public record AckermannParameters(
         massKg,
         yawInertiaKgM2,
         cogAheadM,
+        cogHeightM,
         wheelbaseM,
         wheelRadiusM,
         wheelInertiaKgM2,

@@ -3,8 +3,8 @@ package org.u2sa.sim.ground;
 /**
  * A vehicle that steers with its front wheels and drives its rear axle, as a single track: at a
  * walk it is the kinematic bicycle, faster its tyres run at slip angles (Rajamani, Vehicle Dynamics
- * and Control, chapter 2, with forces limited by grip). Commands: throttle, steering. Loads are
- * those at rest: acceleration moves no weight.
+ * and Control, chapter 2, with forces limited by grip). Commands: throttle, steering. Slopes move
+ * weight between the axles, acceleration does not.
  */
 public final class AckermannVehicle extends PlanarVehicle {
   private static final int REAR = FREE;
@@ -13,6 +13,7 @@ public final class AckermannVehicle extends PlanarVehicle {
   private static final int SIZE = STEER + 1;
 
   private final AckermannParameters p;
+  private final Chassis chassis;
   private final DrivenWheel rear;
   private final SteeredWheel front;
   private double steerTarget = Double.NaN; // NaN: limp
@@ -34,6 +35,7 @@ public final class AckermannVehicle extends PlanarVehicle {
   private AckermannVehicle(AckermannParameters p, GroundStart start, Chassis chassis) {
     super(start, SIZE, chassis.centred(), new Battery(p.battery()));
     this.p = p;
+    this.chassis = chassis;
     double weight = chassis.massKg() * GRAVITY_MPS2;
     double frontN = weight * chassis.cogAheadM() / p.wheelbaseM();
     if (!(frontN > 0.0 && frontN < weight)) {
@@ -45,6 +47,15 @@ public final class AckermannVehicle extends PlanarVehicle {
         new DrivenWheel(
             x, 0.0, weight - frontN, p.wheelRadiusM(), p.wheelInertiaKgM2(), p.motor(), p.tyre());
     front = new SteeredWheel(x + p.wheelbaseM(), frontN, p.tyre());
+  }
+
+  @Override
+  void lean(double pressing, double forward, double right) {
+    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double ahead = pressing * chassis.cogAheadM() + forward * p.cogHeightM();
+    double frontN = weight * ahead / p.wheelbaseM();
+    rear.load(Math.max(LEAST_LOAD_N, weight * pressing - frontN));
+    front.load(Math.max(LEAST_LOAD_N, frontN));
   }
 
   @Override

@@ -8,7 +8,7 @@ final class Castor {
   private final double x; // of the pivot, by the centre of gravity [m]
   private final double y;
   private final double trailM;
-  private final double loadN;
+  private double loadN;
   private double dragN;
 
   // results of derive(), on the vehicle at the pivot
@@ -20,6 +20,11 @@ final class Castor {
     this.y = y;
     this.trailM = trailM;
     this.loadN = loadN;
+  }
+
+  /** Takes what the wheel carries from now on [N], above 0. */
+  void load(double newtons) {
+    loadN = newtons;
   }
 
   void ground(double rolling) {

@@ -6,6 +6,7 @@ package org.u2sa.sim.ground;
  * @param massKg without payload [kg]
  * @param yawInertiaKgM2 without payload, about its own centre of gravity [kg m²]
  * @param cogAheadM of the driven axle, without payload [m]
+ * @param cogHeightM height of the centre of gravity, with and without payload [m]
  * @param trackM between the driven wheels' middles [m]
  * @param castorAheadM the castor's pivot, ahead of the driven axle [m]
  * @param castorTrailM by which the castor's wheel is behind its pivot [m]
@@ -17,6 +18,7 @@ public record DifferentialParameters(
     double massKg,
     double yawInertiaKgM2,
     double cogAheadM,
+    double cogHeightM,
     double trackM,
     double castorAheadM,
     double castorTrailM,
@@ -33,6 +35,7 @@ public record DifferentialParameters(
   public DifferentialParameters {
     Arguments.requirePositive("mass", massKg);
     Arguments.requirePositive("yaw inertia", yawInertiaKgM2);
+    Arguments.requireInside("height of the centre of gravity", cogHeightM, 0.0, 2.0);
     Arguments.requirePositive("track", trackM);
     Arguments.requirePositive("castor ahead", castorAheadM);
     Arguments.requirePositive("castor trail", castorTrailM);
@@ -53,6 +56,7 @@ public record DifferentialParameters(
         20.0,
         0.94,
         0.08,
+        0.20,
         0.44,
         0.42,
         0.04,
@@ -86,6 +90,7 @@ public record DifferentialParameters(
         massKg,
         yawInertiaKgM2,
         cogAheadM,
+        cogHeightM,
         trackM,
         castorAheadM,
         castorTrailM,

@@ -3,7 +3,8 @@ package org.u2sa.sim.ground;
 /**
  * A vehicle that steers by the difference of its two driven wheels, with a castor in front: the
  * Mini-Molle of thesis 4.6.3. Its wheels creep and slide, scrub in turns, and load the battery.
- * Loads are those at rest: acceleration moves no weight.
+ * Slopes move weight between the wheels, acceleration does not; a wheel that would lift carries 1
+ * N.
  */
 public final class DifferentialVehicle extends PlanarVehicle {
   private static final int LEFT = FREE;
@@ -11,6 +12,8 @@ public final class DifferentialVehicle extends PlanarVehicle {
   private static final int CASTOR = RIGHT + DrivenWheel.SIZE;
   private static final int SIZE = CASTOR + 1;
 
+  private final DifferentialParameters p;
+  private final Chassis chassis;
   private final double mismatch;
   private final DrivenWheel left;
   private final DrivenWheel right;
@@ -32,6 +35,8 @@ public final class DifferentialVehicle extends PlanarVehicle {
 
   private DifferentialVehicle(DifferentialParameters p, GroundStart start, Chassis chassis) {
     super(start, SIZE, chassis, new Battery(p.battery()));
+    this.p = p;
+    this.chassis = chassis;
     mismatch = p.mismatch();
     double weight = chassis.massKg() * GRAVITY_MPS2;
     double castorN = weight * chassis.cogAheadM() / p.castorAheadM();
@@ -44,6 +49,19 @@ public final class DifferentialVehicle extends PlanarVehicle {
     left = wheel(p, x, -p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 - shiftN);
     right = wheel(p, x, p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 + shiftN);
     castor = new Castor(x + p.castorAheadM(), -chassis.cogRightM(), p.castorTrailM(), castorN);
+  }
+
+  @Override
+  void lean(double pressing, double forward, double right) {
+    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double ahead = pressing * chassis.cogAheadM() + forward * p.cogHeightM();
+    double aside = pressing * chassis.cogRightM() + right * p.cogHeightM();
+    double castorN = weight * ahead / p.castorAheadM();
+    double axleN = weight * pressing - castorN;
+    double shiftN = weight * aside / p.trackM();
+    castor.load(Math.max(LEAST_LOAD_N, castorN));
+    left.load(Math.max(LEAST_LOAD_N, axleN / 2.0 - shiftN));
+    this.right.load(Math.max(LEAST_LOAD_N, axleN / 2.0 + shiftN));
   }
 
   private static DrivenWheel wheel(DifferentialParameters p, double x, double y, double loadN) {

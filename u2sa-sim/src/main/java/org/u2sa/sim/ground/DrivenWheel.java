@@ -23,7 +23,7 @@ final class DrivenWheel {
   final double x;
 
   final double y;
-  private final double loadN;
+  private double loadN;
   private final double radiusM;
   private final double inertia;
   private final MotorParameters motor;
@@ -31,7 +31,7 @@ final class DrivenWheel {
   private final double loss;
   private final double drag;
   private final TyreParameters tyre;
-  private final double stiffness;
+  private double stiffness;
 
   // held during a tick
   private boolean powered;
@@ -63,7 +63,6 @@ final class DrivenWheel {
       TyreParameters tyre) {
     this.x = x;
     this.y = y;
-    this.loadN = loadN;
     this.radiusM = radiusM;
     this.motor = motor;
     this.tyre = tyre;
@@ -71,7 +70,13 @@ final class DrivenWheel {
     this.constant = motor.constant();
     this.loss = 1.0 - motor.efficiency();
     this.drag = motor.dragNm();
-    this.stiffness = tyre.slipStiffness() * loadN / tyre.relaxationM();
+    load(loadN);
+  }
+
+  /** Takes what the wheel carries from now on [N], above 0. */
+  void load(double newtons) {
+    loadN = newtons;
+    stiffness = tyre.slipStiffness() * loadN / tyre.relaxationM();
   }
 
   /** Takes what stays during a tick. NaN: no pulses, the motor is off. */

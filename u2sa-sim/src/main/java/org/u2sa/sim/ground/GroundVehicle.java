@@ -1,9 +1,9 @@
 package org.u2sa.sim.ground;
 
 /**
- * One simulated ground vehicle on a level plane. It steps at 500 Hz inside, whatever steps it is
- * asked for, and gives the same doubles for the same start and inputs on every machine. Not safe
- * for several threads.
+ * One simulated ground vehicle, on level ground until it gets other {@link #terrain}. It steps at
+ * 500 Hz inside, whatever steps it is asked for, and gives the same doubles for the same start and
+ * inputs on every machine. Not safe for several threads.
  */
 public interface GroundVehicle {
   /** Rate of the physics inside [1/s]. */
@@ -37,6 +37,9 @@ public interface GroundVehicle {
    * @param charge 0…1
    */
   void charge(double charge);
+
+  /** Puts hills under the vehicle. */
+  void terrain(Terrain terrain);
 
   /** Exchanges the ground that the vehicle stands on. */
   void ground(Surface surface);

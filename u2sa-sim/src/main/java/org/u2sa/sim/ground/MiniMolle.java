@@ -29,6 +29,7 @@ public final class MiniMolle implements Pins {
   private final MiniMolleWiring wiring;
   private final GroundVehicle vehicle;
   private final LocalPlane plane;
+  private final Terrain terrain;
   private final UbloxReceiver gps;
   private final SpartonDevice compass;
   private final VoltmeterModel voltmeter;
@@ -45,6 +46,10 @@ public final class MiniMolle implements Pins {
     wiring = parts.wiring;
     vehicle = parts.vehicle;
     plane = parts.plane;
+    terrain = parts.terrain;
+    if (terrain != Terrain.flat()) {
+      vehicle.terrain(terrain);
+    }
     gps = parts.gps();
     compass = parts.compass();
     voltmeter = parts.voltmeter();
@@ -88,8 +93,18 @@ public final class MiniMolle implements Pins {
 
   private void sense(long micros) {
     GroundState s = state;
+    double climbMps =
+        terrain.riseEast(s.eastM(), s.northM()) * s.eastMps()
+            + terrain.riseNorth(s.eastM(), s.northM()) * s.northMps();
     TrueMotion truth =
-        new TrueMotion(s.eastM(), s.northM(), 0.0, s.eastMps(), s.northMps(), 0.0, s.headingRad());
+        new TrueMotion(
+            s.eastM(),
+            s.northM(),
+            heightM(s),
+            s.eastMps(),
+            s.northMps(),
+            climbMps + 0.0, // no negative zero on level ground
+            s.headingRad());
     gps.advance(micros, truth, hazards.gpsBlocked(micros / US_PER_S));
     compass.advance(
         micros, truth, hazards.field(s.eastM(), s.northM(), s.leftMotorA(), s.rightMotorA()));
@@ -155,7 +170,11 @@ public final class MiniMolle implements Pins {
   /** Where the vehicle truly is on earth. */
   public Geodetic place() {
     GroundState s = state;
-    return plane.at(s.eastM(), s.northM(), 0.0);
+    return plane.at(s.eastM(), s.northM(), heightM(s));
+  }
+
+  private double heightM(GroundState s) {
+    return terrain.heightM(s.eastM(), s.northM());
   }
 
   /** What reached the motors in the last tick, from whoever drives. */

@@ -26,6 +26,7 @@ public final class MiniMolleBuilder {
   MiniMolleWiring wiring = MiniMolleWiring.standard();
   GroundVehicle vehicle = new DifferentialVehicle(DifferentialParameters.miniMolle());
   Surface surface = Surface.lawn();
+  Terrain terrain = Terrain.flat();
   Hazards hazards = Hazards.none();
   private GpsParameters gps = GpsParameters.survey();
   private UbloxSettings gpsSettings = UbloxSettings.binary(BAUD, AT_9600_HZ);
@@ -47,6 +48,12 @@ public final class MiniMolleBuilder {
   /** Other ground. */
   public MiniMolleBuilder surface(Surface newSurface) {
     surface = Objects.requireNonNull(newSurface, "surface");
+    return this;
+  }
+
+  /** Hills. */
+  public MiniMolleBuilder terrain(Terrain newTerrain) {
+    terrain = Objects.requireNonNull(newTerrain, "terrain");
     return this;
   }
 

@@ -5,9 +5,9 @@ import org.u2sa.sim.motion.Motion;
 import org.u2sa.sim.motion.RungeKutta;
 
 /**
- * A rigid body on a plane: what all ground vehicles share. Axes as in the aircraft: x forward, y
- * right, turns clockwise positive, seen from above. Velocities are those of the centre of gravity,
- * the position is that of the reference point.
+ * A rigid body on a plane, or on gentle slopes: what all ground vehicles share. Axes as in the
+ * aircraft: x forward, y right, turns clockwise positive, seen from above. Velocities are those of
+ * the centre of gravity, the position is that of the reference point.
  */
 abstract class PlanarVehicle implements GroundVehicle {
   static final int EAST = 0;
@@ -21,6 +21,8 @@ abstract class PlanarVehicle implements GroundVehicle {
   static final double TICK_S = 1.0 / TICKS_PER_SECOND;
   static final double GRAVITY_MPS2 = 9.80665;
   static final double FRICTION_FULL_MPS = 0.05; // free wheels: below, their drag fades
+
+  static final double LEAST_LOAD_N = 1.0; // of a wheel that would lift
 
   private static final double LONGEST_STEP_S = 60.0;
   private static final double TURN_RAD = 2.0 * Math.PI;
@@ -40,6 +42,9 @@ abstract class PlanarVehicle implements GroundVehicle {
   private double pushEast;
   private double pushNorth;
   private double pushTurn;
+  private Terrain terrain = Terrain.flat();
+  private double pullEast; // gravity along the slope [N], held during a tick
+  private double pullNorth;
   private long ticks;
   private double dueS;
   private boolean resting;
@@ -65,6 +70,15 @@ abstract class PlanarVehicle implements GroundVehicle {
 
   /** Adds the vehicle's own forces with {@link #force} and gives its own states' rates. */
   abstract void derive(double[] state, double[] rates);
+
+  /**
+   * Takes what the slope makes of the wheels' loads.
+   *
+   * @param pressing share of the weight that presses on the ground, 1 on level ground
+   * @param forward share of the weight that pulls ahead: negative uphill
+   * @param right share of the weight that pulls to the right
+   */
+  abstract void lean(double pressing, double forward, double right);
 
   /** After a tick's integration. */
   abstract void settle();
@@ -108,8 +122,11 @@ abstract class PlanarVehicle implements GroundVehicle {
     ticks++;
     sinPsi = StrictMath.sin(s[PSI]);
     cosPsi = StrictMath.cos(s[PSI]);
+    if (terrain != Terrain.flat()) {
+      meetSlope();
+    }
     prepare(command);
-    boolean left = idle() && pushEast == 0.0 && pushNorth == 0.0 && pushTurn == 0.0;
+    boolean left = idle() && !pushed();
     if (resting && left) {
       return;
     }
@@ -128,6 +145,22 @@ abstract class PlanarVehicle implements GroundVehicle {
     }
   }
 
+  private void meetSlope() {
+    double east = eastOf(0.0, 0.0);
+    double north = northOf(0.0, 0.0);
+    double riseEast = terrain.riseEast(east, north);
+    double riseNorth = terrain.riseNorth(east, north);
+    double pressing = 1.0 / StrictMath.sqrt(1.0 + riseEast * riseEast + riseNorth * riseNorth);
+    double shareEast = -riseEast * pressing;
+    double shareNorth = -riseNorth * pressing;
+    pullEast = massKg * GRAVITY_MPS2 * shareEast;
+    pullNorth = massKg * GRAVITY_MPS2 * shareNorth;
+    lean(
+        pressing,
+        shareEast * sinPsi + shareNorth * cosPsi,
+        shareEast * cosPsi - shareNorth * sinPsi);
+  }
+
   private boolean still() {
     return Math.abs(s[U]) < STILL && Math.abs(s[V]) < STILL && Math.abs(s[R]) < STILL;
   }
@@ -135,8 +168,10 @@ abstract class PlanarVehicle implements GroundVehicle {
   private void derivatives(double[] state, double[] rates) {
     double sin = StrictMath.sin(state[PSI]);
     double cos = StrictMath.cos(state[PSI]);
-    forward = pushEast * sin + pushNorth * cos;
-    right = pushEast * cos - pushNorth * sin;
+    double east = pushEast + pullEast;
+    double north = pushNorth + pullNorth;
+    forward = east * sin + north * cos;
+    right = east * cos - north * sin;
     turn = pushTurn;
     derive(state, rates);
     double u = state[U] - state[R] * referenceY;
@@ -183,6 +218,19 @@ abstract class PlanarVehicle implements GroundVehicle {
     pushEast = Arguments.requireFinite("push east", eastN);
     pushNorth = Arguments.requireFinite("push north", northN);
     pushTurn = Arguments.requireFinite("push turn", turnNm);
+  }
+
+  private boolean pushed() {
+    boolean level = pullEast == 0.0 && pullNorth == 0.0;
+    return !level || pushEast != 0.0 || pushNorth != 0.0 || pushTurn != 0.0;
+  }
+
+  @Override
+  public final void terrain(Terrain newTerrain) {
+    terrain = Objects.requireNonNull(newTerrain, "terrain");
+    pullEast = 0.0;
+    pullNorth = 0.0;
+    lean(1.0, 0.0, 0.0);
   }
 
   @Override

@@ -5,9 +5,9 @@ final class SteeredWheel {
   /** Ahead of the centre of gravity [m]. */
   final double x;
 
-  private final double loadN;
+  private double loadN;
   private final TyreParameters tyre;
-  private final double stiffness;
+  private double stiffness;
   private double gripN;
   private double dragN;
 
@@ -17,9 +17,14 @@ final class SteeredWheel {
 
   SteeredWheel(double x, double loadN, TyreParameters tyre) {
     this.x = x;
-    this.loadN = loadN;
     this.tyre = tyre;
-    this.stiffness = tyre.slipStiffness() * loadN / tyre.relaxationM();
+    load(loadN);
+  }
+
+  /** Takes what the axle carries from now on [N], above 0. */
+  void load(double newtons) {
+    loadN = newtons;
+    stiffness = tyre.slipStiffness() * loadN / tyre.relaxationM();
   }
 
   void ground(double grip, double rolling) {

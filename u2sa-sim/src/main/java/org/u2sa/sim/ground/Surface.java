@@ -22,6 +22,14 @@ public interface Surface {
   }
 
   /**
+   * A wet, soft field: grip 0.45 (sliding, wet earth road) and rolling resistance 0.1 (the least of
+   * a field), from the same tables.
+   */
+  static Surface field() {
+    return even(0.45, 0.1);
+  }
+
+  /**
    * Ground that is the same everywhere.
    *
    * @throws IllegalArgumentException if a coefficient is outside its range

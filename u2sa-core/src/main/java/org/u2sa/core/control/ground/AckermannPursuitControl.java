@@ -3,7 +3,9 @@ package org.u2sa.core.control.ground;
 import static org.u2sa.core.control.ground.PursuitVariables.number;
 
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.Variable;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -34,6 +36,8 @@ public final class AckermannPursuitControl extends PursuitControl {
 
   private static final double SLOWEST_MPS = 0.1; // slower, the steering stays where it is
 
+  private double misalignment; // curvature that the steering lacks [1/m]; kept while it stands
+
   /** Called by the launcher. */
   public AckermannPursuitControl(ServiceContext context) {
     super(context);
@@ -52,15 +56,38 @@ public final class AckermannPursuitControl extends PursuitControl {
   }
 
   @Override
-  void command(Drive drive, Drive trim) {
+  double command(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS, double stepS) {
     double steering = lastShare(getVariable(STEERING));
     if (drive.speedMps() > SLOWEST_MPS) {
-      double curvature = (drive.yawRateRadPerS() + trim.yawRateRadPerS()) / drive.speedMps();
+      if (yawErrorRadPerS.isPresent()) {
+        double error = yawErrorRadPerS.getAsDouble() / drive.speedMps();
+        double most = settings().largestCurvature();
+        double more = getVariable(PursuitVariables.TURN_GAIN) * stepS * error;
+        misalignment = Math.max(-most, Math.min(most, misalignment + more));
+      }
+      double curvature = drive.yawRateRadPerS() / drive.speedMps() + misalignment;
       // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
       steering = -Math.atan(getVariable(WHEELBASE) * curvature) / steeringAngleRad();
     }
-    commandShare(getVariable(THROTTLE), calibration().share(drive.speedMps() + trim.speedMps()));
+    double throttle = calibration().share(drive.speedMps() + trimMps);
+    commandShare(getVariable(THROTTLE), throttle);
     commandShare(getVariable(STEERING), steering);
+    return Math.abs(throttle);
+  }
+
+  @Override
+  void relax() {
+    // what it has learned of its steering holds whatever it carries
+  }
+
+  @Override
+  void handOverMotors(HandOver state) {
+    state.number("MISALIGNMENT", misalignment);
+  }
+
+  @Override
+  void takeOverMotors(HandOver state) {
+    misalignment = state.number("MISALIGNMENT").orElse(0.0);
   }
 
   @Override

@@ -4,7 +4,9 @@ import static org.u2sa.core.control.ground.PursuitVariables.number;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.Variable;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -32,7 +34,19 @@ public final class DifferentialDriveControl extends GroundControl {
   static final Variable<Double> TOLERANCE =
       number("TOLERANCE", "m", 0.01, 10.0, 0.15, "Distance at which both wheels stop.");
 
+  static final Variable<Double> MISMATCH_GAIN =
+      number(
+          "MISMATCH GAIN",
+          "1/s",
+          0.0,
+          10.0,
+          0.5,
+          "Share of what HEADING GAIN gives that is added in a second, for motors that are not alike; 0: no feedback.");
+
+  private static final double ALIGNED_RAD = 0.6; // farther aside it is to turn, not to learn
   private static final double FULL_PERCENT = 100.0;
+
+  private final WheelBalance balance = new WheelBalance();
 
   /** Called by the launcher. */
   public DifferentialDriveControl(ServiceContext context) {
@@ -42,21 +56,57 @@ public final class DifferentialDriveControl extends GroundControl {
     getVariable(SPEED_LIMIT);
     getVariable(HEADING_GAIN);
     getVariable(TOLERANCE);
+    getVariable(MISMATCH_GAIN);
   }
 
   @Override
   void drive(Optional<GroundTarget> target, Measured measured, double stepS) {
     double ahead = 0.0; // [%]
     double turn = 0.0;
+    OptionalDouble error = OptionalDouble.empty();
     if (target.isPresent() && target.get().distanceM() > getVariable(TOLERANCE)) {
       double bearing = target.get().bearingRad();
       ahead =
           Math.min(getVariable(SPEED_LIMIT), getVariable(DISTANCE_GAIN) * target.get().distanceM())
               * Math.max(0.0, Math.cos(bearing)); // not away from a point behind
       turn = getVariable(HEADING_GAIN) * bearing;
+      if (measured.yawRateRadPerS().isPresent() && Math.abs(bearing) < ALIGNED_RAD) {
+        error = OptionalDouble.of(bearing); // the integral of a yaw rate: a PI controller
+      }
     }
-    commandShare(Motors.left(this), (ahead - turn) / FULL_PERCENT);
-    commandShare(Motors.right(this), (ahead + turn) / FULL_PERCENT);
+    WheelShares shares =
+        balance
+            .step(
+                new WheelShares((ahead - turn) / FULL_PERCENT, (ahead + turn) / FULL_PERCENT),
+                ahead / FULL_PERCENT,
+                error,
+                feedback(),
+                stepS)
+            .possible();
+    commandShare(Motors.left(this), shares.left());
+    commandShare(Motors.right(this), shares.right());
+  }
+
+  private WheelBalance.Settings feedback() {
+    return new WheelBalance.Settings(
+        0.0,
+        0.0,
+        getVariable(MISMATCH_GAIN),
+        0.0,
+        getVariable(Motors.MISMATCH_LIMIT) / FULL_PERCENT,
+        getVariable(HEADING_GAIN) / FULL_PERCENT);
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    balance.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    balance.takeOver(state);
   }
 
   @Override

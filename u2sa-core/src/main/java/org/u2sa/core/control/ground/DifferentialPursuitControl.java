@@ -3,7 +3,9 @@ package org.u2sa.core.control.ground;
 import static org.u2sa.core.control.ground.PursuitVariables.number;
 
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.Variable;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -34,13 +36,27 @@ public final class DifferentialPursuitControl extends PursuitControl {
   static final Variable<Double> SPOT_TURN_GAIN =
       number("SPOT TURN GAIN", "1/s", 0.1, 20.0, 2.0, "Yaw rate for each radian of direction.");
 
+  static final Variable<Double> SPOT_TURN_FEEDBACK =
+      number(
+          "SPOT TURN FEEDBACK",
+          "1/s",
+          0.0,
+          10.0,
+          2.0,
+          "Share of an error of the yaw rate that feedback takes out in a second while it turns on the spot; 0: no feedback.");
+
+  private static final double FULL_PERCENT = 100.0;
   private static final double TIGHTEST = 10.0; // [1/m]; tighter is as good as on the spot
+
+  private final WheelBalance balance = new WheelBalance();
 
   /** Called by the launcher. */
   public DifferentialPursuitControl(ServiceContext context) {
     super(context);
     Motors.declare(this);
     getVariable(TRACK);
+    getVariable(SPOT_TURN_FEEDBACK);
+    getVariable(PursuitVariables.YAW_RATE_GAIN);
   }
 
   @Override
@@ -56,14 +72,46 @@ public final class DifferentialPursuitControl extends PursuitControl {
   }
 
   @Override
-  void command(Drive drive, Drive trim) {
-    Drive trimmed =
-        new Drive(
-            drive.speedMps() + trim.speedMps(), drive.yawRateRadPerS() + trim.yawRateRadPerS());
+  double command(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS, double stepS) {
     DriveCalibration motor = calibration();
-    WheelSpeeds wheels = WheelSpeeds.of(trimmed, getVariable(TRACK), motor.maxMps());
-    commandShare(Motors.left(this), motor.share(wheels.leftMps()));
-    commandShare(Motors.right(this), motor.share(wheels.rightMps()));
+    Drive told = new Drive(drive.speedMps() + trimMps, drive.yawRateRadPerS());
+    WheelSpeeds wheels = WheelSpeeds.of(told, getVariable(TRACK), motor.maxMps());
+    WheelShares shares =
+        balance.step(
+            new WheelShares(motor.share(wheels.leftMps()), motor.share(wheels.rightMps())),
+            drive.speedMps() > 0.0 ? motor.share(told.speedMps()) : 0.0,
+            yawErrorRadPerS,
+            feedback(motor),
+            stepS);
+    WheelShares possible = shares.possible();
+    commandShare(Motors.left(this), possible.left());
+    commandShare(Motors.right(this), possible.right());
+    return shares.effort();
+  }
+
+  private WheelBalance.Settings feedback(DriveCalibration motor) {
+    return new WheelBalance.Settings(
+        getVariable(PursuitVariables.YAW_RATE_GAIN),
+        0.5 * getVariable(PursuitVariables.RESPONSE_TIME),
+        getVariable(PursuitVariables.TURN_GAIN),
+        getVariable(SPOT_TURN_FEEDBACK),
+        getVariable(Motors.MISMATCH_LIMIT) / FULL_PERCENT,
+        0.5 * getVariable(TRACK) * (1.0 - motor.startShare()) / motor.maxMps());
+  }
+
+  @Override
+  void relax() {
+    balance.relax();
+  }
+
+  @Override
+  void handOverMotors(HandOver state) {
+    balance.handOver(state);
+  }
+
+  @Override
+  void takeOverMotors(HandOver state) {
+    balance.takeOver(state);
   }
 
   @Override

@@ -4,8 +4,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 
@@ -17,10 +20,12 @@ abstract class GroundControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
 
   private boolean navigating;
+  private boolean armed = true; // where nobody arms, motors obey at once
   private OptionalDouble headingRad = OptionalDouble.empty(); // of the state before
 
   GroundControl(ServiceContext context) {
     super(context, "Control");
+    registerSubscriber(Channels.ARMING_STATE);
   }
 
   /**
@@ -29,7 +34,10 @@ abstract class GroundControl extends ControlSystem {
    * @param forwardMps speed ahead [m/s]; empty if unknown
    * @param yawRateRadPerS [rad/s], to the left positive; empty if unknown
    */
-  record Measured(OptionalDouble forwardMps, OptionalDouble yawRateRadPerS) {}
+  record Measured(OptionalDouble forwardMps, OptionalDouble yawRateRadPerS) {
+    /** Of a vehicle whose motors do not obey, feedback has nothing to learn. */
+    static final Measured NOTHING = new Measured(OptionalDouble.empty(), OptionalDouble.empty());
+  }
 
   /**
    * Commands the motors. Called once for each state.
@@ -48,7 +56,16 @@ abstract class GroundControl extends ControlSystem {
     }
     Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state));
     headingRad = state.psi();
-    drive(target, measured, stepS());
+    drive(target, armed ? measured : Measured.NOTHING, stepS());
+  }
+
+  @Override
+  protected final void received(U2SAData data) {
+    if (data instanceof ArmingState state) {
+      armed = state.armed();
+    } else {
+      unexpected(data);
+    }
   }
 
   private Optional<GroundTarget> target(NavigationPoint point, StateInformation now) {

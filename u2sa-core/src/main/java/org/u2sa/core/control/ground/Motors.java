@@ -15,11 +15,21 @@ final class Motors {
           .ifAbsent("RIGHT MOTOR")
           .describedAs("Name of the actuator of the right side, forwards positive.");
 
+  static final Variable<Double> MISMATCH_LIMIT =
+      PursuitVariables.number(
+          "MISMATCH LIMIT",
+          "%",
+          0.0,
+          95.0,
+          80.0,
+          "Most by which feedback commands the weaker motor more and the stronger one less.");
+
   private Motors() {}
 
   static void declare(Configurator configuration) {
     configuration.getVariable(LEFT);
     configuration.getVariable(RIGHT);
+    configuration.getVariable(MISMATCH_LIMIT);
   }
 
   static String left(Configurator configuration) {

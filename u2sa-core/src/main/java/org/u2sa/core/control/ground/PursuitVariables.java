@@ -51,32 +51,48 @@ final class PursuitVariables {
           "1/s",
           0.0,
           10.0,
-          0.2,
-          "How fast the commanded speed follows the measured one's error; 0: no feedback.");
-  static final Variable<Double> SPEED_TRIM =
-      number(
-          "SPEED TRIM LIMIT",
-          "m/s",
-          0.0,
-          10.0,
-          0.3,
-          "Most by which feedback changes the commanded speed.");
+          0.5,
+          "Share of an error of the speed that feedback takes out in a second; 0: no feedback.");
   static final Variable<Double> TURN_GAIN =
       number(
           "TURN GAIN",
           "1/s",
           0.0,
           10.0,
-          0.5,
-          "How fast the commanded yaw rate follows the error of the compass's; 0: no feedback.");
-  static final Variable<Double> TURN_TRIM =
+          1.0,
+          "Share of an error of the yaw rate that feedback takes out in a second while driving; 0: no feedback.");
+  static final Variable<Double> YAW_RATE_GAIN =
       number(
-          "TURN TRIM LIMIT",
-          "deg/s",
+          "YAW RATE GAIN",
+          "",
           0.0,
-          90.0,
-          20.0,
-          "Most by which feedback changes the commanded yaw rate: motors that are not alike.");
+          10.0,
+          2.0,
+          "Yaw rate commanded more for each deg/s by which the measured one falls short; 0: none.");
+  static final Variable<Double> RESPONSE_TIME =
+      number(
+          "RESPONSE TIME",
+          "s",
+          0.0,
+          5.0,
+          0.3,
+          "How late the measured motion follows the commanded one, sensors included.");
+  static final Variable<Double> STALL_TIME =
+      number(
+          "STALL TIME",
+          "s",
+          0.2,
+          60.0,
+          3.0,
+          "How long motors at full power may hardly move the vehicle, before it is said and they rest.");
+  static final Variable<Double> STALL_PAUSE =
+      number(
+          "STALL PAUSE",
+          "s",
+          0.0,
+          600.0,
+          10.0,
+          "How long the motors rest then, before the vehicle tries again.");
 
   private PursuitVariables() {}
 

@@ -46,7 +46,9 @@ final class RoverDrive implements AutoCloseable {
       Map<String, Object> variables) {
     this.rover = rover;
     kit.start(PassThroughStateEstimator::new);
-    kit.with("MISSION", mission.toString()).start(MissionManager::new);
+    kit.with("MISSION", mission.toString())
+        .with("DEFAULT THRESHOLD", 0.5)
+        .start(MissionManager::new);
     kit.withoutVariables();
     planner.forEach(kit::with);
     kit.start(PathPlanner::new);

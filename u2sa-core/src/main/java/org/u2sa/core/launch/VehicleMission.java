@@ -1,0 +1,45 @@
+package org.u2sa.core.launch;
+
+import java.nio.file.Path;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.core.mission.MissionManager;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.messages.MessageTypes;
+
+/**
+ * A mission as the Mission Manager of a vehicle reads it, for whoever judges or shows what that
+ * vehicle does with it: what the file leaves open is what the vehicle's configuration says.
+ */
+public final class VehicleMission {
+  private VehicleMission() {}
+
+  /**
+   * Reads a mission.
+   *
+   * @param options of the run, whose overrides count as they will for the Mission Manager
+   * @throws BadInputException if the mission or the configuration is wrong, or the system lists no
+   *     {@link MissionManager}
+   */
+  public static Mission load(SystemFile system, LaunchOptions options, Path file) {
+    SystemFile.Entry manager =
+        system.services().stream()
+            .filter(entry -> entry.className().equals(MissionManager.class.getName()))
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    new BadInputException(
+                        system.file()
+                            + ": lists no service "
+                            + MissionManager.class.getName()
+                            + "; expected one, whose configuration says what "
+                            + file
+                            + " leaves open"));
+    XmlConfiguration configuration =
+        ServiceMaker.configuration(options, manager.simpleName(), manager.configuration());
+    return Mission.load(
+        file,
+        MessageTypes.discovered(),
+        configuration.getVariable(MissionManager.DEFAULT_THRESHOLD));
+  }
+}
