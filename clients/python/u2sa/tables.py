@@ -118,6 +118,8 @@ MESSAGES = [
         ('timestamp', 'int', 'optional', None, None, None, (), 1),
         ('goals', 'messages:GoalInformation', 'always', (), None, None, (), 1),
         ('upcoming', 'messages:GoalInformation', 'always', (), None, None, (), 1),
+        ('landGoals', 'int', 'optional', None, None, None, (), 3),
+        ('fileFaults', 'texts', 'optional', None, None, None, (), 3),
     ]),
     (('ObjectDescription',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
@@ -366,6 +368,7 @@ MESSAGES = [
         ('published', 'int', 'optional', None, None, None, (), 2),
         ('expired', 'int', 'optional', None, None, None, (), 2),
         ('missed', 'int', 'optional', None, None, None, (), 2),
+        ('emergencyStops', 'texts', 'optional', None, None, None, (), 3),
     ]),
     (('HealthReport', 'ConnectionLost'), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
@@ -388,6 +391,7 @@ MESSAGES = [
         ('published', 'int', 'optional', None, None, None, (), 2),
         ('expired', 'int', 'optional', None, None, None, (), 2),
         ('missed', 'int', 'optional', None, None, None, (), 2),
+        ('emergencyStops', 'texts', 'optional', None, None, None, (), 3),
     ]),
     (('EmergencyStop',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
@@ -396,6 +400,8 @@ MESSAGES = [
         ('operator', 'text', 'always', '', None, None, (), 2),
         ('reason', 'text', 'always', '', None, None, (), 2),
         ('clears', 'int', 'optional', None, None, None, (), 2),
+        ('stopId', 'text', 'optional', None, None, None, (), 3),
+        ('lifts', 'texts', 'optional', None, None, None, (), 3),
     ]),
     (('ServiceOrder',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
@@ -418,7 +424,7 @@ MESSAGES = [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
         ('timestamp', 'int', 'optional', None, None, None, (), 1),
         ('serviceName', 'text', 'required', None, None, None, (), 2),
-        ('condition', 'enum', 'required', None, None, None, ('ALIVE', 'SILENT', 'HUNG', 'DEAD', 'LOST', 'STALLED', 'FAILED', 'STOPPED'), 2),
+        ('condition', 'enum', 'required', None, None, None, ('ALIVE', 'SILENT', 'HUNG', 'DEAD', 'LOST', 'STALLED', 'FAILED', 'STOPPED', 'UNWATCHED'), 2),
         ('since', 'int', 'optional', None, None, None, (), 2),
         ('reason', 'text', 'always', '', None, None, (), 2),
         ('action', 'text', 'always', '', None, None, (), 2),

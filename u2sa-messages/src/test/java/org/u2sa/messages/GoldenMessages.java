@@ -18,6 +18,7 @@ final class GoldenMessages {
     GoldenModel.addTo(golden);
     GoldenContract.addTo(golden);
     GoldenFormat2.addTo(golden);
+    GoldenFormat3.addTo(golden);
     return golden.byName;
   }
 

@@ -1,5 +1,6 @@
 package org.u2sa.messages.contract;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
@@ -42,6 +43,8 @@ public class HealthReport extends U2SAData {
       SCHEMA.optionalCount("published", "");
   private static final ValueField<HealthReport, Long> EXPIRED = SCHEMA.optionalCount("expired", "");
   private static final ValueField<HealthReport, Long> MISSED = SCHEMA.optionalCount("missed", "");
+  private static final ValueField<HealthReport, List<String>> EMERGENCY_STOPS =
+      SCHEMA.since(3).optionalTexts("emergencyStops");
 
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
@@ -261,6 +264,20 @@ public class HealthReport extends U2SAData {
   /** Sets {@link #missed()}. */
   public HealthReport missed(long value) {
     put(MISSED, value);
+    return this;
+  }
+
+  /**
+   * The emergency stops that hold at this service, by {@link EmergencyStop#identity()}; empty if it
+   * heeds none, an empty list if it would and none holds.
+   */
+  public Optional<List<String>> emergencyStops() {
+    return Optional.ofNullable(get(EMERGENCY_STOPS));
+  }
+
+  /** Sets {@link #emergencyStops()}. */
+  public HealthReport emergencyStops(List<String> value) {
+    put(EMERGENCY_STOPS, List.copyOf(value));
     return this;
   }
 
