@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
@@ -32,13 +31,11 @@ import org.u2sa.service.ServiceRole;
  * before was, unless the mission is another file now.
  */
 public final class MissionManager extends EventDrivenService {
-  /** The mission by which it lands; the Safety Manager asks whether there is one. */
-  public static final Variable<String> LAND_MISSION = FailsafeMissions.LAND_MISSION;
-
   /** The goal to which a vehicle returns on command. */
   static final String HOME = "home";
 
   private final FailsafeMissions failsafes;
+  private final MissionFiles files;
   private MissionProgress progress;
   private Optional<Waypoint> home = Optional.empty();
 
@@ -49,8 +46,9 @@ public final class MissionManager extends EventDrivenService {
    */
   public MissionManager(ServiceContext context) {
     super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
+    files = new MissionFiles(context);
     progress = new MissionProgress(load());
-    failsafes = new FailsafeMissions(this, context());
+    failsafes = new FailsafeMissions(this, files);
     registerPublisher(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.GOAL_UPDATES);
@@ -58,29 +56,14 @@ public final class MissionManager extends EventDrivenService {
     registerSubscriber(Channels.FAILSAFE);
   }
 
-  private Mission read(String file, double thresholdM) {
-    return Mission.load(
-        context().configuration().resolve(file), context().messageTypes(), thresholdM);
-  }
-
   /** Refuses a mission that cannot be read, before it takes the place of one that can. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    String file = (String) values.get(MissionVariables.MISSION.name());
-    double thresholdM = (Double) values.get(MissionVariables.DEFAULT_THRESHOLD.name());
-    if (file.equals(mission()) && thresholdM == thresholdM()) {
-      return Optional.empty();
-    }
-    try {
-      read(file, thresholdM);
-      return Optional.empty();
-    } catch (BadInputException e) {
-      return Optional.of(e.getMessage());
-    }
+    return files.refusal(values, this);
   }
 
   private GoalSequence load() {
-    Mission loadedMission = read(mission(), thresholdM());
+    Mission loadedMission = files.load(MissionVariables.MISSION, mission(), thresholdM());
     log("mission " + loadedMission.origin() + " with goals " + names(loadedMission.goals()));
     loadedMission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded = new GoalSequence(loadedMission.goals(), loop(), options());
@@ -169,6 +152,9 @@ public final class MissionManager extends EventDrivenService {
   public void callback(U2SAData data) {
     if (data instanceof FailsafeState failsafe) {
       react(failsafe.action());
+      if (files.haveNews()) { // looked for each time that it is repeated
+        publishGoals();
+      }
     } else if (data instanceof GoalCommand command) {
       changeTo(command.uid());
     } else if (!(data instanceof GoalInformation goal)) {
@@ -241,7 +227,13 @@ public final class MissionManager extends EventDrivenService {
       log("current goals " + names(current));
     }
     remember();
-    publish(Channels.GOALS, new GoalList().goals(current).upcoming(sequence.upcoming()));
+    List<String> faults = files.faults();
+    faults.forEach(fault -> log(LogLevelEnum.WARN, fault));
+    GoalList list = new GoalList().goals(current).upcoming(sequence.upcoming());
+    if (!faults.isEmpty()) {
+      list.fileFaults(faults);
+    }
+    publish(Channels.GOALS, list.landGoals(failsafes.landGoals()));
   }
 
   private static List<String> names(List<GoalInformation> goals) {
