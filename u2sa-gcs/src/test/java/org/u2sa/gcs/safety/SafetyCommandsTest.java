@@ -121,8 +121,7 @@ class SafetyCommandsTest {
 
   @Test
   void operator_ofASystemThatIsNotThere_failsAndNamesTheNearest() {
-    assertThat(
-            run(foreign.broker(), "baot", new OperatorCommand(), "--for", "1", "--timeout", "1"))
+    assertThat(run(foreign.broker(), "baot", new OperatorCommand(), "--for", "1", "--timeout", "1"))
         .isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .contains("baot: no Safety Manager is heard")
