@@ -26,8 +26,8 @@ final class FenceWatch implements Watch {
     this.configuration = configuration;
     this.file = file;
     this.states = states;
-    Manoeuvre.of(configuration); // declared with and without a fence
     load();
+    Manoeuvre.of(configuration); // declared with and without a fence
   }
 
   /**
