@@ -119,6 +119,16 @@ class ContractTest(unittest.TestCase):
 
 
 class EmergencyLatchTest(unittest.TestCase):
+    def test_named_stops_are_told_apart_whatever_their_time(self):
+        latch = EmergencyLatch("boat")
+        latch.take(Message("EmergencyStop", active=True, timestamp=100, stopId="a"))
+        latch.take(Message("EmergencyStop", active=True, timestamp=100, stopId="b"))
+        self.assertTrue(latch.take(Message("EmergencyStop", active=False, lifts=["a"], clears=500)))
+        self.assertEqual(["b"], latch.stops)
+        self.assertFalse(latch.take(Message("EmergencyStop", active=False, clears=100)))
+        self.assertFalse(latch.take(Message("EmergencyStop", active=True, timestamp=100, stopId="a")))
+        self.assertTrue(latch.take(Message("EmergencyStop", active=True, timestamp=100)))
+
     def test_only_a_clear_of_the_newest_stop_lifts_it(self):
         latch = EmergencyLatch()
         latch.take(Message("EmergencyStop", active=True, timestamp=10))

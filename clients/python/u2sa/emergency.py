@@ -2,13 +2,17 @@
 from __future__ import annotations
 
 import time
-from typing import Optional
+from typing import Dict, List, Optional
 
 from .message import Message
 
 
+_TOLD_APART = 64  # stops that are told apart; of more, as a flood makes them, only the newest time is known
+
+
 class EmergencyLatch:
-    """Latched by an EmergencyStop with active, lifted by one without that names it or a newer one in `clears`.
+    """Latched by each EmergencyStop with active for itself, lifted by one without that names it in `lifts`, or without
+    names it or a newer one in `clears`.
 
     On the safe side: a stop of unknown origin or time latches too, a clear of another system lifts nothing. Belongs to
     one thread.
@@ -18,26 +22,48 @@ class EmergencyLatch:
 
     def __init__(self, system_id: Optional[str] = None) -> None:
         self._system_id = system_id
-        self._stopped_at: Optional[int] = None  # timestamp of the newest stop that holds [µs]
-        self._lifted: Optional[int] = None  # timestamp of the stop that was lifted last [µs]
+        self._standing: Dict[str, int] = {}  # by identity: timestamp [µs]
+        self._beyond: Optional[int] = None  # the newest timestamp of those that are not told apart [µs]
+        self._lifted: List[str] = []  # identities, the oldest first
 
     @property
     def active(self) -> bool:
         """Whether a stop holds."""
-        return self._stopped_at is not None
+        return bool(self._standing) or self._beyond is not None
+
+    @property
+    def stops(self) -> List[str]:
+        """Which stops hold, as `emergencyStops` of a HealthReport lists them."""
+        return list(self._standing)
 
     def take(self, stop: Message) -> bool:
         """Takes note of a message of the channel emergency-stop; returns whether everything must be neutral now.
 
-        A repetition of the stop that was lifted last, of one who has not heard of the clear, changes nothing.
+        A repetition of a stop that was lifted, of one who has not heard of the clear, changes nothing.
         """
         if stop.get("active"):
-            at = stop.get("timestamp", time.time_ns() // 1000)
-            if self.active or at != self._lifted:
-                self._stopped_at = max(at, self._stopped_at or at)
-        elif self._stopped_at is not None and self._is_ours(stop) and stop.get("clears", -1) >= self._stopped_at:
-            self._lifted, self._stopped_at = self._stopped_at, None
+            self._latch(stop, stop.get("timestamp", time.time_ns() // 1000))
+        elif self._is_ours(stop):
+            self._lift(stop.get("lifts", []), stop.get("clears", -1))
         return self.active
+
+    def _latch(self, stop: Message, at: int) -> None:
+        identity = stop.get("stopId") or "|".join(
+            [stop.get("systemId", ""), str(at), stop.get("operator", ""), stop.get("reason", "")])
+        if identity in self._lifted or identity in self._standing:
+            return
+        if len(self._standing) < _TOLD_APART:
+            self._standing[identity] = at
+        else:
+            self._beyond = max(at, self._beyond or at)
+
+    def _lift(self, names: List[str], until: int) -> None:
+        over = [each for each, at in self._standing.items() if (each in names if names else at <= until)]
+        for identity in over:
+            del self._standing[identity]
+        self._lifted = (self._lifted + over)[-2 * _TOLD_APART:]
+        if self._beyond is not None and self._beyond <= until:
+            self._beyond = None
 
     def _is_ours(self, clear: Message) -> bool:
         return self._system_id is None or clear.get("systemId", self._system_id) == self._system_id

@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.Variable;
@@ -13,7 +14,7 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
  * 5.1), now and then.
  *
  * <p>When no command has come for the expiry time, at an emergency stop, and when the service ends,
- * it goes neutral by itself.
+ * it goes neutral by itself. Whoever takes its place while it runs goes on with its command.
  */
 public abstract class Actuator extends PeriodicService {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
@@ -59,9 +60,13 @@ public abstract class Actuator extends PeriodicService {
 
   @Override
   protected final void begin() {
-    neutral();
-    neutral = true;
-    announce(nowS());
+    announce(nowS()); // first: the extents of this class are not those of the one before
+    neutral = !commands.isCommanded();
+    if (neutral) {
+      neutral();
+    } else {
+      carryOut();
+    }
   }
 
   /** Again now and then: over a broker, who comes late gets the last announcement of all only. */
@@ -75,7 +80,7 @@ public abstract class Actuator extends PeriodicService {
     if (data instanceof ActuatorCommand command) {
       if (commands.obey(command)) {
         neutral = false;
-        actuate(commands.percentage(actuatorName).orElseThrow());
+        carryOut();
       }
     } else if (!commands.heed(data)) {
       unexpected(data);
@@ -94,6 +99,16 @@ public abstract class Actuator extends PeriodicService {
     }
   }
 
+  /** Moves to where the command says, or to neutral if it has expired since it was taken. */
+  private void carryOut() {
+    OptionalDouble percentage = commands.percentage(actuatorName);
+    if (percentage.isPresent()) {
+      actuate(percentage.getAsDouble());
+    } else {
+      goNeutral();
+    }
+  }
+
   private void goNeutral() {
     if (!neutral) {
       log(
@@ -102,6 +117,18 @@ public abstract class Actuator extends PeriodicService {
       neutral = true;
       neutral();
     }
+  }
+
+  /** {@inheritDoc} Subclasses that have something to add call this one too. */
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+  }
+
+  /** {@inheritDoc} Subclasses that have something to add call this one too. */
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
   }
 
   @Override
@@ -114,7 +141,7 @@ public abstract class Actuator extends PeriodicService {
   }
 
   @Override
-  final void releaseSilently() {
+  protected final void releaseToSuccessor() {
     close();
   }
 

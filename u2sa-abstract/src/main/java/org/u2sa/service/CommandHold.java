@@ -1,6 +1,8 @@
 package org.u2sa.service;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -91,6 +93,27 @@ public final class CommandHold {
   /** Narrows the percentages that an actuator takes to what it announced. */
   void limit(String actuator, Range range) {
     actuators.computeIfPresent(actuator, (name, before) -> range);
+    newest.computeIfPresent(
+        actuator, (name, held) -> range.contains(held.percentage) ? held : null);
+  }
+
+  /**
+   * The commands that hold now, each with the time that is left of it: {@link #accept}ed by another
+   * hold at once, they hold exactly as long as they would have here.
+   */
+  List<PercentageCommand> standing() {
+    long now = clock.micros();
+    List<PercentageCommand> standing = new ArrayList<>();
+    newest.forEach(
+        (actuator, held) -> {
+          if (held.untilMicros > now) {
+            PercentageCommand command = PercentageCommand.of(actuator, held.percentage);
+            command.expiry(Clock.seconds(held.untilMicros - now));
+            command.timestamp(now);
+            standing.add(command);
+          }
+        });
+    return standing;
   }
 
   /**

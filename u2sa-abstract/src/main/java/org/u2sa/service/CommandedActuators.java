@@ -11,6 +11,7 @@ import org.u2sa.interfaces.Range;
 import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmingState;
@@ -42,6 +43,8 @@ public final class CommandedActuators {
           .ifAbsent(false)
           .describedAs("Whether actuators obey only while a Safety Manager says that it is armed.");
 
+  private static final String COMMANDS = "ACTUATOR COMMANDS";
+  private static final String ARMED = "ARMED";
   private static final Range ANY_PERCENTAGE = Range.of(-100.0, 100.0);
 
   private final U2SAService service;
@@ -70,7 +73,9 @@ public final class CommandedActuators {
     emergency = new EmergencyLatch(service.clock(), systemId);
     service.health().hasActuators();
     service.getVariable(REQUIRES_ARMING); // declared before the first command comes
+    service.heedsEmergencyStops(emergency.identities());
     service.registerPublisher(Channels.ACTUATORS);
+    service.registerPublisher(Channels.EMERGENCY_STOP);
     service.registerSubscriber(Channels.EMERGENCY_STOP); // first: a stop that holds comes before
     service.registerSubscriber(Channels.ARMING_STATE);
     service.registerSubscriber(Channels.ACTUATION); // … the first command
@@ -137,7 +142,12 @@ public final class CommandedActuators {
   }
 
   private void stopOrGo(EmergencyStop message) {
-    if (emergency.accept(message)) {
+    boolean changed = emergency.accept(message);
+    service.heedsEmergencyStops(emergency.identities());
+    if (!message.active()) {
+      repeatWhatHolds(message);
+    }
+    if (changed) {
       boolean stopped = emergency.isStopped();
       service.log(
           stopped ? LogLevelEnum.WARN : LogLevelEnum.INFO,
@@ -147,6 +157,17 @@ public final class CommandedActuators {
               + "\": "
               + message.reason());
       commands.forget();
+    }
+  }
+
+  /** A clear is retained: who comes late must not take it for the end of a stop that it left. */
+  private void repeatWhatHolds(EmergencyStop clear) {
+    Optional<EmergencyStop> holding = emergency.stop();
+    if (holding.isPresent()) {
+      service.log(
+          LogLevelEnum.WARN,
+          "clear by \"" + clear.operator() + "\" leaves " + holding.get() + ": still stopped");
+      service.publish(Channels.EMERGENCY_STOP, holding.get());
     }
   }
 
@@ -171,6 +192,34 @@ public final class CommandedActuators {
    */
   public OptionalDouble percentage(String actuator) {
     return mayMove() ? commands.percentage(actuator) : OptionalDouble.empty();
+  }
+
+  /** Whether some actuator here has a command that holds. */
+  public boolean isCommanded() {
+    return mayMove() && !commands.standing().isEmpty();
+  }
+
+  /**
+   * Writes down the commands that hold, with the time that is left of them, the stops, and whether
+   * it is armed; to be called in the service's {@link U2SAService#handOver}.
+   */
+  public void handOver(HandOver state) {
+    emergency.handOver(state);
+    state.flag(ARMED, armed).messages(COMMANDS, commands.standing());
+  }
+
+  /**
+   * Goes on from what {@link #handOver} wrote, so that no actuator moves because of the swap; to be
+   * called in the service's {@link U2SAService#takeOver}. What this service would refuse it does
+   * not take over.
+   */
+  public void takeOver(HandOver state) {
+    armed = state.flag(ARMED);
+    emergency.takeOver(state);
+    service.heedsEmergencyStops(emergency.identities());
+    if (mayMove()) {
+      state.messages(COMMANDS, PercentageCommand.class).forEach(commands::accept);
+    }
   }
 
   /** Commands refused for that reason so far. */

@@ -40,6 +40,11 @@ final class HealthReporter {
     }
   }
 
+  /** Reports before the next message is handled. Called on the service's thread. */
+  void reportSoon() {
+    dueMicros = Long.MIN_VALUE;
+  }
+
   /** Reports that the service has ended. */
   void reportLast() {
     HealthReport last = report();

@@ -110,11 +110,15 @@ abstract class ReplaceableService extends LivingService {
    * Closes what the subclass opened, but leaves actuators as they are: a successor moves them on.
    */
   final void releaseAsPredecessor() {
-    atLast("closing", this::releaseSilently);
+    atLast("closing", this::releaseToSuccessor);
   }
 
-  /** {@link #release} where nothing can be published. */
-  void releaseSilently() {
+  /**
+   * Closes what the subclass opened in a service whose place another one takes: in place of {@link
+   * #release}, where nothing can be published. What moves is to be left as it is, because the
+   * successor moves it on.
+   */
+  protected void releaseToSuccessor() {
     release();
   }
 

@@ -86,6 +86,11 @@ public final class ServiceContext {
     return Optional.ofNullable(predecessor);
   }
 
+  /** Whether the service is made to take the place of one that runs ({@link ServiceSwap}). */
+  public boolean isSwap() {
+    return predecessor != null;
+  }
+
   /** Lets go of the predecessor. */
   void forgetPredecessor() {
     predecessor = null;

@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.Clock;
@@ -31,6 +32,7 @@ final class ServiceHealth {
   private String lastError;
   private Exception lastException;
   private boolean died;
+  private List<String> emergencyStops; // null: heeds none
   private volatile long busySinceMicros = IDLE; // of the stopwatch; written by the service's thread
 
   /**
@@ -114,6 +116,13 @@ final class ServiceHealth {
     return ++expired;
   }
 
+  /** Takes note of which emergency stops hold; returns whether they are others than before. */
+  synchronized boolean emergencyStops(List<String> identities) {
+    boolean changed = !identities.equals(emergencyStops);
+    emergencyStops = List.copyOf(identities);
+    return changed;
+  }
+
   synchronized void error(String what) {
     lastError = what;
   }
@@ -150,6 +159,9 @@ final class ServiceHealth {
     lastError().ifPresent(report::lastError);
     if (commanded) {
       report.commandsObeyed(obeyed).commandsRefused(refused);
+    }
+    if (emergencyStops != null) {
+      report.emergencyStops(emergencyStops);
     }
     return report
         .overruns(overruns)

@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -176,6 +177,19 @@ public abstract class U2SAService extends ReplaceableService {
     if (health().exceptionsInRow() >= maxErrorsInARow) {
       log(LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
       fail();
+    }
+  }
+
+  /**
+   * Says in health reports from now on, the next of them at once, which emergency stops hold here:
+   * an operator's stop counts when all that heed stops have said that it holds. Called on the
+   * service's thread, and in its constructor with an empty list to say that it heeds stops.
+   *
+   * @param identities as {@link EmergencyLatch#identities} says
+   */
+  public final void heedsEmergencyStops(List<String> identities) {
+    if (health().emergencyStops(identities)) {
+      reporter.reportSoon();
     }
   }
 

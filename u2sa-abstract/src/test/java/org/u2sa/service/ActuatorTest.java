@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -20,7 +23,7 @@ class ActuatorTest {
   private final ServiceKit kit = new ServiceKit();
   private Wheel wheel;
 
-  private static final class Wheel extends Actuator {
+  private static class Wheel extends Actuator {
     private final List<String> moves = new ArrayList<>();
 
     Wheel(ServiceContext context) {
@@ -169,6 +172,152 @@ class ActuatorTest {
     assertThat(wheel.moves).containsExactly("40.0");
     kit.advance(0.2);
     assertThat(wheel.moves).containsExactly("40.0", "neutral");
+  }
+
+  /** A clock that goes on by a millisecond each time that somebody looks at it. */
+  private static final class RestlessClock implements Clock {
+    private final Clock clock;
+    private long micros;
+
+    RestlessClock(Clock clock) {
+      this.clock = clock;
+    }
+
+    @Override
+    public long micros() {
+      micros += 1_000;
+      return micros;
+    }
+
+    @Override
+    public Waiter newWaiter(String name) {
+      return clock.newWaiter(name);
+    }
+  }
+
+  @Test
+  void callback_commandThatExpiresWhileItIsTaken_isNeutralAndNoError() {
+    RestlessClock restless = new RestlessClock(kit.clock());
+    Wheel brief =
+        new Wheel(
+            ServiceContext.of(
+                    ServiceKit.SYSTEM_ID,
+                    XmlConfiguration.inMemory("test", Map.of("SERVICE NAME", "BRIEF")))
+                .clock(restless)
+                .transport(kit.bus())
+                .logDirectory(wheel.context().logDirectory())
+                .build());
+    for (int i = 0; i < 20; i++) {
+      PercentageCommand command = PercentageCommand.of("BRIEF", 40.0);
+      command.expiry(0.0015); // taken 1 ms after its time, looked at 2 ms after it
+      command.timestamp(restless.micros);
+      brief.callback(command);
+    }
+
+    assertThat(brief.moves).isNotEmpty().containsOnly("neutral");
+    brief.kill();
+  }
+
+  @Test
+  void swap_withACommand_goesOnWithItWithoutNeutralAndLetsItExpireInTime() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+    kit.advance(0.2);
+
+    Wheel successor = kit.swap(wheel, Wheel::new);
+    kit.settle();
+
+    assertThat(wheel.moves).containsExactly("40.0", "closed");
+    assertThat(successor.moves).containsExactly("40.0");
+    kit.advance(0.25);
+    assertThat(successor.moves).containsExactly("40.0");
+    kit.advance(0.1); // 0.55 s after the command, which holds for 0.5 s
+    assertThat(successor.moves).containsExactly("40.0", "neutral");
+  }
+
+  @Test
+  void swap_commandWithALongExpiry_holdsAsLongAsItSaid() {
+    PercentageCommand command = PercentageCommand.of("LEFT WHEEL", 40.0);
+    command.expiry(2.0);
+    kit.publish(Channels.ACTUATION, command);
+    kit.advance(1.0);
+
+    Wheel successor = kit.swap(wheel, Wheel::new);
+
+    kit.advance(0.9);
+    assertThat(successor.moves).containsExactly("40.0");
+    kit.advance(0.2);
+    assertThat(successor.moves).containsExactly("40.0", "neutral");
+  }
+
+  @Test
+  void swap_forOneThatDoesNotGoThere_isNeutral() {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+
+    Wheel successor =
+        kit.swap(
+            wheel,
+            context ->
+                new Wheel(context) {
+                  @Override
+                  protected ActuatorAnnouncement announcement() {
+                    return super.announcement().maximum(30.0);
+                  }
+                });
+
+    assertThat(successor.moves).containsExactly("neutral");
+  }
+
+  @Test
+  void swap_armedAndStoppedBefore_isNoBump() {
+    kit.with("SERVICE NAME", "ARMED WHEEL").with("REQUIRES ARMING", true);
+    Wheel armed = kit.start(Wheel::new);
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+    EmergencyStop stop = new EmergencyStop().active(true).stopId("Ann 1");
+    kit.publish(Channels.EMERGENCY_STOP, stop);
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(false).lifts(List.of("Ann 1")));
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
+
+    Wheel successor = kit.swap(armed, Wheel::new);
+    kit.advance(0.1);
+
+    assertThat(successor.moves).containsExactly("40.0");
+  }
+
+  @Test
+  void swap_stoppedAndThenManyClearsThatLiftNothing_isStillStopped() {
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));
+    for (int i = 0; i < 100; i++) {
+      kit.publish(
+          Channels.EMERGENCY_STOP, new EmergencyStop().active(false).lifts(List.of("no such")));
+    }
+
+    Wheel successor = kit.swap(wheel, Wheel::new);
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LEFT WHEEL", 40.0));
+
+    assertThat(successor.moves).containsExactly("neutral");
+  }
+
+  @Test
+  void clear_thatLiftsNothing_hidesTheStopFromNobodyWhoComesLater() {
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(false).clears(-1));
+    kit.with("SERVICE NAME", "LATE WHEEL");
+
+    Wheel late = kit.start(Wheel::new);
+    kit.publish(Channels.ACTUATION, PercentageCommand.of("LATE WHEEL", 40.0));
+
+    assertThat(late.moves).containsExactly("neutral");
+  }
+
+  @Test
+  void health_saysAtOnceWhichStopsHold() {
+    kit.advance(0.3);
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops()).contains(List.of());
+
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));
+
+    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops())
+        .contains(List.of("Ann 1"));
   }
 
   @Test

@@ -2,6 +2,8 @@ package org.u2sa.service;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.junit.jupiter.api.AfterEach;
@@ -9,8 +11,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -69,6 +73,44 @@ class ServiceSwapTest {
     assertThat(old.handled).containsExactly("n1");
     old.join();
     assertThat(successor.isRunning()).isTrue();
+  }
+
+  /** Heeds stops as well. */
+  private static final class Stoppable extends EventDrivenService {
+    private final List<String> handled = new ArrayList<>();
+
+    Stoppable(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Stoppable");
+      registerSubscriber(Channels.EMERGENCY_STOP);
+      registerSubscriber(Counting.NUMBERS);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      handled.add(
+          data instanceof EmergencyStop stop
+              ? stop.stopId().orElseThrow()
+              : ((GoalCommand) data).uid());
+    }
+  }
+
+  @Test
+  void swap_urgentMessagesWaiting_areHandledByTheNewOneFirst() {
+    Stoppable before = kit.start(Stoppable::new);
+    Stoppable successor = new Stoppable(inPlaceOf(before));
+    number(1);
+    for (int i = 1; i <= 3; i++) {
+      kit.send(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("s" + i));
+    }
+    ServiceSwap swap = new ServiceSwap(before, successor, () -> true).order();
+    number(2);
+    kit.send(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("s4"));
+    kit.settle();
+
+    assertThat(swap.outcome()).isEmpty();
+    assertThat(before.handled).isEmpty();
+    assertThat(successor.handled).containsExactly("s1", "s2", "s3", "s4", "n1", "n2");
+    successor.kill();
   }
 
   @Test

@@ -12,6 +12,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class LogFileTest extends LogFileFixture {
@@ -141,6 +142,66 @@ class LogFileTest extends LogFileFixture {
       }
       assertThat(next).isEqualTo(500);
     }
+  }
+
+  @Test
+  void log_manyLinesOfManyThreads_noneIsMissing() throws Exception {
+    int threads = 4;
+    int lines = 30_000;
+    Path file = folder.resolve("Control.log");
+    List<Callable<Boolean>> writers = new ArrayList<>();
+    ExecutorService pool = Executors.newFixedThreadPool(threads);
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      for (int writer = 0; writer < threads; writer++) {
+        String name = "writer " + writer + " line ";
+        writers.add(
+            () -> {
+              for (int i = 0; i < lines; i++) {
+                log.log(LogLevelEnum.INFO, name + i);
+              }
+              return true;
+            });
+      }
+      for (Future<Boolean> done : pool.invokeAll(writers)) {
+        assertThat(done.get()).isTrue();
+      }
+      assertThat(log.failures()).isZero();
+    } finally {
+      pool.shutdownNow();
+    }
+
+    int[] next = new int[threads];
+    for (String line : Files.readAllLines(file)) {
+      String[] words = line.substring(line.lastIndexOf('|') + 2).split(" ");
+      int writer = Integer.parseInt(words[1]);
+      assertThat(Integer.parseInt(words[3]))
+          .as("line of writer %d", writer)
+          .isEqualTo(next[writer]);
+      next[writer]++;
+    }
+    assertThat(next).containsOnly(lines);
+  }
+
+  @Test
+  void log_fileMovedAwayNowAndThen_everyLineIsInOneOfTheFiles() throws IOException {
+    Path file = folder.resolve("Control.log");
+    List<String> found = new ArrayList<>();
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      for (int i = 0; i < 5_000; i++) {
+        if (i % 100 == 99) { // as a rotation from outside does
+          Files.move(file, folder.resolve("Control.log." + i));
+        }
+        log.log(LogLevelEnum.INFO, "line " + i);
+      }
+      assertThat(log.failures()).isZero();
+    }
+
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path each : files.toList()) {
+        found.addAll(Files.readAllLines(each));
+      }
+    }
+    assertThat(found).hasSize(5_000).doesNotHaveDuplicates();
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.u2sa.messages;
 
 import java.util.List;
+import java.util.OptionalLong;
 
 /**
  * All current goals of the mission, of which the Path Planner chooses (thesis 3.2.3.2). A list
@@ -13,6 +14,10 @@ public final class GoalList extends U2SAData {
       SCHEMA.messages("goals", GoalInformation.TYPE);
   private static final ValueField<GoalList, List<GoalInformation>> UPCOMING =
       SCHEMA.messages("upcoming", GoalInformation.TYPE);
+  private static final ValueField<GoalList, Long> LAND_GOALS =
+      SCHEMA.since(3).optionalCount("landGoals", "");
+  private static final ValueField<GoalList, List<String>> FILE_FAULTS =
+      SCHEMA.optionalTexts("fileFaults");
 
   /** The schema. */
   public static final MessageType<GoalList> TYPE = SCHEMA.build();
@@ -45,6 +50,33 @@ public final class GoalList extends U2SAData {
   /** Sets {@link #upcoming()}. */
   public GoalList upcoming(List<? extends GoalInformation> value) {
     put(UPCOMING, List.copyOf(value));
+    return this;
+  }
+
+  /**
+   * How many goals the mission has that is loaded for the failsafe LAND; 0: there is none. Empty
+   * from senders that do not know the field.
+   */
+  public OptionalLong landGoals() {
+    Long value = get(LAND_GOALS);
+    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+  }
+
+  /** Sets {@link #landGoals()}. */
+  public GoalList landGoals(long value) {
+    put(LAND_GOALS, value);
+    return this;
+  }
+
+  /** What is wrong now with the files that missions were loaded from, a text each. */
+  public List<String> fileFaults() {
+    List<String> value = get(FILE_FAULTS);
+    return value == null ? List.of() : value;
+  }
+
+  /** Sets {@link #fileFaults()}. */
+  public GoalList fileFaults(List<String> value) {
+    put(FILE_FAULTS, List.copyOf(value));
     return this;
   }
 }

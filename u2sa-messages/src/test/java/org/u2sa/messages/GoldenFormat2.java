@@ -69,15 +69,6 @@ final class GoldenFormat2 {
             .revision(7));
     HealthReport missing = new HealthReport().serviceName("PathPlanner");
     golden.add("HealthReport-missed", missing.status(ServiceStatus.RUNNING).missed(12));
-    golden.add(
-        "HealthReport-commands",
-        new HealthReport()
-            .serviceName("Throttle")
-            .status(ServiceStatus.RUNNING)
-            .replaced(517)
-            .commandsObeyed(1_000)
-            .commandsRefused(3)
-            .refusedSubscriptions("goal-commands,stop"));
     ConnectionLost missingToo = new ConnectionLost();
     missingToo.serviceName("PathPlanner").status(ServiceStatus.FAILED).missed(12);
     golden.add("ConnectionLost-missed", missingToo);

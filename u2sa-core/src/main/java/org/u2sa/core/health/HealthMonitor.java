@@ -65,6 +65,7 @@ public final class HealthMonitor extends PeriodicService {
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     settings = new MonitorSettings(context().configuration());
+    services.keySet().stream().filter(name -> !settings.watches(name)).forEach(this::unwatch);
     services.keySet().removeIf(name -> !settings.watches(name));
     settings.watched().forEach(this::service);
   }
@@ -136,7 +137,18 @@ public final class HealthMonitor extends PeriodicService {
   private void remember(ServiceCondition before) {
     if (watches(before.serviceName())) {
       service(before.serviceName()).remember(before);
+    } else if (!settings.watches(before.serviceName())
+        && before.condition() != Condition.UNWATCHED) {
+      unwatch(before.serviceName());
     }
+  }
+
+  /** Takes back what was said of a service, which is retained and would count for ever. */
+  private void unwatch(String name) {
+    log(name + " is no longer watched");
+    publish(
+        Channels.CONDITIONS,
+        new ServiceCondition().serviceName(name).condition(Condition.UNWATCHED));
   }
 
   @Override

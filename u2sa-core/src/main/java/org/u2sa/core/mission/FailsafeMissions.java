@@ -13,7 +13,6 @@ import org.u2sa.interfaces.Variable;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.service.ServiceContext;
 
 /** The goals of a vehicle that returns or lands because something is wrong. */
 final class FailsafeMissions {
@@ -30,7 +29,7 @@ final class FailsafeMissions {
               "The mission's XML file for the failsafe LAND, relative to the configuration file; empty: it returns instead.");
 
   private final MissionManager manager;
-  private final ServiceContext context;
+  private final MissionFiles files;
   private final Map<FailsafeAction, List<GoalInformation>> goals =
       new EnumMap<>(FailsafeAction.class);
 
@@ -39,14 +38,21 @@ final class FailsafeMissions {
    *
    * @throws org.u2sa.interfaces.BadInputException if one is wrong
    */
-  FailsafeMissions(MissionManager manager, ServiceContext context) {
+  FailsafeMissions(MissionManager manager, MissionFiles files) {
     this.manager = manager;
-    this.context = context;
+    this.files = files;
     load();
   }
 
   static boolean areConfiguredBy(Set<String> variables) {
-    return variables.contains(RETURN_MISSION.name()) || variables.contains(LAND_MISSION.name());
+    return variables.contains(RETURN_MISSION.name())
+        || variables.contains(LAND_MISSION.name())
+        || variables.contains(MissionVariables.DEFAULT_THRESHOLD.name());
+  }
+
+  /** How many goals there are to land by. */
+  int landGoals() {
+    return goals.get(FailsafeAction.LAND).size();
   }
 
   /**
@@ -61,16 +67,15 @@ final class FailsafeMissions {
     goals.put(FailsafeAction.LAND, landing);
   }
 
-  private List<GoalInformation> load(FailsafeAction action, Variable<String> file) {
-    String path = manager.getVariable(file);
+  private List<GoalInformation> load(FailsafeAction action, Variable<String> variable) {
+    String path = manager.getVariable(variable);
     if (path.isEmpty()) {
+      files.forget(variable);
       return Collections.emptyList();
     }
-    Mission mission =
-        Mission.load(
-            context.configuration().resolve(path),
-            context.messageTypes(),
-            manager.getVariable(MissionVariables.DEFAULT_THRESHOLD));
+    double thresholdM = manager.getVariable(MissionVariables.DEFAULT_THRESHOLD);
+    Mission mission = files.load(variable, path, thresholdM);
+    manager.log(variable.name() + " " + mission.origin() + " loaded");
     return mission.goals().stream()
         .map(goal -> renamed(goal, action + " "))
         .collect(Collectors.toList());

@@ -34,9 +34,6 @@ import org.u2sa.service.ServiceRole;
  * before was, unless the mission is another file now.
  */
 public final class MissionManager extends EventDrivenService {
-  /** The mission by which it lands; the Safety Manager asks whether there is one. */
-  public static final Variable<String> LAND_MISSION = FailsafeMissions.LAND_MISSION;
-
   /** The horizontal threshold of waypoints whose mission gives none [m]. */
   public static final Variable<Double> DEFAULT_THRESHOLD = MissionVariables.DEFAULT_THRESHOLD;
 
@@ -46,6 +43,7 @@ public final class MissionManager extends EventDrivenService {
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
 
   private final FailsafeMissions failsafes;
+  private final MissionFiles files;
   private MissionProgress progress;
   private Optional<Waypoint> home = Optional.empty();
   private long repeatDueMicros; // of the current goals, to one who does not know them
@@ -57,8 +55,9 @@ public final class MissionManager extends EventDrivenService {
    */
   public MissionManager(ServiceContext context) {
     super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
+    files = new MissionFiles(context);
     progress = new MissionProgress(load());
-    failsafes = new FailsafeMissions(this, context());
+    failsafes = new FailsafeMissions(this, files);
     registerPublisher(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.GOAL_UPDATES);
@@ -66,29 +65,14 @@ public final class MissionManager extends EventDrivenService {
     registerSubscriber(Channels.FAILSAFE);
   }
 
-  private Mission read(String file, double thresholdM) {
-    return Mission.load(
-        context().configuration().resolve(file), context().messageTypes(), thresholdM);
-  }
-
   /** Refuses a mission that cannot be read, before it takes the place of one that can. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    String file = (String) values.get(MissionVariables.MISSION.name());
-    double thresholdM = (Double) values.get(MissionVariables.DEFAULT_THRESHOLD.name());
-    if (file.equals(mission()) && thresholdM == thresholdM()) {
-      return Optional.empty();
-    }
-    try {
-      read(file, thresholdM);
-      return Optional.empty();
-    } catch (BadInputException e) {
-      return Optional.of(e.getMessage());
-    }
+    return files.refusal(values, this);
   }
 
   private GoalSequence load() {
-    Mission loadedMission = read(mission(), thresholdM());
+    Mission loadedMission = files.load(MissionVariables.MISSION, mission(), thresholdM());
     log("mission " + loadedMission.origin() + " with goals " + names(loadedMission.goals()));
     loadedMission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded = new GoalSequence(loadedMission.goals(), loop(), options());
@@ -177,6 +161,9 @@ public final class MissionManager extends EventDrivenService {
   public void callback(U2SAData data) {
     if (data instanceof FailsafeState failsafe) {
       react(failsafe.action());
+      if (files.haveNews()) { // looked for each time that it is repeated
+        publishGoals();
+      }
     } else if (data instanceof GoalCommand command) {
       changeTo(command.uid());
     } else if (!(data instanceof GoalInformation goal)) {
@@ -253,12 +240,19 @@ public final class MissionManager extends EventDrivenService {
       log("current goals " + names(current));
     }
     remember();
-    publish(goalList());
+    files.faults().forEach(fault -> log(LogLevelEnum.WARN, fault));
+    publish(Channels.GOALS, goalList());
   }
 
   private GoalList goalList() {
     GoalSequence sequence = progress.pursued();
-    return new GoalList().goals(sequence.current()).upcoming(sequence.upcoming());
+    GoalList list =
+        new GoalList()
+            .goals(sequence.current())
+            .upcoming(sequence.upcoming())
+            .landGoals(failsafes.landGoals());
+    List<String> faults = files.faults();
+    return faults.isEmpty() ? list : list.fileFaults(faults);
   }
 
   /**
@@ -270,7 +264,7 @@ public final class MissionManager extends EventDrivenService {
     long now = clock().micros();
     if (now >= repeatDueMicros) {
       repeatDueMicros = now + REPEAT_EVERY_MICROS;
-      publish(goalList());
+      publish(Channels.GOALS, goalList());
     }
   }
 

@@ -44,10 +44,22 @@ final class EndOfMission {
    *     began; at the altitude that it had then if the place has none
    */
   List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
+    return settings.get().holdsAtEnd() ? hold(vehicle, place) : List.of();
+  }
+
+  /**
+   * The next step of holding because a failsafe says so, whatever AT END says: what cannot stand
+   * circles. A vehicle that is to stop at the end and has no circle stops here too.
+   *
+   * @param place as {@link #plan} says
+   */
+  List<NavigationPoint> planFailsafe(Vehicle vehicle, Optional<Place> place) {
     PlanningSettings now = settings.get();
-    if (!now.holdsAtEnd()) {
-      return List.of();
-    }
+    return now.holdsAtEnd() || now.loiterRadiusM() > 0.0 ? hold(vehicle, place) : List.of();
+  }
+
+  private List<NavigationPoint> hold(Vehicle vehicle, Optional<Place> place) {
+    PlanningSettings now = settings.get();
     if (circle.isEmpty()) {
       Place centre =
           place

@@ -171,7 +171,7 @@ public class PathPlanner extends EventDrivenService {
       return;
     }
     if (failsafe == FailsafeAction.HOLD) {
-      publish(end.plan(Vehicle.of(state).orElseThrow(), Optional.empty()), state);
+      publish(end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty()), state);
       return;
     }
     if (goals.isEmpty()) {
@@ -265,7 +265,10 @@ public class PathPlanner extends EventDrivenService {
       finished = Optional.empty(); // whatever comes next does not begin there
     }
     goal = Optional.empty();
-    return end.plan(Vehicle.of(state).orElseThrow(), holdAt);
+    Vehicle vehicle = Vehicle.of(state).orElseThrow();
+    return failsafe == FailsafeAction.RETURN
+        ? end.planFailsafe(vehicle, holdAt)
+        : end.plan(vehicle, holdAt);
   }
 
   private void publish(List<NavigationPoint> points, StateInformation state) {

@@ -20,6 +20,7 @@ final class ArmingChecks {
   private final LandMission landMission;
   private final Set<String> actuators = new TreeSet<>();
   private boolean mission;
+  private List<String> fileFaults = List.of();
 
   ArmingChecks(
       Configurator configuration,
@@ -39,6 +40,7 @@ final class ArmingChecks {
   void see(U2SAData message) {
     if (message instanceof GoalList goals) {
       mission = !goals.goals().isEmpty();
+      fileFaults = goals.fileFaults();
     } else if (message instanceof ActuatorAnnouncement announcement) {
       actuators.add(announcement.actuatorName());
     }
@@ -60,6 +62,7 @@ final class ArmingChecks {
     if (!mission && configuration.getVariable(SafetyVariables.MISSION_REQUIRED)) {
       reasons.add("mission: no goals");
     }
+    fileFaults.forEach(fault -> reasons.add("mission: " + fault));
     actuators().ifPresent(reasons::add);
     landMission.objection().ifPresent(reasons::add);
     return reasons;

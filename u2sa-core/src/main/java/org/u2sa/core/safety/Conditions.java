@@ -21,7 +21,11 @@ final class Conditions {
   private final Map<String, ServiceCondition> newest = new TreeMap<>();
 
   void see(ServiceCondition condition) {
-    newest.put(condition.serviceName(), condition);
+    if (condition.condition() == Condition.UNWATCHED) {
+      newest.remove(condition.serviceName());
+    } else {
+      newest.put(condition.serviceName(), condition);
+    }
   }
 
   /** What is wrong with a service; empty if it works, or nobody has said anything of it. */

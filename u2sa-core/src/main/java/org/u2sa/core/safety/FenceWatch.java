@@ -7,25 +7,41 @@ import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Acts before the fence is reached: when the vehicle could no longer stop or turn round inside. The
- * floor counts once the vehicle has been above it, so that it can take off.
+ * Acts before the fence is reached, if there is one: when the vehicle could no longer stop or turn
+ * round inside. The floor counts once the vehicle has been above it, so that it can take off.
  */
 final class FenceWatch implements Watch {
-  private final Fence fence;
   private final Configurator configuration;
+  private final FenceFile file;
   private final PositionWatch states;
+  private volatile Fence fence; // null: none; written by the Safety Manager's thread
   private boolean aboveFloor;
 
-  FenceWatch(Fence fence, Configurator configuration, PositionWatch states) {
-    this.fence = fence;
+  /**
+   * Loads the fence that the configuration names.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if its file is wrong
+   */
+  FenceWatch(Configurator configuration, FenceFile file, PositionWatch states) {
     this.configuration = configuration;
+    this.file = file;
     this.states = states;
-    Manoeuvre.of(configuration);
+    load();
+    Manoeuvre.of(configuration); // declared with and without a fence
   }
 
-  /** As it is watched: drawn in by its margin. */
-  Fence fence() {
-    return fence;
+  /**
+   * Loads the fence that the configuration names now.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if its file is wrong; then nothing has changed
+   */
+  void load() {
+    fence = file.load(configuration).orElse(null);
+  }
+
+  /** As it is watched: drawn in by its margin; empty if there is none. Safe from any thread. */
+  Optional<Fence> fence() {
+    return Optional.ofNullable(fence);
   }
 
   @Override
@@ -44,7 +60,9 @@ final class FenceWatch implements Watch {
   }
 
   private Optional<StateInformation> known(long nowMicros) {
-    return states.fresh(nowMicros).filter(state -> state.x().isPresent() && state.y().isPresent());
+    return states
+        .fresh(nowMicros)
+        .filter(state -> fence != null && state.x().isPresent() && state.y().isPresent());
   }
 
   private Optional<String> trouble(StateInformation state) {
@@ -94,8 +112,11 @@ final class FenceWatch implements Watch {
   /** A vehicle that stands is to be inside; it may be too near to turn, as on a runway. */
   @Override
   public Optional<String> objection(long nowMicros) {
-    return known(nowMicros)
-        .filter(state -> !fence.allows(fence.place(state)))
-        .map(state -> "outside the keep-in area, or inside a keep-out one");
+    Optional<String> fault = file.fault();
+    return fault.isPresent()
+        ? fault
+        : known(nowMicros)
+            .filter(state -> !fence.allows(fence.place(state)))
+            .map(state -> "outside the keep-in area, or inside a keep-out one");
   }
 }

@@ -1,13 +1,15 @@
 package org.u2sa.core.safety;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ArmCommand;
-import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
@@ -37,7 +39,6 @@ public final class SafetyManager extends PeriodicService {
           Channels.POWER,
           Channels.ACTUATORS,
           Channels.GOALS,
-          Channels.CONFIGURATION,
           Channels.ARMING,
           Channels.ARMING_STATE, // of a Safety Manager before this one
           Channels.FAILSAFE, // likewise
@@ -45,6 +46,7 @@ public final class SafetyManager extends PeriodicService {
 
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
+  private final FenceFile fence;
   private final List<Watch> watches;
   private final FailsafeDecision decision;
   private final LandMission landMission;
@@ -54,6 +56,7 @@ public final class SafetyManager extends PeriodicService {
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
+  private long stops; // said by this one
 
   /**
    * Called by the launcher.
@@ -65,13 +68,15 @@ public final class SafetyManager extends PeriodicService {
     emergency = new EmergencyLatch(clock(), context.systemId());
     decision = new FailsafeDecision(this);
     landMission = new LandMission(decision);
-    watches = Watches.of(this, conditions, context.configuration());
+    fence = new FenceFile(context.configuration());
+    watches = Watches.of(this, conditions, fence);
     getVariable(SafetyVariables.REPEAT_INTERVAL);
     arming = new Arming(this, new ArmingChecks(this, watches, conditions, emergency, landMission));
     predecessor = new Predecessor(clock().micros());
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);
     registerPublisher(Channels.EMERGENCY_STOP);
+    heedsEmergencyStops(emergency.identities());
     handleMessagesAtSteps();
     HEARD.forEach(this::registerSubscriber);
   }
@@ -81,11 +86,34 @@ public final class SafetyManager extends PeriodicService {
    * is none on the earth. Safe from any thread.
    */
   public List<Geodetic> fenceCorners() {
+    return fenceWatch().fence().map(Fence::corners).orElse(List.of());
+  }
+
+  private FenceWatch fenceWatch() {
     return watches.stream()
         .filter(FenceWatch.class::isInstance)
-        .map(watch -> ((FenceWatch) watch).fence().corners())
+        .map(FenceWatch.class::cast)
         .findFirst()
-        .orElse(List.of());
+        .orElseThrow();
+  }
+
+  /** Refuses a fence that cannot be read, before it takes the place of one that can. */
+  @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return fence.refusal(values, this);
+  }
+
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    if (variableNames.contains(SafetyVariables.FENCE.name())
+        || variableNames.contains(SafetyVariables.FENCE_MARGIN.name())) {
+      try {
+        fenceWatch().load();
+        log("fence " + getVariable(SafetyVariables.FENCE) + " loaded");
+      } catch (BadInputException e) {
+        log(LogLevelEnum.ERROR, e.getMessage() + ": the fence stays as it was");
+      }
+    }
   }
 
   private void beginAfterPredecessor(long now) {
@@ -131,7 +159,13 @@ public final class SafetyManager extends PeriodicService {
   }
 
   private void stopOrGo(EmergencyStop message, long now) {
-    if (!emergency.accept(message)) {
+    boolean changed = emergency.accept(message);
+    heedsEmergencyStops(emergency.identities());
+    if (!message.active() && emergency.isStopped()) {
+      // The clear is retained: who comes late must not take it for the end of what it left.
+      publish(Channels.EMERGENCY_STOP, emergency.stop().orElseThrow());
+    }
+    if (!changed) {
       return;
     }
     if (emergency.isStopped()) {
@@ -170,10 +204,7 @@ public final class SafetyManager extends PeriodicService {
       publish(arming.state(now));
     }
     if (repeat) {
-      emergency.stop().ifPresent(stop -> publish(Channels.EMERGENCY_STOP, stop));
-      if (landMission.isOpen()) {
-        publish(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(""));
-      }
+      emergency.stops().forEach(stop -> publish(Channels.EMERGENCY_STOP, stop)); // newest last
     }
   }
 
@@ -187,6 +218,7 @@ public final class SafetyManager extends PeriodicService {
       EmergencyStop stop =
           new EmergencyStop()
               .active(true)
+              .stopId(getServiceName() + " " + now + " " + ++stops)
               .operator(getServiceName())
               .reason(String.join("; ", decision.causes()));
       publish(Channels.EMERGENCY_STOP, stop);

@@ -2,15 +2,13 @@ package org.u2sa.core.safety;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.XmlConfiguration;
 
 /** Makes the watches that a configuration asks for. */
 final class Watches {
   private Watches() {}
 
-  static List<Watch> of(Configurator variables, Conditions conditions, XmlConfiguration file) {
+  static List<Watch> of(Configurator variables, Conditions conditions, FenceFile fence) {
     PositionWatch position = new PositionWatch(variables);
     List<Watch> watches = new ArrayList<>();
     watches.add(new OperatorWatch(variables));
@@ -42,23 +40,7 @@ final class Watches {
             variables,
             SafetyVariables.CRITICAL_VOLTAGE,
             SafetyVariables.CRITICAL_REMAINING));
-    addFence(watches, variables, file, position);
+    watches.add(new FenceWatch(variables, fence, position));
     return watches;
-  }
-
-  private static void addFence(
-      List<Watch> watches, Configurator variables, XmlConfiguration file, PositionWatch position) {
-    String path = variables.getVariable(SafetyVariables.FENCE);
-    double marginM = variables.getVariable(SafetyVariables.FENCE_MARGIN);
-    Manoeuvre.of(variables); // declared with and without a fence
-    if (path.isEmpty()) {
-      return;
-    }
-    Fence fence = FenceReader.read(file.resolve(path));
-    try {
-      watches.add(new FenceWatch(fence.drawnInBy(marginM), variables, position));
-    } catch (IllegalArgumentException e) {
-      throw new BadInputException(file.resolve(path) + ": FENCE MARGIN: " + e.getMessage(), e);
-    }
   }
 }

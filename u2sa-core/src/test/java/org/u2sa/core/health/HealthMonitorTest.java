@@ -7,7 +7,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
 
@@ -39,6 +41,39 @@ class HealthMonitorTest extends WatchedWorker {
 
     assertThat(condition().condition()).isEqualTo(Condition.HUNG);
     assertThat(condition().reason()).contains("not come back");
+  }
+
+  @Test
+  void watched_narrowedInARun_takesBackWhatWasSaid() {
+    HealthMonitor monitor = monitor();
+    live("a", 1.0);
+    say(report("a").status(ServiceStatus.FAILED));
+    assertThat(condition().condition()).isEqualTo(Condition.FAILED);
+
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .serviceName("HealthMonitor")
+            .variableName("WATCHED")
+            .value("PathPlanner"));
+
+    assertThat(monitor.getVariable("WATCHED")).isEqualTo("PathPlanner");
+    assertThat(kit.published(Channels.CONDITIONS))
+        .filteredOn(condition -> condition.serviceName().equals("Worker"))
+        .last()
+        .satisfies(last -> assertThat(last.condition()).isEqualTo(Condition.UNWATCHED));
+  }
+
+  @Test
+  void watched_narrowedBeforeAStart_takesBackWhatTheMonitorBeforeSaid() {
+    kit.publish(
+        Channels.CONDITIONS,
+        new ServiceCondition().serviceName("Camera").condition(Condition.FAILED));
+
+    monitor();
+
+    assertThat(condition().serviceName()).isEqualTo("Camera");
+    assertThat(condition().condition()).isEqualTo(Condition.UNWATCHED);
   }
 
   @Test

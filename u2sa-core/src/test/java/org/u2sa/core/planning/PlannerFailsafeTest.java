@@ -78,6 +78,29 @@ class PlannerFailsafeTest {
   }
 
   @Test
+  void hold_aircraftThatGetsNoPointsAtTheMissionsEnd_circlesAllTheSame() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    failsafe(FailsafeAction.HOLD);
+    state(100.0);
+    state(150.0);
+
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+  }
+
+  @Test
+  void return_aircraftThatIsHome_circlesWhateverTheMissionsEndSays() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    failsafe(FailsafeAction.RETURN);
+    kit.publish(Channels.GOALS, new GoalList()); // home is reached
+    kit.forget();
+    state(100.0);
+
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(1);
+  }
+
+  @Test
   void hold_vehicleThatStopsAtTheEnd_givesNoNavigationPoints() {
     begin();
     failsafe(FailsafeAction.HOLD);

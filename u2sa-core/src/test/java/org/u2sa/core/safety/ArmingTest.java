@@ -6,12 +6,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /** What must be there before the vehicle is armed. */
@@ -46,7 +48,50 @@ class ArmingTest extends WatchedVehicle {
             "critical battery: a level is configured, but no battery was heard",
             "mission: no goals",
             "actuators: none is there",
-            "failsafe matrix: ON FENCE is LAND, but no Mission Manager has answered whether it has a LAND MISSION");
+            "failsafe matrix: ON FENCE is LAND, but no Mission Manager has said that it has loaded a LAND MISSION");
+  }
+
+  @Test
+  void arm_failedServiceThatIsWatchedNoMore_doesNotCount() {
+    start();
+    live(0.3);
+    condition("Camera", Condition.FAILED);
+    assertThat(arm(true).reasons()).containsExactly("service Camera is FAILED: seen so");
+
+    condition("Camera", Condition.UNWATCHED);
+
+    assertThat(arm(true).armed()).isTrue();
+  }
+
+  @Test
+  void clear_thatLiftsNothing_leavesTheStopForWhoComesLate() {
+    startArmed();
+    EmergencyStop stop = new EmergencyStop().active(true).operator("Ann").stopId("Ann 1");
+    kit.publish(Channels.EMERGENCY_STOP, stop);
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(false).clears(-1));
+
+    assertThat(kit.latest(Channels.EMERGENCY_STOP)).contains(stop);
+    live(0.2);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
+    assertThat(arm(true).reasons())
+        .anyMatch(reason -> reason.contains("emergency stop by \"Ann\""));
+  }
+
+  @Test
+  void clear_ofOneOfTwoStops_isStoppedByTheOther() {
+    startArmed();
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));
+    EmergencyStop other = new EmergencyStop().active(true).stopId("Bob 1").operator("Bob");
+    kit.publish(Channels.EMERGENCY_STOP, other);
+
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(false).lifts(List.of("Ann 1")));
+    live(0.2);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
+    assertThat(kit.latest(Channels.EMERGENCY_STOP)).contains(other);
+
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(false).lifts(List.of("Bob 1")));
+    live(0.3);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
   }
 
   @Test

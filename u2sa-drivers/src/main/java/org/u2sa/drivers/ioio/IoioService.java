@@ -17,6 +17,7 @@ import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -191,6 +192,22 @@ public final class IoioService extends ProprioceptiveSensor {
     batteryDueS = nowS() + BATTERY_EVERY_S;
     double batteryV = volts.getAsDouble() * batteryDivider.get();
     publish(Channels.POWER, new BatteryState().sensorName(sensorName()).voltage(batteryV));
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
+  }
+
+  /** The board gives no pulses until the successor has connected; then it goes on. */
+  @Override
+  protected void releaseToSuccessor() {
+    keeper.close();
   }
 
   @Override

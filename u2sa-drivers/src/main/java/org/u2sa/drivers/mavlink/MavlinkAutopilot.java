@@ -20,6 +20,7 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -191,6 +192,22 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
 
   private void publishPower(BatteryState battery) {
     publish(Channels.POWER, battery);
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
+  }
+
+  /** The autopilot holds the last command until the successor renews it. */
+  @Override
+  protected void releaseToSuccessor() {
+    link.close();
   }
 
   @Override

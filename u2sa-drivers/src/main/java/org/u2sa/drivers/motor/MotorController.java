@@ -40,6 +40,9 @@ public interface MotorController extends AutoCloseable {
   /** How often it said what cannot be read, or nothing where an answer was due. */
   long malformed();
 
+  /** Closes the link and leaves the motors as they are, for who drives them on over a new one. */
+  void leave();
+
   /** Both motors off, and the link closed. */
   @Override
   void close();

@@ -167,6 +167,11 @@ final class RoboClaw implements MotorController {
   }
 
   @Override
+  public void leave() {
+    link.close();
+  }
+
+  @Override
   public void close() {
     try {
       link.write(RoboClawRequest.duty(0.0, 0.0).packet(address));

@@ -55,6 +55,17 @@ public final class SlewLimit {
     began(nowMicros);
   }
 
+  /** What it holds now [%]. */
+  public double percent() {
+    return percent;
+  }
+
+  /** Goes on from what another limit held [%]: the next step starts the watch from there. */
+  public void goOnFrom(double held) {
+    percent = held;
+    hasBegun = false;
+  }
+
   private void began(long nowMicros) {
     hasBegun = true;
     atMicros = nowMicros;

@@ -14,6 +14,7 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -32,6 +33,8 @@ public final class WheelMotors extends PeriodicService {
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SILENT_AFTER_S = 0.5;
   private static final double FULL_PERCENT = 100.0;
+  private static final String LEFT_SLEW = "LEFT SLEW";
+  private static final String RIGHT_SLEW = "RIGHT SLEW";
 
   private final String leftName;
   private final String rightName;
@@ -46,7 +49,9 @@ public final class WheelMotors extends PeriodicService {
   private final long stateEveryMicros;
   private final MotorController controller;
   private final LinkWatch watch;
+  private final long goesOnMicros; // how long the motors run on without being told to
   private long readMicros = -1; // of the last reading used
+  private long turningUntilMicros = Long.MIN_VALUE; // taken over, and not heard of yet
   private long stateDueMicros;
   private double announceDueS;
   private double batteryDueS;
@@ -88,9 +93,9 @@ public final class WheelMotors extends PeriodicService {
                     context.clock(),
                     path -> context.configuration().resolve(path.toString())));
     watch = new LinkWatch(this, "the motor controller", link, SILENT_AFTER_S);
-    controller =
-        new RoboClaw(
-            link, getVariable(WheelVariables.ADDRESS), getVariable(WheelVariables.SERIAL_TIMEOUT));
+    double serialTimeoutS = getVariable(WheelVariables.SERIAL_TIMEOUT);
+    goesOnMicros = Clock.micros(serialTimeoutS);
+    controller = new RoboClaw(link, getVariable(WheelVariables.ADDRESS), serialTimeoutS);
   }
 
   private void announce(double nowS) {
@@ -110,8 +115,12 @@ public final class WheelMotors extends PeriodicService {
 
   @Override
   protected void begin() {
-    controller.stop(clock().micros());
     announce(nowS());
+    if (commands.isCommanded()) {
+      turningUntilMicros = clock().micros() + goesOnMicros;
+    } else {
+      controller.stop(clock().micros());
+    }
   }
 
   @Override
@@ -160,9 +169,12 @@ public final class WheelMotors extends PeriodicService {
   private void use(MotorController.Reading reading, long nowMicros, double nowS) {
     if (!reading.connected()) {
       odometry.beginAnew();
-      rest(nowMicros); // it comes back from 0, whatever is commanded then
+      if (nowMicros >= turningUntilMicros) {
+        rest(nowMicros); // it comes back from 0, whatever is commanded then
+      }
       return;
     }
+    turningUntilMicros = Long.MIN_VALUE;
     if (reading.measuredAtMicros() == readMicros) {
       return;
     }
@@ -192,6 +204,24 @@ public final class WheelMotors extends PeriodicService {
               state.timestamp(readMicros);
               publish(Channels.SENSED_STATE, state.sensorName(getServiceName()));
             });
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+    state.number(LEFT_SLEW, leftSlew.percent()).number(RIGHT_SLEW, rightSlew.percent());
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
+    state.number(LEFT_SLEW).ifPresent(leftSlew::goOnFrom);
+    state.number(RIGHT_SLEW).ifPresent(rightSlew::goOnFrom);
+  }
+
+  @Override
+  protected void releaseToSuccessor() {
+    controller.leave();
   }
 
   @Override

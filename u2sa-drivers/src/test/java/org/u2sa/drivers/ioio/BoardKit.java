@@ -41,6 +41,13 @@ final class BoardKit implements AutoCloseable {
     kit.publish(Channels.ACTUATION, new PercentageCommand().actuatorName(name).percentage(percent));
   }
 
+  /** Commands one actuator for a time. */
+  void command(String name, double percent, double holdsS) {
+    PercentageCommand command = new PercentageCommand().actuatorName(name).percentage(percent);
+    command.expiry(holdsS);
+    kit.publish(Channels.ACTUATION, command);
+  }
+
   /** Commands both motors for a while, as control does. */
   void drive(double left, double right, double seconds) {
     for (double spent = 0.0; spent < seconds; spent += 0.1) {

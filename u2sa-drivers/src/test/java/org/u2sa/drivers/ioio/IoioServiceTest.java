@@ -91,6 +91,30 @@ class IoioServiceTest {
   }
 
   @Test
+  void swap_driving_goesOnWithTheCommandAsSoonAsItHasTheBoardAndNeverBackwards() {
+    IoioService before = on.start();
+    on.command("LEFT MOTOR", 60.0, 3.0);
+    on.command("RIGHT MOTOR", 60.0, 3.0);
+    on.kit.advance(0.5);
+    on.expectWidths(1.8e-3, 1.8e-3);
+    int from = on.bench.history(BoardKit.LEFT, 0).size();
+
+    on.kit.swap(before, context -> new IoioService(context, BoardKeeperTest.connection(on.board)));
+    on.kit.advance(1.5);
+
+    on.expectWidths(1.8e-3, 1.8e-3);
+    assertThat(on.bench.history(BoardKit.LEFT, from))
+        .allSatisfy(
+            pulses ->
+                assertThat(pulses.widthS())
+                    .satisfiesAnyOf(
+                        width -> assertThat(width).as("no pulses").isZero(),
+                        width -> assertThat(width).isBetween(1.4999e-3, 1.8001e-3)));
+    on.kit.advance(1.5);
+    on.expectWidths(BoardKit.NEUTRAL_S, BoardKit.NEUTRAL_S); // 3 s after the command
+  }
+
+  @Test
   void step_radioAtManual_isNeutralAndBackAtAutomatic() {
     on.start();
     on.drive(50.0, 50.0, 0.5);

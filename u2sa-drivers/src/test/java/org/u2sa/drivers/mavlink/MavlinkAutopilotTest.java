@@ -350,6 +350,30 @@ class MavlinkAutopilotTest {
   }
 
   @Test
+  void swap_commanded_theSuccessorRenewsTheSameCommandAndNobodySaysNeutral() {
+    rc();
+    for (String actuator : List.of("STEERING", "THROTTLE")) {
+      PercentageCommand command = PercentageCommand.of(actuator, 25.0);
+      command.expiry(3.0);
+      kit.publish(Channels.ACTUATION, command);
+    }
+    kit.advance(0.2);
+    RcChannelsOverride before = last(RcChannelsOverride.class);
+    heard.clear();
+    MemoryLink anew = new MemoryLink();
+    anew.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
+
+    kit.swap(service, context -> new MavlinkAutopilot(context, anew));
+    for (int i = 0; i < 4; i++) {
+      anew.fromDevice(vehicle.encode(heartbeat(MavState.MAV_STATE_ACTIVE)));
+      kit.advance(0.5);
+    }
+
+    assertThat(link.isClosed()).isTrue();
+    assertThat(heard(RcChannelsOverride.class)).isNotEmpty().containsOnly(before);
+  }
+
+  @Test
   void step_rcCommands_overrideThenNeutralThenGiveBack() {
     rc();
     assertThat(heard(RcChannelsOverride.class)).as("nothing before a command").isEmpty();

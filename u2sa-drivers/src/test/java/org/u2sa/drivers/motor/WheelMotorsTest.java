@@ -9,6 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
@@ -123,6 +124,80 @@ class WheelMotorsTest {
         new EmergencyStop().operator("the test").reason("test").active(true));
     assertThat(isDriving()).isFalse();
     command(50.0, 50.0, 0.5);
+    assertThat(isDriving()).isFalse();
+  }
+
+  /** The same line for two services, of which the first one leaves it to the second. */
+  private static final class Shared implements ByteLink {
+    private final ByteLink line;
+    private boolean closed;
+
+    Shared(ByteLink line) {
+      this.line = line;
+    }
+
+    @Override
+    public boolean isConnected() {
+      return line.isConnected();
+    }
+
+    @Override
+    public int connections() {
+      return line.connections();
+    }
+
+    @Override
+    public String trouble() {
+      return line.trouble();
+    }
+
+    @Override
+    public int read(byte[] buffer) {
+      return line.read(buffer);
+    }
+
+    @Override
+    public boolean write(byte[] bytes) {
+      return line.write(bytes);
+    }
+
+    @Override
+    public void close() {
+      closed = true;
+    }
+  }
+
+  @Test
+  void swap_driving_theWheelsTurnOnWithoutABumpUntilTheCommandExpires() {
+    kit.with("SLEW LIMIT", 100.0);
+    Shared shared = new Shared(link);
+    motors = kit.start(context -> new WheelMotors(context, shared));
+    command(50.0, 40.0, 1.0);
+    assertThat(device.duty(0)).isCloseTo(0.5, within(NEAR));
+
+    WheelMotors successor = kit.swap(motors, context -> new WheelMotors(context, link));
+
+    assertThat(shared.closed).isTrue();
+    for (int i = 0; i < 40; i++) { // the last commands are 0.05 s old and hold for 0.5 s
+      kit.advance(0.01);
+      assertThat(device.duty(0)).as("after %d steps", i).isCloseTo(0.5, within(NEAR));
+      assertThat(device.duty(1)).as("after %d steps", i).isCloseTo(0.4, within(NEAR));
+    }
+    kit.advance(0.2);
+    assertThat(isDriving()).isFalse();
+    assertThat(successor.isRunning()).isTrue();
+  }
+
+  @Test
+  void swap_stopped_staysOff() {
+    Shared shared = new Shared(link);
+    motors = kit.start(context -> new WheelMotors(context, shared));
+    command(50.0, 50.0, 1.0);
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).operator("test"));
+
+    kit.swap(motors, context -> new WheelMotors(context, link));
+    command(50.0, 50.0, 0.5);
+
     assertThat(isDriving()).isFalse();
   }
 

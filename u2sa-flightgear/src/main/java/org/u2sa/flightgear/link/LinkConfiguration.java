@@ -83,8 +83,9 @@ final class LinkConfiguration {
   /**
    * Opens it.
    *
-   * @throws BadInputException if the Simulator is started anew and the aircraft was embedded: then
-   *     it ended with the one before, and another one would begin another flight
+   * @throws BadInputException if the Simulator is started anew, or takes the place of another, and
+   *     the aircraft was embedded: then it ends with the one before, and another one would begin
+   *     another flight
    */
   AircraftLink open() {
     String link = variables.getVariable(LINK);
@@ -103,6 +104,10 @@ final class LinkConfiguration {
     if (context.isRestart()) {
       throw new BadInputException(
           "variable \"LINK\": \"embedded\": the aircraft has ended with the Simulator that was before; run the system anew");
+    }
+    if (context.isSwap()) {
+      throw new BadInputException(
+          "variable \"LINK\": \"embedded\": the aircraft would end with the Simulator that is to be replaced; expected \"flightgear\" for a swap in flight");
     }
     Wind steady =
         gusts

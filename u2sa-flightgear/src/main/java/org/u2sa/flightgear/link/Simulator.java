@@ -12,6 +12,7 @@ import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.aircraft.ControlInputs;
@@ -162,6 +163,22 @@ public final class Simulator extends ProprioceptiveSensor {
         .weightOnWheels(reading.weightOnWheels())
         .engineStarting(reading.engineStarting())
         .crashed(reading.crashed());
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
+  }
+
+  /** The aircraft keeps its controls until the successor has joined it. */
+  @Override
+  protected void releaseToSuccessor() {
+    link.close();
   }
 
   @Override

@@ -1,12 +1,14 @@
 package org.u2sa.gcs.remote;
 
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SortedSet;
 import org.u2sa.core.communication.BrokerSearch;
 import org.u2sa.core.communication.FoundBroker;
 import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.Suggestions;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
@@ -149,6 +151,27 @@ public final class RemoteSystem {
               + "; --system chooses one");
     }
     return heard.first();
+  }
+
+  /**
+   * What to say of a system of which nothing is heard: which others are at the broker, and which of
+   * them may have been meant. Empty if it was not chosen by name.
+   */
+  public Optional<String> otherSystems(RemoteLink link) throws InterruptedException {
+    if (systemId == null) {
+      return Optional.empty();
+    }
+    SortedSet<String> heard =
+        SystemSearch.heard(
+            transport(Topic.ANY_SYSTEM), name() + "-search", link.clock(), link.timeoutS());
+    heard.remove(systemId);
+    List<String> near = Suggestions.nearest(systemId, heard);
+    return Optional.of(
+        "  "
+            + (heard.isEmpty()
+                ? "no other system is heard at " + broker
+                : "heard at " + broker + ": " + String.join(", ", heard))
+            + (near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?"));
   }
 
   private MqttTransport transport(String id) {

@@ -21,6 +21,9 @@ final class ArmingOrder {
     try (RemoteLink link = remote.connect()) {
       Optional<ArmingState> answer = answer(link, arm);
       int code = say(link, arm, answer, out);
+      if (answer.isEmpty()) {
+        remote.otherSystems(link).ifPresent(out::println);
+      }
       out.flush();
       return code;
     }

@@ -2,15 +2,14 @@ package org.u2sa.gcs.safety;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Set;
+import java.util.UUID;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.gcs.ExitCode;
-import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.EmergencyStop;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -25,7 +24,10 @@ import picocli.CommandLine.Spec;
       "Stop everything that moves, at once, until it is cleared.",
       "",
       "Every actuator goes neutral and refuses all commands, also one that starts later, until estop --clear. An aircraft "
-          + "glides, its surfaces neutral and its engine idling."
+          + "glides, its surfaces neutral and its engine idling.",
+      "",
+      "Exit code 0: every service that heeds stops, actuators and Safety Manager, has said that it is stopped (or, with --clear, "
+          + "that nothing stops it). Exit code 1: somebody has not, and the answer says who."
     })
 public final class EmergencyStopCommand implements Callable<Integer> {
   /** A Safety Manager repeats a stop each second; without one the broker has retained it. */
@@ -46,56 +48,68 @@ public final class EmergencyStopCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connect();
+        Clock.Waiter waiter = link.clock().newWaiter("stops")) {
       EmergencyStop message = new EmergencyStop().operator(RemoteSystem.operator()).reason(reason);
-      if (clear) {
-        message.active(false).clears(newestStop(link));
-      } else {
-        message.active(true);
-      }
-      long said = link.clock().micros();
-      message.timestamp(said);
-      List<EmergencyStop> echo =
-          link.ask(
-              new Question<>(Channels.EMERGENCY_STOP, message, EmergencyStop.class)
-                  .only(
-                      heard ->
-                          heard.active() == message.active()
-                              && heard.timestamp().equals(message.timestamp()))
-                  .first());
-      return report(link, !echo.isEmpty(), Clock.seconds(link.clock().micros() - said));
+      return clear ? clear(link, waiter, message) : stop(link, waiter, message);
     }
   }
 
-  /** The time of the newest stop that anybody speaks of; now if that is later. */
-  private static long newestStop(RemoteLink link) throws InterruptedException {
-    AtomicLong newest = new AtomicLong(link.clock().micros());
-    link.listen(
-        Channels.EMERGENCY_STOP, message -> newest.accumulateAndGet(time(message), Math::max));
+  /** Says the stop first and asks then: nothing comes before it. */
+  private int stop(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
+      throws InterruptedException {
+    String id = RemoteSystem.operator() + " " + UUID.randomUUID();
+    link.publish(Channels.EMERGENCY_STOP, message.active(true).stopId(id));
+    StopConfirmation vehicle = StopConfirmation.listen(link, waiter);
+    StopConfirmation.Outcome holds = held -> held.contains(id);
+    vehicle.await(holds);
+    return report(link, vehicle, holds);
+  }
+
+  /** Lifts the stops of which anybody speaks, and no other. */
+  private int clear(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
+      throws InterruptedException {
+    StopConfirmation vehicle = StopConfirmation.listen(link, waiter);
+    listen(link, waiter);
+    Set<String> standing = vehicle.standing();
+    long said = link.clock().micros();
+    message.active(false).clears(Math.max(said, vehicle.newestMicros()));
+    if (!standing.isEmpty()) {
+      message.lifts(List.copyOf(standing));
+    }
+    link.publish(Channels.EMERGENCY_STOP, message);
+    StopConfirmation.Outcome free = List::isEmpty;
+    vehicle.await(free);
+    return report(link, vehicle, free);
+  }
+
+  private static void listen(RemoteLink link, Clock.Waiter waiter) throws InterruptedException {
     long until = link.clock().micros() + Clock.micros(Math.min(LISTEN_S, link.timeoutS()));
-    try (Clock.Waiter waiter = link.clock().newWaiter("stops")) {
-      while (link.clock().micros() < until) {
-        waiter.await(until);
-      }
+    while (link.clock().micros() < until) {
+      waiter.await(until);
     }
-    return newest.get();
   }
 
-  private static long time(U2SAData message) {
-    return message instanceof EmergencyStop stop && stop.active()
-        ? stop.timestamp().orElse(0L)
-        : 0L;
-  }
-
-  private int report(RemoteLink link, boolean confirmed, double tookS) {
-    PrintWriter out = command.commandLine().getOut();
+  private int report(RemoteLink link, StopConfirmation vehicle, StopConfirmation.Outcome wanted)
+      throws InterruptedException {
     String what = clear ? "Emergency stop cleared" : "Emergency stop";
-    if (confirmed) {
-      out.printf("%s: %s (the broker had it after %.0f ms)%n", link.systemId(), what, 1e3 * tookS);
+    List<String> missing = vehicle.missing(wanted);
+    List<String> by = vehicle.confirmedBy(wanted);
+    String confirmed = by.isEmpty() ? "" : "confirmed by " + String.join(", ", by);
+    PrintWriter out = command.commandLine().getOut();
+    if (missing.isEmpty()) {
+      out.printf("%s: %s, %s%n", link.systemId(), what, confirmed);
     } else {
-      out.printf("%s: %s was sent, but the broker did not confirm it%n", link.systemId(), what);
+      out.printf(
+          "%s: %s was sent, but NOT CONFIRMED%s%n",
+          link.systemId(), what, by.isEmpty() ? "" : " by all; " + confirmed);
+      missing.forEach(reason -> out.println("  " + reason));
     }
     out.flush();
-    return confirmed ? ExitCode.DONE : ExitCode.FAILED;
+    if (!vehicle.hearsAnybody()) {
+      remote.otherSystems(link).ifPresent(out::println);
+      out.flush();
+    }
+    return missing.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }
 }

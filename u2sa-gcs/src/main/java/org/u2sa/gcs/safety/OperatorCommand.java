@@ -32,6 +32,7 @@ import picocli.CommandLine.Spec;
     })
 public final class OperatorCommand implements Callable<Integer> {
   private static final double INTERVAL_S = 1.0;
+  private static final String ARMING = "arming";
 
   @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
@@ -66,15 +67,30 @@ public final class OperatorCommand implements Callable<Integer> {
           waiter.await(Math.min(due, end));
         }
       }
+      return isHeard() ? ExitCode.DONE : nobody(link);
     }
-    return ExitCode.DONE;
+  }
+
+  private boolean isHeard() {
+    synchronized (shown) {
+      return shown.containsKey(ARMING);
+    }
+  }
+
+  /** Nobody took the heartbeats for an operator's. */
+  private int nobody(RemoteLink link) throws InterruptedException {
+    PrintWriter out = command.commandLine().getOut();
+    out.println(link.systemId() + ": no Safety Manager is heard: nobody heeds an operator");
+    remote.otherSystems(link).ifPresent(out::println);
+    out.flush();
+    return ExitCode.FAILED;
   }
 
   /** Called on the transport's thread. */
   private void show(U2SAData message) {
     if (message instanceof ArmingState state) {
       show(
-          "arming",
+          ARMING,
           state.armed() ? "armed" : "not armed: " + state.reasons(),
           state.armed() + " " + state.reasons().size());
     } else if (message instanceof FailsafeState state) {

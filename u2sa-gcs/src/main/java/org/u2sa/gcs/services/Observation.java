@@ -9,6 +9,7 @@ import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.service.directory.KnownService;
 import org.u2sa.service.directory.ServiceDirectory;
@@ -63,7 +64,11 @@ final class Observation {
   private void note(U2SAData message) {
     if (message instanceof ServiceCondition condition) {
       synchronized (conditions) {
-        conditions.put(condition.serviceName(), condition);
+        if (condition.condition() == Condition.UNWATCHED) {
+          conditions.remove(condition.serviceName());
+        } else {
+          conditions.put(condition.serviceName(), condition);
+        }
       }
     }
   }

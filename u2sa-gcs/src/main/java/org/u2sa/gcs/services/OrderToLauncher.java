@@ -37,7 +37,9 @@ final class OrderToLauncher {
                   .only(result -> result.requestId().equals(id))
                   .first());
       if (results.isEmpty()) {
-        throw new RunFailedException(nobody(what, order.serviceName(), link));
+        throw new RunFailedException(
+            nobody(what, order.serviceName(), link)
+                + remote.otherSystems(link).map(others -> ";" + others.substring(1)).orElse(""));
       }
       ServiceOrderResult result = results.get(0);
       if (!result.accepted()) {

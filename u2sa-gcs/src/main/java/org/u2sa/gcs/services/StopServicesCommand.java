@@ -68,7 +68,11 @@ public final class StopServicesCommand implements Callable<Integer> {
         throw new BadInputException(unknown(name, there, link));
       }
       Set<String> told = name == null ? new TreeSet<>(there) : Set.of(name);
-      return report(told, stopped(link, told), link);
+      int code = report(told, stopped(link, told), link);
+      if (told.isEmpty()) {
+        remote.otherSystems(link).ifPresent(command.commandLine().getOut()::println);
+      }
+      return code;
     }
   }
 

@@ -17,5 +17,7 @@ public enum Condition {
   /** It ended itself after errors. */
   FAILED,
   /** It ended as it was told. */
-  STOPPED
+  STOPPED,
+  /** Nobody watches it any more: what was said of it before does not count. */
+  UNWATCHED
 }

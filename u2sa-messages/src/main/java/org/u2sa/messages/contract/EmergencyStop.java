@@ -1,5 +1,7 @@
 package org.u2sa.messages.contract;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalLong;
 import org.u2sa.messages.MessageType;
 import org.u2sa.messages.Schema;
@@ -9,10 +11,11 @@ import org.u2sa.messages.ValueField;
 /**
  * Stops everything that moves at once, and keeps it stopped until an operator clears it. Retained,
  * so that an actuator that comes late obeys too. A message with {@code active} latches; one without
- * lifts the stops that it names by {@code clears}, and no newer one.
+ * lifts the stops that it names by {@code lifts}, or without names those up to {@code clears}.
  */
 public final class EmergencyStop extends U2SAData {
   private static final int FORMAT = 2; // joined the wire format with it
+  private static final int FORMAT_OF_NAMES = 3;
   private static final Schema<EmergencyStop> SCHEMA =
       Schema.of("EmergencyStop", EmergencyStop.class, EmergencyStop::new, U2SAData.TYPE)
           .since(FORMAT);
@@ -21,6 +24,10 @@ public final class EmergencyStop extends U2SAData {
   private static final ValueField<EmergencyStop, String> REASON = SCHEMA.text("reason", "");
   private static final ValueField<EmergencyStop, Long> CLEARS =
       SCHEMA.optionalCount("clears", "us");
+  private static final ValueField<EmergencyStop, String> STOP_ID =
+      SCHEMA.since(FORMAT_OF_NAMES).optionalText("stopId");
+  private static final ValueField<EmergencyStop, List<String>> LIFTS =
+      SCHEMA.optionalTexts("lifts");
 
   /** The schema. */
   public static final MessageType<EmergencyStop> TYPE = SCHEMA.build();
@@ -31,8 +38,8 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * True: everything that moves goes neutral and stays so. False: the stops up to {@link #clears()}
-   * are lifted.
+   * True: everything that moves goes neutral and stays so. False: the stops that {@link #lifts()}
+   * names are lifted, or without names those up to {@link #clears()}.
    */
   public boolean active() {
     return require(ACTIVE);
@@ -76,5 +83,43 @@ public final class EmergencyStop extends U2SAData {
   public EmergencyStop clears(long value) {
     put(CLEARS, value);
     return this;
+  }
+
+  /**
+   * Which stop this is, unique in the system; a repetition has the same. Empty in a clear, and from
+   * senders that do not know the field.
+   */
+  public Optional<String> stopId() {
+    return Optional.ofNullable(get(STOP_ID));
+  }
+
+  /** Sets {@link #stopId()}. */
+  public EmergencyStop stopId(String value) {
+    put(STOP_ID, value);
+    return this;
+  }
+
+  /**
+   * The stops that this message lifts, by {@link #identity()}; none: all up to {@link #clears()}.
+   */
+  public List<String> lifts() {
+    List<String> value = get(LIFTS);
+    return value == null ? List.of() : value;
+  }
+
+  /** Sets {@link #lifts()}. */
+  public EmergencyStop lifts(List<String> value) {
+    put(LIFTS, List.copyOf(value));
+    return this;
+  }
+
+  /**
+   * What tells this stop from any other: its {@link #stopId()}, or for senders that give none who
+   * stopped, when and why.
+   */
+  public String identity() {
+    return stopId()
+        .orElseGet(
+            () -> systemId() + "|" + timestamp().orElse(-1L) + "|" + operator() + "|" + reason());
   }
 }

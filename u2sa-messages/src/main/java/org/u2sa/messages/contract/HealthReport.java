@@ -1,5 +1,6 @@
 package org.u2sa.messages.contract;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
@@ -43,13 +44,15 @@ public class HealthReport extends U2SAData {
   private static final ValueField<HealthReport, Long> EXPIRED = SCHEMA.optionalCount("expired", "");
   private static final ValueField<HealthReport, Long> MISSED = SCHEMA.optionalCount("missed", "");
   private static final ValueField<HealthReport, Long> REPLACED =
-      SCHEMA.optionalCount("replaced", "");
+      SCHEMA.since(3).optionalCount("replaced", "");
   private static final ValueField<HealthReport, Long> COMMANDS_OBEYED =
       SCHEMA.optionalCount("commandsObeyed", "");
   private static final ValueField<HealthReport, Long> COMMANDS_REFUSED =
       SCHEMA.optionalCount("commandsRefused", "");
   private static final ValueField<HealthReport, String> REFUSED_SUBSCRIPTIONS =
       SCHEMA.optionalText("refusedSubscriptions");
+  private static final ValueField<HealthReport, List<String>> EMERGENCY_STOPS =
+      SCHEMA.since(3).optionalTexts("emergencyStops");
 
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
@@ -272,6 +275,20 @@ public class HealthReport extends U2SAData {
   /** Sets {@link #missed()}. */
   public HealthReport missed(long value) {
     put(MISSED, value);
+    return this;
+  }
+
+  /**
+   * The emergency stops that hold at this service, by {@link EmergencyStop#identity()}; empty if it
+   * heeds none, an empty list if it would and none holds.
+   */
+  public Optional<List<String>> emergencyStops() {
+    return Optional.ofNullable(get(EMERGENCY_STOPS));
+  }
+
+  /** Sets {@link #emergencyStops()}. */
+  public HealthReport emergencyStops(List<String> value) {
+    put(EMERGENCY_STOPS, List.copyOf(value));
     return this;
   }
 

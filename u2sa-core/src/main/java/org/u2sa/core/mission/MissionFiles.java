@@ -1,0 +1,97 @@
+package org.u2sa.core.mission;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Reads the mission files that variables of the {@link MissionManager} name, and says when one is
+ * no longer what was loaded from it.
+ */
+final class MissionFiles {
+  private static final List<Variable<String>> VARIABLES =
+      List.of(
+          MissionVariables.MISSION, FailsafeMissions.RETURN_MISSION, FailsafeMissions.LAND_MISSION);
+
+  private final ServiceContext context;
+  private final Map<String, LoadedFile> loaded = new TreeMap<>(); // by variable
+  private List<String> said = List.of();
+
+  MissionFiles(ServiceContext context) {
+    this.context = context;
+  }
+
+  /**
+   * The mission of a file, which is watched from then on in place of the variable's file before.
+   *
+   * @param path as the variable has it
+   * @throws BadInputException naming the variable, and what is wrong where in the file
+   */
+  Mission load(Variable<String> variable, String path, double thresholdM) {
+    Path file = context.configuration().resolve(path);
+    LoadedFile watched = new LoadedFile(file, each -> read(variable, each, thresholdM));
+    Mission mission = read(variable, file, thresholdM);
+    loaded.put(variable.name(), watched);
+    return mission;
+  }
+
+  /** The variable names no file any more. */
+  void forget(Variable<String> variable) {
+    loaded.remove(variable.name());
+  }
+
+  private Mission read(Variable<String> variable, Path file, double thresholdM) {
+    try {
+      return Mission.load(file, context.messageTypes(), thresholdM);
+    } catch (BadInputException e) {
+      if (variable == MissionVariables.MISSION) {
+        throw e; // the file that everybody knows of
+      }
+      throw new BadInputException("variable \"" + variable.name() + "\": " + e.getMessage(), e);
+    }
+  }
+
+  /** What is wrong with the files now; remembers that it was said. */
+  List<String> faults() {
+    List<String> faults = new ArrayList<>();
+    loaded.forEach(
+        (variable, file) -> file.fault().ifPresent(fault -> faults.add(variable + ": " + fault)));
+    said = faults;
+    return faults;
+  }
+
+  /** Whether {@link #faults} would say something else than last. */
+  boolean haveNews() {
+    List<String> before = said;
+    return !faults().equals(before);
+  }
+
+  /**
+   * Why a file that these values name could not be loaded; empty if all can.
+   *
+   * @param before the present values: what they name already is not read again
+   */
+  Optional<String> refusal(Map<String, Object> values, Configurator before) {
+    double thresholdM = (Double) values.get(MissionVariables.DEFAULT_THRESHOLD.name());
+    boolean others = thresholdM != before.getVariable(MissionVariables.DEFAULT_THRESHOLD);
+    try {
+      for (Variable<String> variable : VARIABLES) {
+        String path = (String) values.get(variable.name());
+        boolean named = variable == MissionVariables.MISSION || !path.isEmpty();
+        if (named && (others || !path.equals(before.getVariable(variable)))) {
+          read(variable, context.configuration().resolve(path), thresholdM);
+        }
+      }
+    } catch (BadInputException e) {
+      return Optional.of(e.getMessage());
+    }
+    return Optional.empty();
+  }
+}

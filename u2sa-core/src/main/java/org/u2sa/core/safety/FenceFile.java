@@ -1,0 +1,83 @@
+package org.u2sa.core.safety;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.core.mission.LoadedFile;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.XmlConfiguration;
+
+/** The file that the variable FENCE names, as it was loaded and as it is now. */
+final class FenceFile {
+  private final XmlConfiguration configuration;
+  private Optional<LoadedFile> loaded = Optional.empty();
+
+  FenceFile(XmlConfiguration configuration) {
+    this.configuration = configuration;
+  }
+
+  /**
+   * The fence that the variables describe, drawn in by its margin; empty if they name none.
+   *
+   * @throws BadInputException naming the variable, the file and what is wrong in it
+   */
+  Optional<Fence> load(Configurator variables) {
+    String path = variables.getVariable(SafetyVariables.FENCE);
+    double marginM = variables.getVariable(SafetyVariables.FENCE_MARGIN);
+    if (path.isEmpty()) {
+      loaded = Optional.empty();
+      return Optional.empty();
+    }
+    Path file = configuration.resolve(path);
+    LoadedFile watched = new LoadedFile(file, each -> read(each, marginM));
+    Fence fence = read(file, marginM);
+    loaded = Optional.of(watched);
+    return Optional.of(fence);
+  }
+
+  private static Fence read(Path file, double marginM) {
+    try {
+      return drawnIn(file, FenceReader.read(file), marginM);
+    } catch (BadInputException e) {
+      throw new BadInputException(
+          "variable \"" + SafetyVariables.FENCE.name() + "\": " + e.getMessage(), e);
+    }
+  }
+
+  private static Fence drawnIn(Path file, Fence fence, double marginM) {
+    try {
+      return fence.drawnInBy(marginM);
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(
+          file + ": " + SafetyVariables.FENCE_MARGIN.name() + ": " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Why these values would give no fence where they name one; empty if they would do.
+   *
+   * @param before the present values: a fence that they give already is not read again
+   */
+  Optional<String> refusal(Map<String, Object> values, Configurator before) {
+    String path = (String) values.get(SafetyVariables.FENCE.name());
+    double marginM = (Double) values.get(SafetyVariables.FENCE_MARGIN.name());
+    boolean same =
+        path.equals(before.getVariable(SafetyVariables.FENCE))
+            && marginM == before.getVariable(SafetyVariables.FENCE_MARGIN);
+    if (path.isEmpty() || same) {
+      return Optional.empty();
+    }
+    try {
+      read(configuration.resolve(path), marginM);
+      return Optional.empty();
+    } catch (BadInputException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  /** What is wrong with the file now; empty if it is as it was loaded. */
+  Optional<String> fault() {
+    return loaded.flatMap(LoadedFile::fault);
+  }
+}

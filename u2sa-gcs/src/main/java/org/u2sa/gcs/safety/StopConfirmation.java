@@ -1,0 +1,168 @@
+package org.u2sa.gcs.safety;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceStatus;
+
+/**
+ * What the services of a vehicle say of emergency stops: who heeds them, and which hold where. A
+ * stop counts when all who heed stops have said that it holds, and that they go on saying so.
+ */
+final class StopConfirmation {
+  /** In this time a service that reports as often as most do has reported twice. */
+  private static final double LISTEN_S = 0.6;
+
+  private final RemoteLink link;
+  private final Clock.Waiter waiter;
+  private final Map<String, List<String>> holding = new TreeMap<>(); // by service; guarded by this
+  private final Set<String> heard = new TreeSet<>(); // guarded by this
+  private final Map<String, String> broken = new TreeMap<>(); // guarded by this
+  private final Map<String, EmergencyStop> stops = new TreeMap<>(); // by identity; guarded by this
+
+  private StopConfirmation(RemoteLink link, Clock.Waiter waiter) {
+    this.link = link;
+    this.waiter = waiter;
+  }
+
+  /** Listens from now on. */
+  static StopConfirmation listen(RemoteLink link, Clock.Waiter waiter) {
+    StopConfirmation confirmation = new StopConfirmation(link, waiter);
+    link.listen(Channels.HEALTH, confirmation::take);
+    link.listen(Channels.CONDITIONS, confirmation::take);
+    link.listen(Channels.EMERGENCY_STOP, confirmation::take);
+    return confirmation;
+  }
+
+  /** Called on the transport's thread. */
+  private void take(U2SAData message) {
+    synchronized (this) {
+      if (message instanceof HealthReport report) {
+        take(report);
+      } else if (message instanceof ServiceCondition condition) {
+        take(condition);
+      } else if (message instanceof EmergencyStop stop && stop.active()) {
+        stops.put(stop.identity(), stop);
+      }
+    }
+    waiter.signal();
+  }
+
+  private void take(HealthReport report) {
+    boolean ended = report.status() == ServiceStatus.STOPPED;
+    if (ended) {
+      heard.remove(report.serviceName());
+      holding.remove(report.serviceName());
+      return;
+    }
+    heard.add(report.serviceName());
+    report.emergencyStops().ifPresent(held -> holding.put(report.serviceName(), held));
+  }
+
+  private void take(ServiceCondition condition) {
+    boolean gone =
+        switch (condition.condition()) {
+          case HUNG, DEAD, LOST, FAILED -> true;
+          default -> false;
+        };
+    if (gone) {
+      broken.put(condition.serviceName(), condition.condition() + ": " + condition.reason());
+    } else {
+      broken.remove(condition.serviceName());
+    }
+  }
+
+  /** Waits until all services have reported twice, or longer for the first word of the vehicle. */
+  void await(Outcome wanted) throws InterruptedException {
+    long begun = link.clock().micros();
+    long least = begun + Clock.micros(Math.min(LISTEN_S, link.timeoutS()));
+    long most = begun + Clock.micros(link.timeoutS());
+    while (link.clock().micros() < least
+        || !missing(wanted).isEmpty() && link.clock().micros() < most) {
+      waiter.await(link.clock().micros() < least ? least : most);
+    }
+  }
+
+  /** What is to be true of the stops that hold at a service. */
+  interface Outcome {
+    boolean isSaid(List<String> holding);
+  }
+
+  /** Who heeds stops and has said what is wanted. */
+  synchronized List<String> confirmedBy(Outcome wanted) {
+    List<String> by = new ArrayList<>();
+    holding.forEach(
+        (service, held) -> {
+          if (wanted.isSaid(held)) {
+            by.add(service);
+          }
+        });
+    return by;
+  }
+
+  /** Why not the whole vehicle has said what is wanted, a text each; none: it has. */
+  synchronized List<String> missing(Outcome wanted) {
+    List<String> missing = new ArrayList<>();
+    if (heard.isEmpty()) {
+      missing.add("no service of system \"" + link.systemId() + "\" is heard");
+    } else if (holding.isEmpty()) {
+      missing.add("of its " + heard.size() + " services none says that it heeds emergency stops");
+    }
+    holding.forEach(
+        (service, held) -> {
+          if (!wanted.isSaid(held)) {
+            missing.add(
+                service + (held.isEmpty() ? " is not stopped" : " is stopped by " + words(held)));
+          }
+        });
+    broken.forEach(
+        (service, how) -> {
+          if (!confirmed(service, wanted)) {
+            missing.add(service + " does not answer, it is " + how);
+          }
+        });
+    return missing;
+  }
+
+  private boolean confirmed(String service, Outcome wanted) {
+    List<String> held = holding.get(service);
+    return held != null && wanted.isSaid(held);
+  }
+
+  private String words(List<String> held) {
+    List<String> words = new ArrayList<>();
+    for (String identity : held) {
+      EmergencyStop stop = stops.get(identity);
+      words.add(
+          stop == null ? "the stop " + identity : "\"" + stop.operator() + "\": " + stop.reason());
+    }
+    return String.join(", ", words);
+  }
+
+  /** Whether any service of the system is heard. */
+  synchronized boolean hearsAnybody() {
+    return !heard.isEmpty();
+  }
+
+  /** All stops that hold anywhere, or of which the broker speaks. */
+  synchronized Set<String> standing() {
+    Set<String> all = new TreeSet<>(stops.keySet());
+    holding.values().forEach(all::addAll);
+    return all;
+  }
+
+  /** The time of the newest stop that was heard [µs]; 0 without one. */
+  synchronized long newestMicros() {
+    return stops.values().stream().mapToLong(stop -> stop.timestamp().orElse(0L)).max().orElse(0L);
+  }
+}
