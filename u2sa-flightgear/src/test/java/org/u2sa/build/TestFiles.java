@@ -18,7 +18,9 @@ final class TestFiles {
 
   /** Maven's folder of what it made, as a path in a text; Gradle makes build. */
   private static final Pattern FOLDER =
-      Pattern.compile("\"target\"|(?<![\\w/.-])target/(?:[\\w$-]|\"|$)", Pattern.MULTILINE);
+      Pattern.compile(
+          "\\b(?:of|get|resolve|resolveSibling)\\(\"target\"|(?<![\\w/.-])target/(?:[\\w$-]|\"|$)",
+          Pattern.MULTILINE);
 
   /** System properties that only Surefire or only Gradle's workers set. */
   private static final Pattern PROPERTY =
