@@ -30,6 +30,12 @@ android {
             pickFirsts += "version.properties" // JmDNS's and IOIOLibCore's; neither needs it
         }
     }
+    testOptions {
+        unitTests.all {
+            it.useJUnitPlatform()
+            it.systemProperty("slf4j.provider", "org.slf4j.helpers.NOP_FallbackServiceProvider") // Android's log is not there on a desktop
+        }
+    }
     sourceSets.getByName("main").assets.srcDir(layout.buildDirectory.dir("vehicle-assets"))
 }
 
@@ -47,6 +53,8 @@ dependencies {
     api(project(":u2sa-drivers"))
     api(libs.kotlin.stdlib)
     api(libs.stax)
+    testImplementation(libs.bundles.test)
+    testRuntimeOnly(libs.junit.platform.launcher)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
 }

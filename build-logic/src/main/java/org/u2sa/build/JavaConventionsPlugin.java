@@ -33,6 +33,8 @@ public class JavaConventionsPlugin implements Plugin<Project> {
           "-Werror",
           "-parameters");
   private static final String EXCLUDED_TAGS = "long,flightgear,network,chaos,android";
+  private static final List<String> TEST_CLASSES = List.of("**/*Test", "**/*Properties");
+  private static final int TEST_FORKS = 2;
 
   @Override
   public void apply(Project project) {
@@ -104,6 +106,16 @@ public class JavaConventionsPlugin implements Plugin<Project> {
         .addProvider(
             JavaPlugin.TEST_RUNTIME_ONLY_CONFIGURATION_NAME,
             catalog.findLibrary("junit-platform-launcher").orElseThrow());
+    // The test kit has annotations of JUnit's; who uses it has JUnit already.
+    project
+        .getPluginManager()
+        .withPlugin(
+            "java-test-fixtures",
+            fixtures ->
+                project
+                    .getDependencies()
+                    .addProvider(
+                        "testFixturesCompileOnly", catalog.findBundle("test").orElseThrow()));
     Provider<String> excluded =
         project.getProviders().gradleProperty("u2sa.excluded.tags").orElse(EXCLUDED_TAGS);
     project
@@ -116,7 +128,8 @@ public class JavaConventionsPlugin implements Plugin<Project> {
                       .filter(tag -> !tag.isBlank())
                       .toArray(String[]::new);
               task.useJUnitPlatform(platform -> platform.excludeTags(tags));
-              task.include("**/*Test.class", "**/*Properties.class");
+              TEST_CLASSES.forEach(name -> task.include(name + ".class"));
+              task.setMaxParallelForks(TEST_FORKS);
               task.setMaxHeapSize("1g");
             });
   }

@@ -18,7 +18,7 @@ import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
-@Timeout(30)
+@Timeout(120)
 class ActuatorTest {
   private final ServiceKit kit = new ServiceKit();
   private Wheel wheel;

@@ -15,7 +15,7 @@ import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
 /** Data older than its deadline is absent; what is urgent overtakes. */
-@Timeout(30)
+@Timeout(120)
 class DeadlineTest {
   private final ServiceKit kit = new ServiceKit();
 

@@ -16,7 +16,7 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.testkit.ServiceKit;
 
 /** What services say of themselves, and that a thread that just ends does not go unnoticed. */
-@Timeout(30)
+@Timeout(120)
 class HealthReportingTest {
   private final ServiceKit kit = new ServiceKit();
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -26,6 +27,8 @@ import org.u2sa.messages.contract.ServiceStatus;
  */
 @Timeout(60)
 class HungServiceTest {
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
   @TempDir private Path directory;
   private final LocalBus bus = new LocalBus("test");
   private final List<U2SAData> published = new CopyOnWriteArrayList<>();
@@ -98,6 +101,7 @@ class HungServiceTest {
     Hanging service = hanging(false);
 
     await()
+        .atMost(PATIENCE)
         .untilAsserted(
             () -> {
               HealthReport report = service.overdueHealth().orElseThrow();
@@ -106,7 +110,7 @@ class HungServiceTest {
               assertThat(report.callbackRunning().orElseThrow()).isGreaterThan(0.1);
             });
     goesOn.countDown();
-    await().untilAsserted(() -> assertThat(service.overdueHealth()).isEmpty());
+    await().atMost(PATIENCE).untilAsserted(() -> assertThat(service.overdueHealth()).isEmpty());
     service.kill();
   }
 

@@ -22,7 +22,7 @@ import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.GoalCommand;
 
 /** What a service knows after it was started anew. */
-@Timeout(30)
+@Timeout(120)
 class RememberedProgressTest {
   @TempDir private Path directory;
   private final LockstepClock clock = new LockstepClock();

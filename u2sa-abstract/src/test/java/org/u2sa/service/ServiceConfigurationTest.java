@@ -24,7 +24,7 @@ import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.testkit.ServiceKit;
 
 /** Changes of several variables and undo, as every service answers them (thesis 3.2.1.1). */
-@Timeout(30)
+@Timeout(120)
 class ServiceConfigurationTest {
   private final ServiceKit kit = new ServiceKit();
   private Tuned service;

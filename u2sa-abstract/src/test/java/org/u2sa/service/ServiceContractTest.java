@@ -29,7 +29,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.testkit.ServiceKit;
 
 /** Thesis 3.2.2.1: what every service answers without a line in the subclass. */
-@Timeout(30)
+@Timeout(120)
 class ServiceContractTest {
   private final ServiceKit kit = new ServiceKit();
   private Planner planner;

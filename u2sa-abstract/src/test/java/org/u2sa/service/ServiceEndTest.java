@@ -18,7 +18,7 @@ import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.testkit.ServiceKit;
 
 /** How services end when things go wrong, or at a bad moment. */
-@Timeout(30)
+@Timeout(120)
 class ServiceEndTest {
   private final ServiceKit kit = new ServiceKit();
 

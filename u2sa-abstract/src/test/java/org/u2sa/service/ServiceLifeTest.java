@@ -17,7 +17,7 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.testkit.ServiceKit;
 
-@Timeout(30)
+@Timeout(120)
 class ServiceLifeTest {
   private final ServiceKit kit = new ServiceKit();
 

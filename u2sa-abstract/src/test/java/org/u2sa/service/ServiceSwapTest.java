@@ -22,7 +22,7 @@ import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.testkit.ServiceKit;
 
 /** One service takes the place of another, or does not. */
-@Timeout(30)
+@Timeout(120)
 class ServiceSwapTest {
   private final ServiceKit kit = new ServiceKit();
   private final Counting old = kit.start(Counting::new);

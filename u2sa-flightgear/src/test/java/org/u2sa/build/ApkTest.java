@@ -2,7 +2,6 @@ package org.u2sa.build;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -17,12 +16,20 @@ import java.util.zip.ZipFile;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.testkit.NeedsProgram;
 
 /**
  * {@code ./u2sa apk} and the proof of what D8 made, as a user runs them; docs/android-build.md.
  * Takes minutes. Needs Debian's aapt, zipalign, apksigner, enjarify and dexdump, and Maven.
  */
 @Tag("android")
+@NeedsProgram("python3")
+@NeedsProgram("mvn")
+@NeedsProgram("aapt")
+@NeedsProgram("zipalign")
+@NeedsProgram("apksigner")
+@NeedsProgram("dexdump")
+@NeedsProgram("enjarify")
 class ApkTest {
   private static final int BAD_INPUT = 2;
   private static final int CANNOT_BUILD = 3;
@@ -52,17 +59,6 @@ class ApkTest {
     return run(null, command);
   }
 
-  /** Where these programs are not, the test is skipped, except under CI, where it fails. */
-  private void needs(String... programs) throws IOException, InterruptedException {
-    for (String program : programs) {
-      boolean here = run(null, List.of("sh", "-c", "command -v " + program)).exit() == 0;
-      if ("true".equals(System.getenv("CI"))) {
-        assertThat(here).as("CI needs " + program).isTrue();
-      }
-      assumeTrue(here, program + " is not here");
-    }
-  }
-
   private Path password() throws IOException {
     Path file = folder.resolve("password");
     Files.writeString(file, "a test's own\n");
@@ -71,7 +67,6 @@ class ApkTest {
 
   @Test
   void apk_withoutTheTools_namesDebiansPackages() throws Exception {
-    needs("python3");
     String python =
         run(null, List.of("python3", "-c", "import sys; print(sys.executable)")).output().trim();
 
@@ -87,8 +82,6 @@ class ApkTest {
 
   @Test
   void apk_keystoreWithoutPasswordFile_isRefused() throws Exception {
-    needs("python3", "aapt", "zipalign", "apksigner");
-
     Ended ended = apk("--keystore", password().toString());
 
     assertThat(ended.exit()).isEqualTo(BAD_INPUT);
@@ -100,7 +93,6 @@ class ApkTest {
 
   @Test
   void apk_passwordFileThatOthersMayRead_isRefused() throws Exception {
-    needs("python3", "aapt", "zipalign", "apksigner");
     Path password = password();
     Files.setPosixFilePermissions(password, PosixFilePermissions.fromString("rw-r--r--"));
 
@@ -113,7 +105,6 @@ class ApkTest {
 
   @Test
   void apk_debugKeyTwice_sameBytesAndAllInsideAndMissionsFlyOnItsDex() throws Exception {
-    needs("python3", "mvn", "aapt", "zipalign", "apksigner", "dexdump", "enjarify");
     Path one = folder.resolve("one.apk");
     Path two = folder.resolve("two.apk");
 

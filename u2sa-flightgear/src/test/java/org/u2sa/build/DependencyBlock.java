@@ -20,6 +20,10 @@ final class DependencyBlock {
   private static final Pattern EXCLUDE =
       Pattern.compile("exclude\\(group = \"([^\"]+)\"(?:, module = \"([^\"]+)\")?\\)");
 
+  private static final List<String> EVERYWHERE =
+      List.of(
+          "testImplementation(libs.bundles.test)", "testRuntimeOnly(libs.junit.platform.launcher)");
+
   private final Path script;
   private final String group;
   private final String version;
@@ -42,6 +46,9 @@ final class DependencyBlock {
     for (; !lines.get(line).equals("}"); line++) {
       String text = lines.get(line).trim();
       Matcher entry = ENTRY.matcher(text);
+      if (EVERYWHERE.contains(text)) {
+        continue; // where the convention plugin, which adds them, is not applied
+      }
       if (entry.matches()) {
         SortedSet<String> exclusions = new TreeSet<>();
         if (entry.group(5) != null) {

@@ -21,6 +21,9 @@ final class GradleBuild {
   private static final Pattern INCLUDE = Pattern.compile("\\s*include\\(\"([^\"]+)\"\\)");
   private static final Pattern TEXT = Pattern.compile("\"([^\"]*)\"");
 
+  private static final Pattern TEST_PROPERTY =
+      Pattern.compile("\\bit\\.systemProperty\\(\"([^\"]+)\", \"([^\"]*)\"\\)");
+
   /** Gradle starts tests with it; Surefire brings its own. */
   private static final String LAUNCHER = "org.junit.platform:junit-platform-launcher";
 
@@ -37,6 +40,7 @@ final class GradleBuild {
 
     SortedMap<String, SortedSet<Dependency>> modules = new TreeMap<>();
     SortedSet<String> bom = new TreeSet<>();
+    SortedMap<String, String> settings = settings(folder, group, version);
     for (String line : Files.readAllLines(folder.resolve("settings.gradle.kts"))) {
       Matcher include = INCLUDE.matcher(line);
       if (include.matches()) {
@@ -48,10 +52,13 @@ final class GradleBuild {
           own = new TreeSet<>();
         }
         modules.put(module, own);
+        Matcher property = TEST_PROPERTY.matcher(Files.readString(script));
+        while (property.find()) {
+          settings.put("test property of " + module + ", " + property.group(1), property.group(2));
+        }
       }
     }
-    return new BuildDescription(
-        settings(folder, group, version), managed(catalog), bom, everywhere(catalog), modules);
+    return new BuildDescription(settings, managed(catalog), bom, everywhere(catalog), modules);
   }
 
   private static SortedMap<String, String> settings(Path folder, String group, String version)
@@ -64,7 +71,14 @@ final class GradleBuild {
     while (argument.find()) {
       arguments.add(argument.group(1));
     }
+    SortedSet<String> testClasses = new TreeSet<>();
+    Matcher testClass = TEXT.matcher(constant(source, "TEST_CLASSES"));
+    while (testClass.find()) {
+      testClasses.add(testClass.group(1));
+    }
     SortedMap<String, String> settings = new TreeMap<>();
+    settings.put("test classes", testClasses.toString());
+    settings.put("test forks", constant(source, "TEST_FORKS"));
     settings.put("group", group);
     settings.put("version", version);
     settings.put("Java release", constant(source, "JAVA_RELEASE"));

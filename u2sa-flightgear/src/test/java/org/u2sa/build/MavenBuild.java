@@ -48,6 +48,7 @@ final class MavenBuild {
   private BuildDescription describe() throws IOException {
     SortedMap<String, SortedSet<Dependency>> modules = new TreeMap<>();
     SortedSet<String> bom = new TreeSet<>();
+    SortedMap<String, String> settings = settings();
     for (Element module : children(only(root, "modules"))) {
       String name = module.getTextContent().trim();
       Element pom = parse(folder.resolve(name).resolve("pom.xml"));
@@ -59,9 +60,11 @@ final class MavenBuild {
       } else {
         requireVersion(name, text(only(pom, "parent"), "version"));
         modules.put(name, declared(pom));
+        testProperties(pom)
+            .forEach((key, value) -> settings.put("test property of " + name + ", " + key, value));
       }
     }
-    return new BuildDescription(settings(), versions(), bom, declared(root), modules);
+    return new BuildDescription(settings, versions(), bom, declared(root), modules);
   }
 
   private SortedMap<String, String> settings() {
@@ -70,7 +73,9 @@ final class MavenBuild {
     settings.put("version", text(root, "version"));
     settings.put("Java release", properties.get("maven.compiler.release"));
     settings.put("excluded tags", properties.get("u2sa.excluded.tags"));
+    settings.put("test forks", properties.get("u2sa.test.forks"));
     SortedSet<String> arguments = new TreeSet<>();
+    SortedSet<String> testClasses = new TreeSet<>();
     Element management = only(only(root, "build"), "pluginManagement");
     for (Element plugin : children(only(management, "plugins"))) {
       if (text(plugin, "artifactId").equals("maven-compiler-plugin")) {
@@ -81,9 +86,34 @@ final class MavenBuild {
           arguments.add("-parameters");
         }
       }
+      if (text(plugin, "artifactId").equals("maven-surefire-plugin")) {
+        children(only(only(plugin, "configuration"), "includes"))
+            .forEach(name -> testClasses.add(name.getTextContent().trim().replace(".java", "")));
+      }
     }
+    settings.put("test classes", testClasses.toString());
     settings.put("compiler arguments", arguments.toString());
     return settings;
+  }
+
+  /** System properties that Surefire gives to the module's tests, without those of profiles. */
+  private static SortedMap<String, String> testProperties(Element pom) {
+    SortedMap<String, String> found = new TreeMap<>();
+    descend(List.of(pom), "build", "plugins", "plugin").stream()
+        .filter(plugin -> text(plugin, "artifactId").equals("maven-surefire-plugin"))
+        .flatMap(
+            plugin -> descend(List.of(plugin), "configuration", "systemPropertyVariables").stream())
+        .flatMap(list -> children(list).stream())
+        .forEach(property -> found.put(property.getTagName(), property.getTextContent().trim()));
+    return found;
+  }
+
+  private static List<Element> descend(List<Element> from, String... names) {
+    List<Element> reached = from;
+    for (String name : names) {
+      reached = reached.stream().flatMap(element -> named(element, name).stream()).toList();
+    }
+    return reached;
   }
 
   private SortedMap<String, String> versions() {

@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
+@Timeout(120)
 class LockstepClockTest {
   private final LockstepClock clock = new LockstepClock();
   private final List<String> events = Collections.synchronizedList(new ArrayList<>());

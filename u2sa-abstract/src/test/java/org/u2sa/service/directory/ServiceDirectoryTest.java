@@ -24,7 +24,7 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.testkit.ServiceKit;
 
-@Timeout(30)
+@Timeout(120)
 class ServiceDirectoryTest {
   private static final Channel<PercentageCommand> RUDDER =
       Channel.latest("rudder", PercentageCommand.TYPE, ActuatorCommand::actuatorName);

@@ -133,7 +133,7 @@ final class PacketRules {
   /** Why the client may not subscribe so; what it hears is looked at again message by message. */
   Optional<String> refusalOf(MqttSubscribeMessage subscribe) {
     for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
-      String filter = wanted.topicName();
+      String filter = wanted.topicFilter();
       if (isTooLong(filter)) {
         return Optional.of("a filter is too long");
       }

@@ -61,7 +61,7 @@ final class RetainFlag extends ChannelDuplexHandler {
     List<Integer> granted = answer.payload().grantedQoSLevels();
     for (int i = 0; wanted != null && i < Math.min(wanted.size(), granted.size()); i++) {
       if (granted.get(i) != MqttQoS.FAILURE.value()) {
-        expect(new Topic(wanted.get(i).topicName()));
+        expect(new Topic(wanted.get(i).topicFilter()));
       }
     }
   }

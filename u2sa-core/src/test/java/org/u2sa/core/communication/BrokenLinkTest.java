@@ -87,9 +87,9 @@ class BrokenLinkTest extends WiredClients {
 
     wire.goDead();
 
-    await().atMost(Duration.ofSeconds(6)).until(() -> !localInbox.messages.isEmpty());
+    await().atMost(Duration.ofSeconds(30)).until(() -> !localInbox.messages.isEmpty());
     await()
-        .atMost(Duration.ofSeconds(6))
+        .atMost(Duration.ofSeconds(30))
         .until(() -> remoteInbox.troubles.stream().anyMatch(line -> line.contains("lost")));
     restoreWire();
   }

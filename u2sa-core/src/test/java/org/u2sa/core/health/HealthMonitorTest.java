@@ -14,7 +14,7 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
 
 /** What the monitor concludes from what is reported. */
-@Timeout(30)
+@Timeout(120)
 class HealthMonitorTest extends WatchedWorker {
   @Test
   void launcherSpeaks_callbackRunsLong_isHung() {

@@ -12,7 +12,7 @@ import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /** What the monitor concludes from silence and from lost connections. */
-@Timeout(30)
+@Timeout(120)
 class LostServiceTest extends WatchedWorker {
   @Test
   void silence_isSilentAfterThreeIntervalsAndLostAfterFourSeconds() {

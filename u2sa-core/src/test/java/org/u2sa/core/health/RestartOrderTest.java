@@ -8,7 +8,7 @@ import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /** What the monitor does about what it concluded, and remembers when it is itself restarted. */
-@Timeout(30)
+@Timeout(120)
 class RestartOrderTest extends WatchedWorker {
   @Test
   void failed_restartsWaitTwiceAsLongEachTimeAndThenItIsGivenUp() {

@@ -7,6 +7,7 @@ import static org.awaitility.Awaitility.await;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -23,7 +24,7 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.testkit.FreePort;
 
 /** A system that cannot be started leaves nothing behind. */
-@Timeout(30)
+@Timeout(120)
 class FailedStartTest {
   @TempDir private Path directory;
 
@@ -63,7 +64,9 @@ class FailedStartTest {
 
       assertThatThrownBy(() -> RunningSystem.start(file, options)).hasMessage("no device");
 
-      await().untilAsserted(() -> assertThat(clientThreads()).isEmpty());
+      await()
+          .atMost(Duration.ofSeconds(60))
+          .untilAsserted(() -> assertThat(clientThreads()).isEmpty());
     }
   }
 

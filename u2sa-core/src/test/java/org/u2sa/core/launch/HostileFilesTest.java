@@ -20,7 +20,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.XmlConfiguration;
 
 /** Files that somebody wrote to do harm are refused at once, with file and line. */
-@Timeout(20)
+@Timeout(120)
 class HostileFilesTest {
   /** Would tell of a class that is loaded and run before it is known to be a service. */
   public static final class NoService {

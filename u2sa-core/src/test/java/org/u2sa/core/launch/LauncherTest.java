@@ -28,7 +28,7 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /** Orders to start and restart services of one process. */
-@Timeout(30)
+@Timeout(120)
 class LauncherTest {
   private static final Variable<Double> GAIN = Variable.number("GAIN", "").ifAbsent(0.5);
 

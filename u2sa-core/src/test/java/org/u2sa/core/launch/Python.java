@@ -1,8 +1,6 @@
 package org.u2sa.core.launch;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
-import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -10,7 +8,7 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import org.u2sa.testkit.ForeignPrograms;
 
 /** A Python that has cbor2 and paho-mqtt: the one on the path or the system's. */
 final class Python {
@@ -23,31 +21,9 @@ final class Python {
   }
 
   /** Skips the test where there is none, except under CI, where it fails. */
-  static Python required() throws InterruptedException {
-    Optional<String> able = Optional.empty();
-    for (String program : List.of("python3", "/usr/bin/python3")) {
-      if (able.isEmpty() && hasLibraries(program)) {
-        able = Optional.of(program);
-      }
-    }
-    if ("true".equals(System.getenv("CI"))) {
-      assertThat(able).as("CI needs python3 with cbor2 and paho-mqtt").isPresent();
-    }
-    assumeTrue(able.isPresent(), "python3 with cbor2 and paho-mqtt is not here");
-    return new Python(able.orElseThrow());
-  }
-
-  private static boolean hasLibraries(String program) throws InterruptedException {
-    try {
-      Process process =
-          new ProcessBuilder(program, "-c", "import cbor2, paho.mqtt.client")
-              .redirectErrorStream(true)
-              .start();
-      process.getInputStream().readAllBytes();
-      return process.waitFor() == 0;
-    } catch (IOException e) {
-      return false; // no such program
-    }
+  static Python required() {
+    return new Python(
+        ForeignPrograms.ofThisMachine().required("python3", "cbor2", "paho.mqtt.client"));
   }
 
   /** Runs in the client's folder; what it prints goes to the file. */

@@ -24,12 +24,16 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.NeedsProgram;
 
 /**
  * User story 1: a sensor written in Python feeds the State Estimator of a Java system, and answers
  * like any other service.
  */
 @Timeout(120)
+@NeedsProgram(
+    value = "python3",
+    modules = {"cbor2", "paho.mqtt.client"})
 class PythonServiceTest {
   private static final double TURN = 2.0 * Math.PI;
 
@@ -47,6 +51,7 @@ class PythonServiceTest {
   }
 
   @Test
+  @NeedsProgram("mosquitto")
   void compassInPython_inAJavaSystemWithMosquitto_isAServiceLikeAnyOther()
       throws IOException, InterruptedException {
     try (Mosquitto mosquitto = Mosquitto.start(FreePort.find())) {

@@ -23,7 +23,7 @@ import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
-@Timeout(30)
+@Timeout(120)
 class RunningSystemTest {
   @TempDir private Path directory;
 

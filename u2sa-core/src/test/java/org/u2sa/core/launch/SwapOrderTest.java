@@ -31,7 +31,7 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /** Orders to put another class in the place of a service, and why they may be refused. */
-@Timeout(30)
+@Timeout(120)
 class SwapOrderTest {
   @TempDir private Path directory;
   private final LockstepClock clock = new LockstepClock();

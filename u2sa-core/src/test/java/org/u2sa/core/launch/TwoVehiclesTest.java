@@ -3,6 +3,7 @@ package org.u2sa.core.launch;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,7 @@ import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.NeedsProgram;
 
 /** Two vehicles on one broker: neither hears the other unless it asks to. */
 @Timeout(120)
@@ -114,7 +116,8 @@ class TwoVehiclesTest {
   }
 
   @Test
-  void mosquitto_areApartUnlessAsked() {
+  @NeedsProgram("mosquitto")
+  void mosquitto_areApartUnlessAsked() throws IOException {
     try (Mosquitto mosquitto = Mosquitto.start(port)) {
       port = mosquitto.port();
       try (CommunicationManager cessna = vehicle("cessna", "external");

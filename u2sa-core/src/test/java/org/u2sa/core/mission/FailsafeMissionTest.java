@@ -22,7 +22,7 @@ import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.testkit.ServiceKit;
 
 /** What the Mission Manager does when a failsafe says so. */
-@Timeout(30)
+@Timeout(120)
 class FailsafeMissionTest {
   private static final String MISSION =
       """

@@ -18,7 +18,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.testkit.ServiceKit;
 
 /** What the planner does when a failsafe says so. */
-@Timeout(30)
+@Timeout(120)
 class PlannerFailsafeTest {
   private final ServiceKit kit = new ServiceKit();
 

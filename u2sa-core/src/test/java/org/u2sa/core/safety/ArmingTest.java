@@ -17,7 +17,7 @@ import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /** What must be there before the vehicle is armed. */
-@Timeout(30)
+@Timeout(120)
 class ArmingTest extends WatchedVehicle {
   @Test
   void arm_everythingThere_armsAndAnswers() {

@@ -10,7 +10,7 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.OperatorHeartbeat;
 
 /** What a SafetyManager takes over from the one before it. */
-@Timeout(30)
+@Timeout(120)
 class SafetyManagerRestartTest extends WatchedVehicle {
   @Test
   void start_anewInAFailsafe_staysArmedAndGoesOnWithIt() {

@@ -13,7 +13,7 @@ import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /** Which failsafe follows from what is lost, and when it is over. */
-@Timeout(30)
+@Timeout(120)
 class SafetyManagerTest extends WatchedVehicle {
   @Test
   void failsafe_notArmed_isContinueWhateverIsWrong() {

@@ -1,8 +1,6 @@
 package org.u2sa.drivers.ioio;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,8 +14,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.SystemClock;
 import org.u2sa.sim.ioio.IoioTcpServer;
+import org.u2sa.testkit.ForeignPrograms;
+import org.u2sa.testkit.NeedsProgram;
 
 /** A board at a serial port: a pseudo terminal that socat joins to the simulated one. */
+@NeedsProgram("socat")
 class SerialBoardTest {
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final double SILENT_AFTER_S = 20.0;
@@ -30,31 +31,15 @@ class SerialBoardTest {
   private Process socat;
 
   @BeforeEach
-  void plug() throws IOException, InterruptedException {
-    boolean isThere = hasSocat();
-    if ("true".equals(System.getenv("CI"))) {
-      assertThat(isThere).as("CI needs socat").isTrue();
-    }
-    assumeTrue(isThere, "socat, which makes the serial port, is not here");
+  void plug() throws IOException {
     port = directory.resolve("board");
     plugIn();
   }
 
-  private static boolean hasSocat() throws InterruptedException {
-    try {
-      return new ProcessBuilder("socat", "-V")
-              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-              .start()
-              .waitFor()
-          == 0;
-    } catch (IOException e) {
-      return false; // no such program
-    }
-  }
-
   private void plugIn() throws IOException {
+    String program = ForeignPrograms.ofThisMachine().required("socat");
     socat =
-        new ProcessBuilder("socat", "pty,raw,echo=0,link=" + port, "tcp:127.0.0.1:" + server.port())
+        new ProcessBuilder(program, "pty,raw,echo=0,link=" + port, "tcp:127.0.0.1:" + server.port())
             .redirectErrorStream(true)
             .redirectOutput(directory.resolve("socat.log").toFile())
             .start();

@@ -31,8 +31,12 @@ abstract class ByteLinkContract {
 
   @AfterEach
   void close() throws Exception {
-    link.close();
-    device.end();
+    if (link != null) { // else the device could not be made, and that is what is to be reported
+      link.close();
+    }
+    if (device != null) {
+      device.end();
+    }
   }
 
   private static ConditionFactory soon() {

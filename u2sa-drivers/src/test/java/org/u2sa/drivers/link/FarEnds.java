@@ -33,7 +33,7 @@ public final class FarEnds {
   }
 
   /** On a serial line, which is a pseudo terminal here. Skips the test where there is no socat. */
-  public static FarEnd serial(Path path) throws IOException, InterruptedException {
+  public static FarEnd serial(Path path) throws IOException {
     SerialCable cable = SerialCable.required(path);
     return new Socketed("serial:" + cable.path() + "?baud=115200", cable.device()) {
       @Override

@@ -1,8 +1,6 @@
 package org.u2sa.drivers.link;
 
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -11,38 +9,24 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
+import org.u2sa.testkit.ForeignPrograms;
 
 /** A serial port that socat makes: a pseudo terminal, with the device at its other end. */
 public final class SerialCable {
+  private final String program;
   private final Path path;
   private final SocketDevice device = new SocketDevice(InetAddress.getLoopbackAddress());
   private Process socat;
 
-  private SerialCable(Path path) throws IOException {
+  private SerialCable(String program, Path path) throws IOException {
+    this.program = program;
     this.path = path;
     plug();
   }
 
   /** Skips the test where there is no socat, except under CI, where it fails. */
-  public static SerialCable required(Path path) throws IOException, InterruptedException {
-    boolean isThere = hasSocat();
-    if ("true".equals(System.getenv("CI"))) {
-      assertThat(isThere).as("CI needs socat").isTrue();
-    }
-    assumeTrue(isThere, "socat, which makes the serial port, is not here");
-    return new SerialCable(path);
-  }
-
-  private static boolean hasSocat() throws InterruptedException {
-    try {
-      return new ProcessBuilder("socat", "-V")
-              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-              .start()
-              .waitFor()
-          == 0;
-    } catch (IOException e) {
-      return false; // no such program
-    }
+  public static SerialCable required(Path path) throws IOException {
+    return new SerialCable(ForeignPrograms.ofThisMachine().required("socat"), path);
   }
 
   /** The port, as the link's address has it. */
@@ -56,7 +40,7 @@ public final class SerialCable {
 
   void plug() throws IOException {
     socat =
-        new ProcessBuilder("socat", "pty,raw,echo=0,link=" + path, "tcp:127.0.0.1:" + device.port())
+        new ProcessBuilder(program, "pty,raw,echo=0,link=" + path, "tcp:127.0.0.1:" + device.port())
             .redirectErrorStream(true)
             .redirectOutput(new File(path + ".log"))
             .start();

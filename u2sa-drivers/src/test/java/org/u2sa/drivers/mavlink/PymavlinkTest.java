@@ -20,8 +20,10 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.testkit.NeedsProgram;
 
 /** The outside judge: pymavlink plays the vehicle, over TCP and UDP, in real time. */
+@NeedsProgram(value = "python3", modules = "pymavlink.mavutil")
 class PymavlinkTest {
   @TempDir Path logs;
 

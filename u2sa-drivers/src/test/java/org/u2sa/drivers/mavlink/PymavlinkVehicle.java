@@ -2,7 +2,6 @@ package org.u2sa.drivers.mavlink;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -12,9 +11,8 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
+import org.u2sa.testkit.ForeignPrograms;
 
 /** A vehicle that pymavlink plays in a process of its own: src/test/python/vehicle.py. */
 final class PymavlinkVehicle implements AutoCloseable {
@@ -38,41 +36,15 @@ final class PymavlinkVehicle implements AutoCloseable {
    * @param kind "tcp" or "udp"
    */
   static PymavlinkVehicle start(String kind) throws IOException {
-    Optional<String> able = Program.ABLE;
-    if ("true".equals(System.getenv("CI"))) {
-      assertThat(able).as("CI needs python3 with pymavlink").isPresent();
-    }
-    assumeTrue(able.isPresent(), "python3 with pymavlink is not here");
+    String python = ForeignPrograms.ofThisMachine().required("python3", "pymavlink.mavutil");
     Process process =
-        new ProcessBuilder(able.orElseThrow(), SCRIPT.toString(), kind)
+        new ProcessBuilder(python, SCRIPT.toString(), kind)
             .redirectError(ProcessBuilder.Redirect.INHERIT)
             .start();
     BufferedReader out = new BufferedReader(new InputStreamReader(process.getInputStream(), UTF_8));
     String first = out.readLine();
     assertThat(first).startsWith("port ");
     return new PymavlinkVehicle(process, out, Integer.parseInt(first.substring(5)));
-  }
-
-  /** Looked for once: importing pymavlink takes a second. */
-  private static final class Program {
-    private static final Optional<String> ABLE =
-        Stream.of("python3", "/usr/bin/python3").filter(Program::hasPymavlink).findFirst();
-
-    private static boolean hasPymavlink(String program) {
-      try {
-        Process process =
-            new ProcessBuilder(program, "-c", "import pymavlink.mavutil")
-                .redirectErrorStream(true)
-                .start();
-        process.getInputStream().readAllBytes();
-        return process.waitFor() == 0;
-      } catch (IOException e) {
-        return false; // no such program
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
-        return false;
-      }
-    }
   }
 
   private void listen(BufferedReader out) {

@@ -9,12 +9,16 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.testkit.NeedsProgram;
 
 /**
  * A flight seen from outside: Python, with nothing of U2SA, reads what the broker carries; and a
  * program that is told to end leaves its controls neutral and its report written.
  */
 @Timeout(90)
+@NeedsProgram(
+    value = "python3",
+    modules = {"cbor2", "paho.mqtt.client"})
 class ForeignEyesTest {
   private static final int MESSAGES = 600;
 

@@ -16,12 +16,16 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.testkit.NeedsProgram;
 
 /**
  * A client that nobody here wrote (paho-mqtt, cbor2) sees exactly what docs/wire-protocol.md says:
  * scripts/wire/check.py holds every message to the page's tables.
  */
 @Timeout(180)
+@NeedsProgram(
+    value = "python3",
+    modules = {"cbor2", "paho.mqtt.client"})
 class PlainClientTest {
   private static final Duration LONG = Duration.ofSeconds(90);
 
@@ -63,6 +67,7 @@ class PlainClientTest {
   }
 
   @Test
+  @NeedsProgram("mosquitto")
   void cessna_throughMosquittoAndKilled_isWhatThePageSaysWillsToo()
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();

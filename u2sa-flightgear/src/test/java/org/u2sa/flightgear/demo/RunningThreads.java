@@ -8,7 +8,7 @@ import java.util.Set;
 
 /** The threads of this virtual machine, to see whether something was left half-started. */
 final class RunningThreads {
-  private static final Duration ENDED_WITHIN = Duration.ofSeconds(10);
+  private static final Duration ENDED_WITHIN = Duration.ofSeconds(60);
 
   private RunningThreads() {}
 

@@ -90,7 +90,7 @@ abstract class AircraftLinkContract {
     return await()
         .pollDelay(Duration.ZERO)
         .pollInterval(Duration.ofMillis(2))
-        .atMost(Duration.ofSeconds(10))
+        .atMost(Duration.ofSeconds(60))
         .until(() -> link.read(nowMicros()), condition);
   }
 

@@ -159,6 +159,6 @@ final class FlightGearRepairTest {
     return await()
         .pollDelay(Duration.ZERO)
         .pollInterval(Duration.ofMillis(2))
-        .atMost(Duration.ofSeconds(8));
+        .atMost(Duration.ofSeconds(60));
   }
 }

@@ -47,6 +47,6 @@ abstract class RawLink {
     return await(what)
         .pollDelay(Duration.ZERO)
         .pollInterval(Duration.ofMillis(2))
-        .atMost(Duration.ofSeconds(5));
+        .atMost(Duration.ofSeconds(60));
   }
 }

@@ -152,7 +152,7 @@ final class StandInFlightGearTest {
   }
 
   private static void until(Callable<Boolean> condition) {
-    until(Duration.ofSeconds(5), condition);
+    until(Duration.ofSeconds(60), condition);
   }
 
   private static void until(Duration patience, Callable<Boolean> condition) {

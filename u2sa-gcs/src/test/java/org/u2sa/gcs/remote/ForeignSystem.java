@@ -66,8 +66,7 @@ public final class ForeignSystem implements AutoCloseable {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:+UseSerialGC", "-Xmx128m", "-cp"));
-    command.add(
-        System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")));
+    command.add(System.getProperty("java.class.path"));
     command.add(Main.class.getName());
     command.addAll(
         List.of("run", file.toString(), "--logs", file.resolveSibling("logs").toString()));

@@ -1,0 +1,75 @@
+package org.u2sa.gcs.dependencies;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.time.LocalDate;
+import java.util.List;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What the two files in the jar say.
+ *
+ * @param lookedUp when advisories were looked for last
+ */
+record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalDate lookedUp) {
+  private static final Pattern LOOKED_UP =
+      Pattern.compile("as looked up on (\\d{4}-\\d\\d-\\d\\d)");
+
+  static DependencyData inThisJar() {
+    String advisories = text("advisories.txt");
+    Matcher lookedUp = LOOKED_UP.matcher(advisories);
+    if (!lookedUp.find()) {
+      throw new IllegalStateException("advisories.txt does not say when they were looked up");
+    }
+    return new DependencyData(
+        rows(text("libraries.txt"), 5, DependencyData::library),
+        rows(advisories, 6, DependencyData::advisory),
+        LocalDate.parse(lookedUp.group(1)));
+  }
+
+  List<Advisory> affecting(Library library) {
+    return advisories.stream().filter(advisory -> advisory.affects(library)).toList();
+  }
+
+  private static Library library(String[] cells) {
+    return new Library(cells[0], cells[1], LocalDate.parse(cells[2]), cells[3], cells[4]);
+  }
+
+  private static Advisory advisory(String[] cells) {
+    if (!cells[4].matches("yes|no")) {
+      throw new IllegalStateException(cells[0] + ", reached: \"" + cells[4] + "\", not yes or no");
+    }
+    return new Advisory(cells[0], cells[1], cells[2], cells[3], cells[4].equals("yes"), cells[5]);
+  }
+
+  private static <T> List<T> rows(String text, int columns, Function<String[], T> read) {
+    return text.lines()
+        .filter(line -> !line.isBlank() && !line.startsWith("#"))
+        .map(
+            line -> {
+              String[] cells = line.split(" \\| ");
+              if (cells.length != columns) {
+                throw new IllegalStateException(
+                    "\"" + line + "\" has " + cells.length + " columns, expected " + columns);
+              }
+              return read.apply(cells);
+            })
+        .toList();
+  }
+
+  private static String text(String name) {
+    try (InputStream in = DependencyData.class.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException("the jar has no " + name);
+      }
+      return new String(in.readAllBytes(), UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
