@@ -5,14 +5,18 @@ import java.util.HashMap;
 import java.util.Map;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.FunctionalityRequest;
 
 /**
  * A service's bounded queue of messages. Any thread puts, the service's thread takes.
  *
  * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
  * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
- * full queue refuses the newest. Both are counted. What is urgent has a queue of its own, which
- * comes first, so that no flood keeps an emergency stop out.
+ * full queue refuses the newest. Both are counted. What is urgent, such as emergency stop, arming
+ * and failsafe, has a queue of its own, which comes first, so that no flood keeps it out. Questions
+ * that anybody may ask, which the service contract answers, fill a quarter of the queue at most.
  */
 final class ServiceInbox {
   /** One message and the channel that it came on. */
@@ -34,11 +38,14 @@ final class ServiceInbox {
     }
   }
 
+  private static final int QUESTIONS_PART = 4;
+
   private final int capacity;
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
   private final Map<Channel<?>, Map<String, Delivery>> newest =
       new HashMap<>(); // deliveries still queued
+  private int questions; // of those that wait
   private long dropped;
   private ServiceInbox successor; // null as long as messages stay here
 
@@ -63,7 +70,7 @@ final class ServiceInbox {
       return true;
     }
     Delivery delivery = new Delivery(channel, message);
-    boolean kept = enqueue(queue, delivery);
+    boolean kept = enqueue(lineOf(channel), delivery);
     if (kept) {
       ofChannel.put(source, delivery);
     }
@@ -71,27 +78,37 @@ final class ServiceInbox {
   }
 
   private ArrayDeque<Delivery> lineOf(Channel<?> channel) {
-    return channel.deliversEvery() && channel.isUrgent() ? urgent : queue;
+    return channel.isUrgent() ? urgent : queue;
+  }
+
+  private static boolean isQuestion(U2SAData message) {
+    return message instanceof ConfigurationRequest
+        || message instanceof DiscoveryRequest
+        || message instanceof FunctionalityRequest;
   }
 
   private boolean enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
-    if (line.size() >= capacity) {
+    boolean question = isQuestion(delivery.message);
+    if (line.size() >= capacity
+        || question && questions >= Math.max(1, capacity / QUESTIONS_PART)) {
       dropped++;
       return false;
     }
+    questions += question ? 1 : 0;
     line.add(delivery);
     return true;
   }
 
   /** The oldest delivery, urgent ones first, or null if there is none. */
   synchronized Delivery poll() {
-    if (!urgent.isEmpty()) {
-      return urgent.poll();
+    Delivery delivery = urgent.isEmpty() ? queue.poll() : urgent.poll();
+    if (delivery == null) {
+      return null;
     }
-    Delivery delivery = queue.poll();
-    if (delivery != null && !delivery.channel.deliversEvery()) {
+    if (!delivery.channel.deliversEvery()) {
       newest.get(delivery.channel).remove(delivery.channel.sourceOf(delivery.message));
     }
+    questions -= isQuestion(delivery.message) ? 1 : 0;
     return delivery;
   }
 
@@ -110,6 +127,7 @@ final class ServiceInbox {
       next.urgent.clear();
       next.queue.clear();
       next.newest.clear();
+      next.questions = 0;
       for (Delivery delivery : handled) {
         if (!isWaiting(delivery)) {
           next.append(delivery);
@@ -122,6 +140,7 @@ final class ServiceInbox {
       urgent.clear();
       queue.clear();
       newest.clear();
+      questions = 0;
       successor = next;
     }
   }
@@ -133,6 +152,7 @@ final class ServiceInbox {
 
   private void append(Delivery delivery) {
     lineOf(delivery.channel).add(delivery);
+    questions += isQuestion(delivery.message) ? 1 : 0;
     if (!delivery.channel.deliversEvery()) {
       newest
           .computeIfAbsent(delivery.channel, key -> new HashMap<>())

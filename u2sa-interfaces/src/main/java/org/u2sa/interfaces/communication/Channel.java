@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -19,6 +20,7 @@ public final class Channel<T extends U2SAData> {
 
   private final String name;
   private final MessageType<T> type;
+  private final CarriedTypes carried; // null: the type and its subclasses, whatever they are
   private final boolean every;
   private final boolean retained;
   private final boolean urgent;
@@ -27,12 +29,14 @@ public final class Channel<T extends U2SAData> {
   private Channel(
       String name,
       MessageType<T> type,
+      CarriedTypes carried,
       boolean every,
       boolean retained,
       boolean urgent,
       Function<? super T, String> source) {
     this.name = name;
     this.type = type;
+    this.carried = carried;
     this.every = every;
     this.retained = retained;
     this.urgent = urgent;
@@ -48,7 +52,13 @@ public final class Channel<T extends U2SAData> {
    */
   public static <T extends U2SAData> Channel<T> every(String name, MessageType<T> type) {
     return new Channel<>(
-        checked(name), Objects.requireNonNull(type, "type"), true, false, false, message -> "");
+        checked(name),
+        Objects.requireNonNull(type, "type"),
+        CarriedTypes.by(type),
+        true,
+        false,
+        false,
+        message -> "");
   }
 
   /**
@@ -62,7 +72,22 @@ public final class Channel<T extends U2SAData> {
   public static <T extends U2SAData> Channel<T> latest(
       String name, MessageType<T> type, Function<? super T, String> source) {
     return new Channel<>(
-        checked(name), Objects.requireNonNull(type, "type"), false, false, false, source);
+        checked(name),
+        Objects.requireNonNull(type, "type"),
+        CarriedTypes.by(type),
+        false,
+        false,
+        false,
+        source);
+  }
+
+  /**
+   * This channel, but of the subclasses of its type it carries these and their subclasses only: a
+   * channel of requests and answers has several types, and nothing else may travel on it.
+   */
+  @SafeVarargs
+  public final Channel<T> carrying(MessageType<? extends T>... types) {
+    return new Channel<>(name, type, CarriedTypes.only(types), every, retained, urgent, source);
   }
 
   /**
@@ -70,15 +95,15 @@ public final class Channel<T extends U2SAData> {
    * once.
    */
   public Channel<T> retained() {
-    return new Channel<>(name, type, every, true, urgent, source);
+    return new Channel<>(name, type, carried, every, true, urgent, source);
   }
 
   /**
-   * This channel, but its messages overtake all others that wait for a service. Of use only where
-   * each message matters.
+   * This channel, but its messages overtake all others that wait for a service, and find room when
+   * the others have filled theirs.
    */
   public Channel<T> urgent() {
-    return new Channel<>(name, type, every, retained, true, source);
+    return new Channel<>(name, type, carried, every, retained, true, source);
   }
 
   /** The name that stands in the topic. */
@@ -112,13 +137,34 @@ public final class Channel<T extends U2SAData> {
     return carried.isInstance(message) ? source.apply(carried.cast(message)) : "";
   }
 
-  /** Whether the message may travel on this channel: it is of the channel's type or a subclass. */
+  /**
+   * Whether the message may travel on this channel: it is of the channel's type or a subclass, and
+   * of one that the channel carries. A channel of any message carries none of the service contract:
+   * those have channels of their own.
+   */
   public boolean carries(U2SAData message) {
-    return type.messageClass().isInstance(message);
+    return type.messageClass().isInstance(message)
+        && (carried == null || carried.include(message.type()));
+  }
+
+  /** {@link #carries(U2SAData)} of a message of that type. */
+  public boolean carries(MessageType<?> other) {
+    return type.messageClass().isAssignableFrom(other.messageClass())
+        && (carried == null || carried.include(other));
+  }
+
+  /** The types that travel on this channel, their subclasses left out. */
+  public List<MessageType<?>> carriedTypes() {
+    return carried == null || carried.types().isEmpty() ? List.of(type) : carried.types();
+  }
+
+  /** Whether a channel may be called so. */
+  static boolean isName(String name) {
+    return NAME.matcher(name).matches();
   }
 
   private static String checked(String name) {
-    if (!NAME.matcher(name).matches()) {
+    if (!isName(name)) {
       throw new IllegalArgumentException(
           "channel \""
               + name
