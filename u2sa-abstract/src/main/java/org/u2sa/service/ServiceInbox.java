@@ -14,9 +14,10 @@ import org.u2sa.messages.contract.FunctionalityRequest;
  *
  * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
  * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
- * full queue refuses the newest. Both are counted. What is urgent, such as emergency stop, arming
- * and failsafe, has a queue of its own, which comes first, so that no flood keeps it out. Questions
- * that anybody may ask, which the service contract answers, fill a quarter of the queue at most.
+ * full queue refuses the newest. Both are counted. What is urgent, an emergency stop, has a queue
+ * of its own, which comes first. Arming and failsafes wait among the others, but the others cannot
+ * take their room. Questions that anybody may ask, which the service contract answers, fill a
+ * quarter of the rest at most.
  */
 final class ServiceInbox {
   /** One message and the channel that it came on. */
@@ -45,7 +46,8 @@ final class ServiceInbox {
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
   private final Map<Channel<?>, Map<String, Delivery>> newest =
       new HashMap<>(); // deliveries still queued
-  private int questions; // of those that wait
+  private int reserved; // of those in the queue, as what follows
+  private int questions;
   private long dropped;
   private ServiceInbox successor; // null as long as messages stay here
 
@@ -81,6 +83,25 @@ final class ServiceInbox {
     return channel.isUrgent() ? urgent : queue;
   }
 
+  private boolean isFull(ArrayDeque<Delivery> line, Delivery delivery) {
+    if (line == urgent) {
+      return urgent.size() >= capacity;
+    }
+    return delivery.channel.reservesRoom()
+        ? reserved >= capacity
+        : queue.size() - reserved >= capacity
+            || isQuestion(delivery.message) && questions >= Math.max(1, capacity / QUESTIONS_PART);
+  }
+
+  /** Counts one that joins the queues, or leaves them. */
+  private void count(Delivery delivery, int sign) {
+    if (delivery.channel.reservesRoom() && !delivery.channel.isUrgent()) {
+      reserved += sign;
+    } else if (isQuestion(delivery.message)) {
+      questions += sign;
+    }
+  }
+
   private static boolean isQuestion(U2SAData message) {
     return message instanceof ConfigurationRequest
         || message instanceof DiscoveryRequest
@@ -88,13 +109,11 @@ final class ServiceInbox {
   }
 
   private boolean enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
-    boolean question = isQuestion(delivery.message);
-    if (line.size() >= capacity
-        || question && questions >= Math.max(1, capacity / QUESTIONS_PART)) {
+    if (isFull(line, delivery)) {
       dropped++;
       return false;
     }
-    questions += question ? 1 : 0;
+    count(delivery, 1);
     line.add(delivery);
     return true;
   }
@@ -108,7 +127,7 @@ final class ServiceInbox {
     if (!delivery.channel.deliversEvery()) {
       newest.get(delivery.channel).remove(delivery.channel.sourceOf(delivery.message));
     }
-    questions -= isQuestion(delivery.message) ? 1 : 0;
+    count(delivery, -1);
     return delivery;
   }
 
@@ -128,6 +147,7 @@ final class ServiceInbox {
       next.queue.clear();
       next.newest.clear();
       next.questions = 0;
+      next.reserved = 0;
       for (Delivery delivery : handled) {
         if (!isWaiting(delivery)) {
           next.append(delivery);
@@ -141,6 +161,7 @@ final class ServiceInbox {
       queue.clear();
       newest.clear();
       questions = 0;
+      reserved = 0;
       successor = next;
     }
   }
@@ -152,7 +173,7 @@ final class ServiceInbox {
 
   private void append(Delivery delivery) {
     lineOf(delivery.channel).add(delivery);
-    questions += isQuestion(delivery.message) ? 1 : 0;
+    count(delivery, 1);
     if (!delivery.channel.deliversEvery()) {
       newest
           .computeIfAbsent(delivery.channel, key -> new HashMap<>())

@@ -47,7 +47,7 @@ class ServiceInboxTest {
   }
 
   @Test
-  void put_safetysMessagesIntoAFullInbox_areTakenAndComeFirst() {
+  void put_safetysMessagesIntoAFullInbox_areTaken() {
     for (int i = 0; i < CAPACITY; i++) {
       inbox.put(Channels.CONFIGURATION, new ConfigurationChange());
     }
@@ -60,12 +60,16 @@ class ServiceInboxTest {
     assertThat(inbox.put(Channels.FAILSAFE, new FailsafeState())).isTrue();
     assertThat(inbox.put(Channels.ARMING_STATE, new ArmingState())).isTrue();
 
-    assertThat(inbox.poll().message()).isSameAs(arm);
     assertThat(inbox.poll().message()).isSameAs(stop);
+    for (int i = 0; i < CAPACITY; i++) {
+      assertThat(inbox.poll().message()).isInstanceOf(ConfigurationChange.class);
+    }
+    assertThat(inbox.poll().message()).as("in its turn").isSameAs(arm);
+    assertThat(inbox.depth()).isEqualTo(2);
   }
 
   @Test
-  void put_newerOfAnUrgentLatestChannel_replacesTheOneThatWaits() {
+  void put_newerOfALatestChannelWithRoom_replacesTheOneThatWaits() {
     ArmingState newer = new ArmingState();
     inbox.put(Channels.ARMING_STATE, new ArmingState());
     inbox.put(Channels.ARMING_STATE, newer);

@@ -5,13 +5,13 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.WriteBufferWaterMark;
+import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
@@ -42,7 +42,11 @@ final class BrokerDoor implements AutoCloseable {
   private final AtomicInteger open = new AtomicInteger();
   private final AtomicLong unsent = new AtomicLong();
   private final Map<String, ClientGate> clients = new ConcurrentHashMap<>();
-  private final Set<String> retainedTopics = ConcurrentHashMap.newKeySet();
+  private final Map<String, ClientGate> connections = new ConcurrentHashMap<>(); // Moquette's view
+  private final AtomicLong connectionsSoFar = new AtomicLong();
+  private final RetainedTable retained;
+  private final SharedAllowances questions;
+  private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private volatile boolean ending;
 
   /**
@@ -56,6 +60,8 @@ final class BrokerDoor implements AutoCloseable {
     this.users = users;
     desk = users == null ? null : new LoginDesk(users, clock);
     refusals = new Refusals(log);
+    retained = new RetainedTable(limits);
+    questions = new SharedAllowances(limits.questionsPerS());
   }
 
   private static byte[] newPass() {
@@ -96,7 +102,8 @@ final class BrokerDoor implements AutoCloseable {
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
-      if (open.incrementAndGet() > limits.clients() || ending) {
+      // Who was let in and who has not said who it is are counted apart; more cannot be.
+      if (open.incrementAndGet() > limits.clients() + 2 * BrokerLimits.STRANGERS || ending) {
         open.decrementAndGet();
         refusals.add(
             "connection refused, " + (ending ? "the broker ends" : "too many"),
@@ -127,36 +134,77 @@ final class BrokerDoor implements AutoCloseable {
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-gate", gate);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);
-      ctx.pipeline().addBefore("handler", "u2sa-retain-flag", new RetainFlag(retainedTopics));
+      ctx.pipeline().addBefore("handler", "u2sa-retain-flag", new RetainFlag(retained.topics()));
       ctx.fireChannelActive();
       ctx.pipeline().remove(this);
     }
   }
 
-  /**
-   * Enters a client under its ID.
-   *
-   * @return why it may not be entered; empty if it was
-   */
-  Optional<String> enter(String clientId, ClientGate gate) {
-    long ofUser =
-        clients.values().stream().filter(other -> other.name().equals(gate.name())).count();
-    if (users != null && ofUser >= limits.clientsPerUser()) {
-      return Optional.of("too many connections of one user");
+  /** What came of {@link #enter}. */
+  enum Entry {
+    FREE("", MqttConnectReturnCode.CONNECTION_ACCEPTED),
+    FULL("too many connections", MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE),
+    FULL_FOR_USER(
+        "too many connections of one user",
+        MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE),
+    ANOTHERS_ID(
+        "the client ID is another user's",
+        MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED);
+
+    private final String reason;
+    private final MqttConnectReturnCode answer;
+
+    Entry(String reason, MqttConnectReturnCode answer) {
+      this.reason = reason;
+      this.answer = answer;
     }
-    ClientGate before = clients.putIfAbsent(clientId, gate);
-    if (before != null && !before.name().equals(gate.name())) {
-      return Optional.of("the client ID is another user's");
+
+    /** Why the client may not be entered. */
+    String reason() {
+      return reason;
     }
-    if (before != null) { // a client that comes back before its old connection was found dead
-      clients.put(clientId, gate);
+
+    /** What the client is told; where waiting helps, that it may come again. */
+    MqttConnectReturnCode answer() {
+      return answer;
     }
-    return Optional.empty();
   }
 
-  /** Moquette is ready for the client's packets. */
-  void connected(String clientId) {
-    ClientGate gate = clients.get(clientId);
+  /** An ID for a connection: never the same twice. */
+  String newConnection() {
+    return "connection-" + connectionsSoFar.incrementAndGet();
+  }
+
+  /** Enters a client under its ID, in the place of an older connection of the same client. */
+  synchronized Entry enter(String clientId, ClientGate gate) {
+    ClientGate before = clients.get(clientId);
+    if (before != null && !before.name().equals(gate.name())) {
+      return Entry.ANOTHERS_ID;
+    }
+    int others = clients.size() - (before == null ? 0 : 1);
+    boolean keepFree = users != null && !gate.isOperator();
+    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clients())) {
+      return Entry.FULL;
+    }
+    if (users != null
+        && ofUser(gate.name()) - (before == null ? 0 : 1) >= limits.clientsPerUser()) {
+      return Entry.FULL_FOR_USER;
+    }
+    clients.put(clientId, gate);
+    connections.put(gate.connection(), gate);
+    if (before != null) { // a client that comes back before its old connection was found dead
+      before.replaced();
+    }
+    return Entry.FREE;
+  }
+
+  private long ofUser(String name) {
+    return clients.values().stream().filter(other -> other.name().equals(name)).count();
+  }
+
+  /** Moquette is ready for the packets of a connection. */
+  void connected(String connection) {
+    ClientGate gate = connections.get(connection);
     if (gate != null) {
       gate.connected();
     }
@@ -164,12 +212,23 @@ final class BrokerDoor implements AutoCloseable {
 
   void leave(String clientId, ClientGate gate) {
     clients.remove(clientId, gate);
+    connections.remove(gate.connection());
+    subscriptions.remove(gate.connection());
   }
 
-  /** Whether a topic may be retained: those that are already, and new ones while there is room. */
-  boolean mayRetain(String topic) {
-    return retainedTopics.contains(topic)
-        || retainedTopics.size() < BrokerLimits.RETAINED_TOPICS && retainedTopics.add(topic);
+  /** Of which topics the broker holds a message. */
+  RetainedTable retained() {
+    return retained;
+  }
+
+  /** Who listens to what. */
+  RemoteSubscriptions subscriptions() {
+    return subscriptions;
+  }
+
+  /** How many questions each user may still ask. */
+  SharedAllowances questions() {
+    return questions;
   }
 
   BrokerLimits limits() {

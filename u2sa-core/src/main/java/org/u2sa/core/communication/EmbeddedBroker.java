@@ -10,8 +10,6 @@ import io.moquette.interception.messages.InterceptConnectMessage;
 import io.moquette.interception.messages.InterceptConnectionLostMessage;
 import io.moquette.interception.messages.InterceptDisconnectMessage;
 import io.moquette.interception.messages.InterceptPublishMessage;
-import io.moquette.interception.messages.InterceptSubscribeMessage;
-import io.moquette.interception.messages.InterceptUnsubscribeMessage;
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufUtil;
 import java.io.IOException;
@@ -37,7 +35,6 @@ final class EmbeddedBroker implements AutoCloseable {
   private final Consumer<String> log;
   private final InetSocketAddress address;
   private final Server server = new Server();
-  private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final Map<String, Will> wills = new ConcurrentHashMap<>();
   private final IncomingCopies incoming;
   private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
@@ -60,7 +57,7 @@ final class EmbeddedBroker implements AutoCloseable {
     this.log = log;
     copies =
         new OutgoingCopies(
-            server, bus.systemId(), subscriptions, door::mayRetain, door.backlog(), log);
+            server, bus.systemId(), door.subscriptions(), door.retained(), door.backlog(), log);
   }
 
   /**
@@ -168,7 +165,10 @@ final class EmbeddedBroker implements AutoCloseable {
   /** What a client wants to be said when its connection breaks. */
   private record Will(String topic, byte[] payload) {}
 
-  /** Called by Moquette on a thread of its own, one call after the other. */
+  /**
+   * Called by Moquette on a thread of its own, one call after the other. What Moquette calls a
+   * client is one connection of it, {@link ClientGate#connection}: so nothing here is another's.
+   */
   private final class Listener extends AbstractInterceptHandler {
     @Override
     public String getID() {
@@ -184,7 +184,7 @@ final class EmbeddedBroker implements AutoCloseable {
     @Override
     public void onPublish(InterceptPublishMessage message) {
       ByteBuf payload = message.getPayload();
-      door.backlog().out();
+      door.backlog().out(payload.readableBytes());
       try {
         incoming.deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
       } finally {
@@ -204,24 +204,12 @@ final class EmbeddedBroker implements AutoCloseable {
     }
 
     @Override
-    public void onSubscribe(InterceptSubscribeMessage message) {
-      subscriptions.add(message.getClientID(), message.getTopicFilter());
-    }
-
-    @Override
-    public void onUnsubscribe(InterceptUnsubscribeMessage message) {
-      subscriptions.remove(message.getClientID(), message.getTopicFilter());
-    }
-
-    @Override
     public void onDisconnect(InterceptDisconnectMessage message) {
       wills.remove(message.getClientID());
-      subscriptions.remove(message.getClientID());
     }
 
     @Override
     public void onConnectionLost(InterceptConnectionLostMessage message) {
-      subscriptions.remove(message.getClientID());
       Will will = wills.remove(message.getClientID());
       if (will != null) { // Moquette says it to its clients only
         incoming.deliver(will.topic, will.payload);

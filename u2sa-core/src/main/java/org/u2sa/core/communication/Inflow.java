@@ -43,7 +43,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
-    if (held.isEmpty() && isOpen()) {
+    if (held.isEmpty() && isOpen() && isInTurn(message)) {
       letIn(ctx, message);
     } else {
       held.add(message);
@@ -54,6 +54,11 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private boolean isOpen() {
     long now = door.nowMicros();
     return gate.isReady() && messages.isOpen(now) && bytes.isOpen(now) && !door.backlog().isFull();
+  }
+
+  /** Every service answers a question: so they are counted for all connections of a user. */
+  private boolean isInTurn(Object message) {
+    return !gate.isQuestion(message) || door.questions().take(gate.name(), door.nowMicros());
   }
 
   private void letIn(ChannelHandlerContext ctx, Object message) {
@@ -78,7 +83,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
       return;
     }
     boolean any = false;
-    while (!held.isEmpty() && isOpen()) {
+    while (!held.isEmpty() && isOpen() && isInTurn(held.peek())) {
       letIn(ctx, held.poll());
       any = true;
     }

@@ -72,6 +72,10 @@ final class Introduction {
     return will == null ? new byte[0] : will;
   }
 
+  int willQuality() {
+    return packet.variableHeader().willQos();
+  }
+
   boolean isWillRetained() {
     return packet.variableHeader().isWillRetain();
   }
@@ -80,9 +84,12 @@ final class Introduction {
    * The packet as Moquette gets it: with the door's pass for a password, and no session that would
    * outlast the connection, as what queued in it would have no bound.
    *
+   * @param connection the connection's own ID, in place of the client's: Moquette takes two
+   *     connections of one client for one, and ends the newer's will and subscriptions with the
+   *     older
    * @param withWill whether the client's will, if it has one, may be published
    */
-  MqttConnectMessage forMoquette(String name, boolean withWill) {
+  MqttConnectMessage forMoquette(String connection, String name, boolean withWill) {
     MqttConnectVariableHeader said = packet.variableHeader();
     MqttConnectVariableHeader header =
         new MqttConnectVariableHeader(
@@ -97,7 +104,7 @@ final class Introduction {
             said.keepAliveTimeSeconds());
     MqttConnectPayload payload =
         new MqttConnectPayload(
-            clientId,
+            connection,
             withWill ? packet.payload().willTopic() : null,
             withWill ? packet.payload().willMessageInBytes() : null,
             name,

@@ -5,11 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.security.GeneralSecurityException;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import javax.crypto.Mac;
@@ -21,85 +18,85 @@ import org.u2sa.interfaces.Clock;
 /**
  * Checks passwords on a thread of its own, because one check takes a fifth of a second of a core.
  *
- * <p>A flood of wrong passwords must not take the machine from control, nor lock those out who were
- * here before: a password that was right once is known again at once; after a wrong one, the same
- * name from the same address is refused unseen for a time that doubles; and after each wrong one
- * the thread rests three times as long as it worked.
+ * <p>A flood of wrong passwords must not take the machine from control, nor lock those out who know
+ * theirs: a password that was right once is known again at once; after a wrong one, the same name
+ * from the same address is refused unseen for a time that doubles; who comes from an address
+ * without wrong ones is checked before all others; and for the others the thread rests three times
+ * as long as it worked. Nobody is refused for good unless the password was checked and wrong, and a
+ * name that nobody has is checked as long as any.
  */
 final class LoginDesk implements AutoCloseable {
-  private static final int WAITING_AT_MOST = 64;
-  private static final int FAILURES_REMEMBERED = 4_096;
-  private static final long FIRST_WAIT_MICROS = 250_000;
-  private static final long LONGEST_WAIT_MICROS = 30 * Clock.MICROS_PER_SECOND;
   private static final int RESTS_PER_WORK = 3;
 
-  /** What came of it: a user, or the reason why not. */
-  record Verdict(Optional<User> user, String reason) {
-    static Verdict refused(String reason) {
-      return new Verdict(Optional.empty(), reason);
+  /**
+   * What came of it: a user, or the reason why not.
+   *
+   * @param isFinal whether to come again with the same password is of no use
+   */
+  record Verdict(Optional<User> user, String reason, boolean isFinal) {
+    static Verdict wrong(String reason) {
+      return new Verdict(Optional.empty(), reason, true);
+    }
+
+    static Verdict later(String reason) {
+      return new Verdict(Optional.empty(), reason, false);
+    }
+
+    static Verdict of(User user) {
+      return new Verdict(Optional.of(user), "", true);
     }
   }
-
-  private record Application(
-      User user, byte[] password, InetAddress from, Consumer<Verdict> answer) {
-    String key() {
-      return from.getHostAddress() + " " + user.name();
-    }
-  }
-
-  private record Failures(int count, long refusedUntil) {}
 
   /** A password that was right: not itself, but its MAC under this run's random key. */
   private record Proven(PasswordHash hash, byte[] mac) {}
 
   private final Users users;
   private final Clock clock;
-  private final Clock.Waiter rest;
+  private final Clock.Waiter waiter;
   private final byte[] key = new byte[32];
-  private final BlockingQueue<Application> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
+  private final PasswordHash nobodys; // in place of the hash of one whom nobody knows
+  private final LoginFailures failures;
+  private final LoginQueue queue;
   private final Map<String, Proven> proven = new ConcurrentHashMap<>();
-  private final Map<String, Failures> failures = // guarded by itself
-      new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Failures> eldest) {
-          return size() > FAILURES_REMEMBERED;
-        }
-      };
   private final Thread thread = new Thread(this::work, "u2sa-login");
+  private long restUntil = Long.MIN_VALUE; // touched by the thread only
 
   LoginDesk(Users users, Clock clock) {
     this.users = users;
     this.clock = clock;
-    rest = clock.newWaiter("login");
-    new SecureRandom().nextBytes(key);
+    waiter = clock.newWaiter("login");
+    SecureRandom random = new SecureRandom();
+    random.nextBytes(key);
+    nobodys = PasswordHash.unguessable(random);
+    failures = new LoginFailures(clock);
+    queue = new LoginQueue(failures);
     thread.setDaemon(true);
     thread.start();
   }
 
   /** Checks a password; the answer comes at once or, when it took work, on this desk's thread. */
   void check(String name, byte[] password, InetAddress from, Consumer<Verdict> answer) {
+    LoginApplication application = new LoginApplication(name, password.clone(), from, answer);
     Optional<User> user = users.named(name);
-    if (user.isEmpty()) {
-      answer.accept(Verdict.refused("no such user"));
+    if (user.isPresent() && isProven(user.get(), password)) {
+      answer.accept(Verdict.of(user.get()));
       return;
     }
-    Application application = new Application(user.get(), password.clone(), from, answer);
-    if (isProven(application)) {
-      answer.accept(new Verdict(user, ""));
-    } else if (mustWait(application)) {
-      answer.accept(Verdict.refused("too soon after a wrong password"));
-    } else if (!waiting.offer(application)) {
-      answer.accept(Verdict.refused("too many log in at once"));
+    if (failures.mustWait(application)) {
+      answer.accept(Verdict.later("too soon after a wrong password"));
+      return;
     }
+    queue
+        .add(application)
+        .ifPresent(out -> out.answer().accept(Verdict.later("too many log in at once")));
+    waiter.signal();
   }
 
-  private boolean isProven(Application application) {
-    Proven known = proven.get(application.user.name());
+  private boolean isProven(User user, byte[] password) {
+    Proven known = proven.get(user.name());
     return known != null
-        && known.hash.toString().equals(application.user.password().toString())
-        && MessageDigest.isEqual(known.mac, mac(application.password));
+        && known.hash.toString().equals(user.password().toString())
+        && MessageDigest.isEqual(known.mac, mac(password));
   }
 
   private byte[] mac(byte[] password) {
@@ -112,30 +109,17 @@ final class LoginDesk implements AutoCloseable {
     }
   }
 
-  private boolean mustWait(Application application) {
-    synchronized (failures) {
-      Failures before = failures.get(application.key());
-      return before != null && clock.micros() < before.refusedUntil;
-    }
-  }
-
   private void work() {
     try {
       // Java's first hash takes seconds on a small machine, longer than a client waits.
-      new PasswordHash(PasswordHash.ITERATIONS, new byte[1], new byte[1]).matches(new char[1]);
+      nobodys.matches(new char[1]);
       while (!Thread.currentThread().isInterrupted()) {
-        Application application = waiting.take();
-        long begun = clock.micros();
-        if (isProven(application)) {
-          application.answer.accept(new Verdict(Optional.of(application.user), ""));
-        } else if (mustWait(application)) {
-          application.answer.accept(Verdict.refused("too soon after a wrong password"));
-        } else if (isRight(application)) {
-          application.answer.accept(new Verdict(Optional.of(application.user), ""));
+        boolean rests = clock.micros() < restUntil;
+        Optional<LoginApplication> next = queue.poll(rests);
+        if (next.isPresent()) {
+          judge(next.get());
         } else {
-          application.answer.accept(Verdict.refused("wrong password"));
-          long now = clock.micros();
-          rest.await(now + RESTS_PER_WORK * (now - begun));
+          waiter.await(rests ? restUntil : Clock.NEVER);
         }
       }
     } catch (InterruptedException e) {
@@ -143,28 +127,36 @@ final class LoginDesk implements AutoCloseable {
     }
   }
 
-  private boolean isRight(Application application) {
-    PasswordHash hash = application.user.password();
-    String text = new String(application.password, StandardCharsets.UTF_8);
-    if (hash.matches(text.toCharArray())) {
-      proven.put(application.user.name(), new Proven(hash, mac(application.password)));
-      synchronized (failures) {
-        failures.remove(application.key());
-      }
-      return true;
+  private void judge(LoginApplication application) {
+    Optional<User> user = users.named(application.name());
+    if (user.isPresent() && isProven(user.get(), application.password())) {
+      application.answer().accept(Verdict.of(user.get()));
+    } else if (failures.mustWait(application)) {
+      application.answer().accept(Verdict.later("too soon after a wrong password"));
+    } else {
+      long begun = clock.micros();
+      application.answer().accept(checked(user, application));
+      long now = clock.micros();
+      restUntil = now + RESTS_PER_WORK * (now - begun);
     }
-    synchronized (failures) {
-      Failures before = failures.getOrDefault(application.key(), new Failures(0, 0));
-      int count = before.count + 1;
-      long wait = Math.min(FIRST_WAIT_MICROS << Math.min(count - 1, 20), LONGEST_WAIT_MICROS);
-      failures.put(application.key(), new Failures(count, clock.micros() + wait));
+  }
+
+  private Verdict checked(Optional<User> user, LoginApplication application) {
+    PasswordHash hash = user.map(User::password).orElse(nobodys);
+    String text = new String(application.password(), StandardCharsets.UTF_8);
+    boolean right = hash.matches(text.toCharArray());
+    if (right && user.isPresent()) {
+      proven.put(application.name(), new Proven(hash, mac(application.password())));
+      failures.forget(application);
+      return Verdict.of(user.get());
     }
-    return false;
+    failures.add(application);
+    return Verdict.wrong(user.isPresent() ? "wrong password" : "no such user");
   }
 
   @Override
   public void close() {
     thread.interrupt();
-    rest.close();
+    waiter.close();
   }
 }

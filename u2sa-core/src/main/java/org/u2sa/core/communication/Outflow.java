@@ -131,7 +131,7 @@ final class Outflow extends ChannelDuplexHandler {
     if (now - oldest.since > door.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return door.backlog().kept() - oldest.keptBefore > BrokerLimits.UNACKNOWLEDGED_BYTES
+    return door.backlog().kept() - oldest.keptBefore > door.limits().unacknowledgedBytes()
         ? Optional.of("too much waits for its acknowledgement")
         : Optional.empty();
   }

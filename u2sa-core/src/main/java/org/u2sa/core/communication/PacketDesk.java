@@ -79,7 +79,7 @@ final class PacketDesk {
       }
       return false;
     }
-    door.backlog().in();
+    door.backlog().in(publish.content().readableBytes());
     if (qos == MqttQoS.AT_LEAST_ONCE) {
       door.backlog().keep(publish.content().readableBytes());
     }

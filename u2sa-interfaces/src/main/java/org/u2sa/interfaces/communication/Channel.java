@@ -24,6 +24,8 @@ public final class Channel<T extends U2SAData> {
   private final boolean every;
   private final boolean retained;
   private final boolean urgent;
+  private final boolean bySource; // if retained
+  private final boolean reserved;
   private final Function<? super T, String> source;
 
   private Channel(
@@ -33,6 +35,8 @@ public final class Channel<T extends U2SAData> {
       boolean every,
       boolean retained,
       boolean urgent,
+      boolean bySource,
+      boolean reserved,
       Function<? super T, String> source) {
     this.name = name;
     this.type = type;
@@ -40,6 +44,8 @@ public final class Channel<T extends U2SAData> {
     this.every = every;
     this.retained = retained;
     this.urgent = urgent;
+    this.bySource = bySource;
+    this.reserved = reserved;
     this.source = source;
   }
 
@@ -56,6 +62,8 @@ public final class Channel<T extends U2SAData> {
         Objects.requireNonNull(type, "type"),
         CarriedTypes.by(type),
         true,
+        false,
+        false,
         false,
         false,
         message -> "");
@@ -78,6 +86,8 @@ public final class Channel<T extends U2SAData> {
         false,
         false,
         false,
+        false,
+        false,
         source);
   }
 
@@ -87,7 +97,8 @@ public final class Channel<T extends U2SAData> {
    */
   @SafeVarargs
   public final Channel<T> carrying(MessageType<? extends T>... types) {
-    return new Channel<>(name, type, CarriedTypes.only(types), every, retained, urgent, source);
+    return new Channel<>(
+        name, type, CarriedTypes.only(types), every, retained, urgent, bySource, reserved, source);
   }
 
   /**
@@ -95,15 +106,31 @@ public final class Channel<T extends U2SAData> {
    * once.
    */
   public Channel<T> retained() {
-    return new Channel<>(name, type, carried, every, true, urgent, source);
+    return new Channel<>(name, type, carried, every, true, urgent, bySource, reserved, source);
   }
 
   /**
-   * This channel, but its messages overtake all others that wait for a service, and find room when
-   * the others have filled theirs.
+   * {@link #retained()} where there are several sources: the broker holds the last message of each,
+   * under a topic that ends with its name.
+   */
+  public Channel<T> retainedBySource() {
+    return new Channel<>(name, type, carried, every, true, urgent, true, reserved, source);
+  }
+
+  /**
+   * This channel, but its messages overtake all others that wait for a service. Of use only where
+   * each message matters.
    */
   public Channel<T> urgent() {
-    return new Channel<>(name, type, carried, every, retained, true, source);
+    return new Channel<>(name, type, carried, every, retained, true, bySource, reserved, source);
+  }
+
+  /**
+   * This channel, but its messages find room in a service's inbox when the others have filled
+   * theirs; they wait in their order all the same.
+   */
+  public Channel<T> reservingRoom() {
+    return new Channel<>(name, type, carried, every, retained, urgent, bySource, true, source);
   }
 
   /** The name that stands in the topic. */
@@ -124,6 +151,16 @@ public final class Channel<T extends U2SAData> {
   /** Whether a late subscriber is handed the last message of each source. */
   public boolean isRetained() {
     return retained;
+  }
+
+  /** Whether its messages find room where others have filled theirs. */
+  public boolean reservesRoom() {
+    return reserved || urgent;
+  }
+
+  /** Whether a topic of the channel may end with its source. */
+  public boolean isRetainedBySource() {
+    return bySource;
   }
 
   /** Whether its messages overtake others that wait for a service. */

@@ -1,7 +1,9 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.GoalInformation;
@@ -83,7 +85,7 @@ public final class Channels {
   /** What actuators say of themselves (thesis 5.1); to control. */
   public static final Channel<ActuatorAnnouncement> ACTUATORS =
       Channel.latest("actuators", ActuatorAnnouncement.TYPE, ActuatorAnnouncement::actuatorName)
-          .retained();
+          .retainedBySource();
 
   /** Who is there: requests and responses (thesis 3.2.2.1). */
   public static final Channel<U2SAData> DISCOVERY =
@@ -118,7 +120,8 @@ public final class Channels {
 
   /** How each service looks to the health monitor, and what is done about it (thesis 3.5.3). */
   public static final Channel<ServiceCondition> CONDITIONS =
-      Channel.latest("conditions", ServiceCondition.TYPE, ServiceCondition::serviceName).retained();
+      Channel.latest("conditions", ServiceCondition.TYPE, ServiceCondition::serviceName)
+          .retainedBySource();
 
   /** Orders to launchers to start, restart or swap a service, and what came of them. */
   public static final Channel<U2SAData> SERVICE_ORDERS =
@@ -133,7 +136,7 @@ public final class Channels {
    * What the vehicle is to do because something is wrong; to planner, Mission Manager and control.
    */
   public static final Channel<FailsafeState> FAILSAFE =
-      Channel.latest("failsafe", FailsafeState.TYPE, state -> "").retained().urgent();
+      Channel.latest("failsafe", FailsafeState.TYPE, state -> "").retained().reservingRoom();
 
   /** Signs of life of those who watch the vehicle. */
   public static final Channel<OperatorHeartbeat> OPERATOR =
@@ -141,11 +144,11 @@ public final class Channels {
 
   /** Requests to let the vehicle move, or no longer. */
   public static final Channel<ArmCommand> ARMING =
-      Channel.every("arming", ArmCommand.TYPE).urgent();
+      Channel.every("arming", ArmCommand.TYPE).reservingRoom();
 
   /** Whether the vehicle may move; to actuators and screens. */
   public static final Channel<ArmingState> ARMING_STATE =
-      Channel.latest("arming-state", ArmingState.TYPE, state -> "").retained().urgent();
+      Channel.latest("arming-state", ArmingState.TYPE, state -> "").retained().reservingRoom();
 
   /** What batteries have left. */
   public static final Channel<BatteryState> POWER =
@@ -178,6 +181,9 @@ public final class Channels {
           ARMING_STATE,
           POWER);
 
+  private static final Map<String, Channel<?>> BY_NAME =
+      ALL.stream().collect(Collectors.toMap(Channel::name, channel -> channel));
+
   private Channels() {}
 
   /** All standard channels. */
@@ -187,7 +193,7 @@ public final class Channels {
 
   /** The standard channel of that name. */
   public static Optional<Channel<?>> named(String name) {
-    return ALL.stream().filter(channel -> channel.name().equals(name)).findFirst();
+    return Optional.ofNullable(BY_NAME.get(name));
   }
 
   /** The standard channel of that name, or one on which each message matters. */
