@@ -183,7 +183,8 @@ public final class RunCommand implements Callable<Integer> {
       for (U2SAService ended : system.services()) {
         ended
             .endReason()
-            .ifPresent(why -> say(terminal, "Service " + ended.getServiceName() + " ended: " + why));
+            .ifPresent(
+                why -> say(terminal, "Service " + ended.getServiceName() + " ended: " + why));
       }
       for (U2SAService failed : system.failed()) {
         say(terminal, "Service " + failed.getServiceName() + " failed; see its log file.");
