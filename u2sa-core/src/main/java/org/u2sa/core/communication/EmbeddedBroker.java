@@ -39,14 +39,14 @@ final class EmbeddedBroker implements AutoCloseable {
   private final IncomingCopies incoming;
   private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
   private final OutgoingCopies copies;
-  private final BrokerDoor door;
+  private final ConnectionFilter door;
   private final Runnable died;
 
   private EmbeddedBroker(
       LocalBus bus,
       MessageCodec codec,
       InetSocketAddress address,
-      BrokerDoor door,
+      ConnectionFilter door,
       Consumer<String> log,
       Runnable died) {
     this.door = door;
@@ -75,7 +75,8 @@ final class EmbeddedBroker implements AutoCloseable {
       Consumer<String> log,
       Runnable died) {
     refuseTakenPort(address);
-    BrokerDoor door = new BrokerDoor(limits, codec, new SystemClock(), security.users(log), log);
+    ConnectionFilter door =
+        new ConnectionFilter(limits, codec, new SystemClock(), security.users(log), log);
     EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, door, log, died);
     try {
       broker.server.startServer(
@@ -83,8 +84,8 @@ final class EmbeddedBroker implements AutoCloseable {
           List.of(broker.new Listener()),
           security::tls,
           (clientId, user, password) -> door.letIn(password),
-          new PermitAllAuthorizatorPolicy()); // the door has looked at each packet
-      DoorFrame.hang(door, broker.server);
+          new PermitAllAuthorizatorPolicy()); // the connection filter has looked at each packet
+      FilterInstaller.hang(door, broker.server);
     } catch (IOException | RuntimeException e) {
       door.close();
       throw cannotListen(address, e);
@@ -104,7 +105,8 @@ final class EmbeddedBroker implements AutoCloseable {
     } else {
       properties.setProperty(IConfig.PORT_PROPERTY_NAME, port);
     }
-    properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the door names all
+    properties.setProperty(
+        IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the connection filter names all
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
     properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
     properties.setProperty(
@@ -139,8 +141,8 @@ final class EmbeddedBroker implements AutoCloseable {
     return address;
   }
 
-  /** What the door has refused and given up, for tests. */
-  BrokerDoor door() {
+  /** What the connection filter has refused and given up, for tests. */
+  ConnectionFilter door() {
     return door;
   }
 
@@ -152,12 +154,12 @@ final class EmbeddedBroker implements AutoCloseable {
   public void close() {
     bus.detach();
     copies.close();
-    int owed = door.awaitLastWords();
+    int owed = door.drain();
     if (owed > 0) {
       notTaken.addAndGet(owed);
       log.accept(owed + " messages or more were not taken by remote subscribers before the end");
     }
-    DoorFrame.takeDown(server);
+    FilterInstaller.takeDown(server);
     server.stopServer();
     door.close();
   }
@@ -167,7 +169,7 @@ final class EmbeddedBroker implements AutoCloseable {
 
   /**
    * Called by Moquette on a thread of its own, one call after the other. What Moquette calls a
-   * client is one connection of it, {@link ClientGate#connection}: so nothing here is another's.
+   * client is one connection of it, {@link ClientSession#connection}: so nothing here is another's.
    */
   private final class Listener extends AbstractInterceptHandler {
     @Override

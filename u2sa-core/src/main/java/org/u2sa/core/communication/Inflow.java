@@ -15,15 +15,15 @@ import java.util.concurrent.TimeUnit;
 final class Inflow extends ChannelInboundHandlerAdapter {
   private static final long LOOK_AGAIN_MS = 2;
 
-  private final BrokerDoor door;
-  private final ClientGate gate;
+  private final ConnectionFilter door;
+  private final ClientSession gate;
   private final Deque<Object> held = new ArrayDeque<>(); // what was read already
   private final Allowance messages;
   private final Allowance bytes;
   private boolean paused;
   private ChannelHandlerContext context;
 
-  Inflow(BrokerDoor door, ClientGate gate) {
+  Inflow(ConnectionFilter door, ClientSession gate) {
     this.door = door;
     this.gate = gate;
     long now = door.nowMicros();
@@ -36,7 +36,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     context = ctx;
   }
 
-  /** Reads no more until the gate is ready. */
+  /** Reads no more until the session is ready. */
   void hold() {
     pause(context);
   }

@@ -12,10 +12,10 @@ final class LoginApplication {
   private final String name;
   private final byte[] password;
   private final String from;
-  private final Consumer<LoginDesk.Verdict> answer;
+  private final Consumer<Authenticator.Verdict> answer;
 
   LoginApplication(
-      String name, byte[] password, InetAddress from, Consumer<LoginDesk.Verdict> answer) {
+      String name, byte[] password, InetAddress from, Consumer<Authenticator.Verdict> answer) {
     this.name = name;
     this.password = password;
     this.from =
@@ -44,7 +44,7 @@ final class LoginApplication {
   }
 
   /** Takes the verdict; called once. */
-  Consumer<LoginDesk.Verdict> answer() {
+  Consumer<Authenticator.Verdict> answer() {
     return answer;
   }
 }

@@ -22,7 +22,7 @@ import org.u2sa.messages.contract.EmergencyStop;
 
 /** What one client's packets may do. Belongs to its connection's thread. */
 final class PacketRules {
-  private final BrokerDoor door;
+  private final ConnectionFilter door;
   private final User user; // null: everything within the limits
   private final String owner;
   private final String connection;
@@ -30,7 +30,7 @@ final class PacketRules {
   private final Allowance orders;
   private final Set<String> filters = new HashSet<>();
 
-  PacketRules(BrokerDoor door, User user, String clientId, String connection) {
+  PacketRules(ConnectionFilter door, User user, String clientId, String connection) {
     this.connection = connection;
     this.door = door;
     this.user = user;
@@ -99,7 +99,7 @@ final class PacketRules {
    * Why the client may not have that will; empty if it may. A will is said when nobody is there any
    * more who would answer for it: it says that a service is lost, or stops, and clears nothing.
    */
-  Optional<String> refusalOfWill(String topic, Introduction said) {
+  Optional<String> refusalOfWill(String topic, ConnectRequest said) {
     TopicJudge.Verdict verdict = judge.judge(topic);
     if (verdict.refusal() != null) {
       return Optional.of(verdict.refusal());

@@ -12,17 +12,17 @@ import java.util.Map;
  * has waited longest of the address with most of them, so that a flood from some addresses puts out
  * its own. Who means well needs milliseconds. Safe for several threads.
  */
-final class Strangers {
-  private final Map<ClientGate, InetAddress> waiting = new LinkedHashMap<>(); // oldest first
+final class PendingConnections {
+  private final Map<ClientSession, InetAddress> waiting = new LinkedHashMap<>(); // oldest first
 
   /** Adds one, and returns those to put out for it. */
-  synchronized List<ClientGate> add(ClientGate gate, InetAddress from) {
-    Map<InetAddress, List<ClientGate>> byAddress = new LinkedHashMap<>(); // oldest first
+  synchronized List<ClientSession> add(ClientSession gate, InetAddress from) {
+    Map<InetAddress, List<ClientSession>> byAddress = new LinkedHashMap<>(); // oldest first
     waiting.forEach(
         (other, address) ->
             byAddress.computeIfAbsent(address, key -> new ArrayList<>()).add(other));
-    List<ClientGate> same = byAddress.getOrDefault(from, List.of());
-    List<ClientGate> out = new ArrayList<>();
+    List<ClientSession> same = byAddress.getOrDefault(from, List.of());
+    List<ClientSession> out = new ArrayList<>();
     if (same.size() >= BrokerLimits.STRANGERS_PER_ADDRESS) {
       out.add(same.get(0));
     } else if (waiting.size() >= BrokerLimits.STRANGERS) {
@@ -37,7 +37,7 @@ final class Strangers {
     return out;
   }
 
-  synchronized void remove(ClientGate gate) {
+  synchronized void remove(ClientSession gate) {
     waiting.remove(gate);
   }
 }

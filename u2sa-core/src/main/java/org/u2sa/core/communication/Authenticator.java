@@ -25,7 +25,7 @@ import org.u2sa.interfaces.Clock;
  * as long as it worked. Nobody is refused for good unless the password was checked and wrong, and a
  * name that nobody has is checked as long as any.
  */
-final class LoginDesk implements AutoCloseable {
+final class Authenticator implements AutoCloseable {
   private static final int RESTS_PER_WORK = 3;
 
   /**
@@ -61,7 +61,7 @@ final class LoginDesk implements AutoCloseable {
   private final Thread thread = new Thread(this::work, "u2sa-login");
   private long restUntil = Long.MIN_VALUE; // touched by the thread only
 
-  LoginDesk(Users users, Clock clock) {
+  Authenticator(Users users, Clock clock) {
     this.users = users;
     this.clock = clock;
     waiter = clock.newWaiter("login");

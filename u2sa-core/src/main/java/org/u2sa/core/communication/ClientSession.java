@@ -24,7 +24,7 @@ import org.u2sa.core.security.User;
  * One client's way in: first it says who it is, then each of its packets is looked at before
  * Moquette sees it. Belongs to its connection's thread.
  */
-final class ClientGate extends ChannelInboundHandlerAdapter {
+final class ClientSession extends ChannelInboundHandlerAdapter {
   private enum Stage {
     STRANGER,
     CHECKED, // its password is being looked at
@@ -38,7 +38,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   private static final long FAREWELL_WITHIN_S = 10;
   private static final long LOOK_AGAIN_MS = 2;
 
-  private final BrokerDoor door;
+  private final ConnectionFilter door;
   private final Outflow outflow;
   private final String connection;
   private Inflow inflow;
@@ -46,7 +46,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   private PacketDesk desk; // from its admission, as the rules
   private PacketRules rules;
   private String clientId = "";
-  private volatile String name = BrokerDoor.ANONYMOUS;
+  private volatile String name = ConnectionFilter.ANONYMOUS;
   private User user; // null: anonymous
   private InetAddress from;
   private long since;
@@ -54,7 +54,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   private volatile boolean connected; // Moquette has finished its part
   private volatile ChannelHandlerContext context;
 
-  ClientGate(BrokerDoor door, Outflow outflow) {
+  ClientSession(ConnectionFilter door, Outflow outflow) {
     this.door = door;
     this.outflow = outflow;
     connection = door.newConnection();
@@ -124,7 +124,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   }
 
   /** What the client has not taken yet; may be asked on any thread. */
-  Future<LastWords.Owed> owed() {
+  Future<ShutdownDrain.Owed> owed() {
     return context.executor().submit(outflow::owed);
   }
 
@@ -133,7 +133,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     context = ctx;
     since = door.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
-    for (ClientGate longest : door.strangers().add(this, from)) {
+    for (ClientSession longest : door.strangers().add(this, from)) {
       longest.putOutFor("stranger put out for a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
@@ -216,7 +216,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
       putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
       return;
     }
-    Introduction said = Introduction.of((MqttConnectMessage) packet, door.pass());
+    ConnectRequest said = ConnectRequest.of((MqttConnectMessage) packet, door.pass());
     clientId = said.clientId();
     Optional<String> fault = said.fault();
     if (fault.isPresent()) {
@@ -239,7 +239,8 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     }
   }
 
-  private void judged(ChannelHandlerContext ctx, Introduction said, LoginDesk.Verdict verdict) {
+  private void judged(
+      ChannelHandlerContext ctx, ConnectRequest said, Authenticator.Verdict verdict) {
     if (stage != Stage.CHECKED) {
       return; // gone meanwhile
     }
@@ -257,15 +258,15 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     ctx.fireChannelReadComplete();
   }
 
-  private void admit(ChannelHandlerContext ctx, Introduction said) {
+  private void admit(ChannelHandlerContext ctx, ConnectRequest said) {
     PacketRules its = new PacketRules(door, user, clientId, connection);
     Optional<String> foreign = said.willTopic().flatMap(its::refusalOfSystem);
     if (foreign.isPresent()) { // it means to act where it may not: better told at once
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
     }
-    BrokerDoor.Entry entry = door.enter(clientId, this);
-    if (entry != BrokerDoor.Entry.FREE) {
+    ConnectionFilter.Entry entry = door.enter(clientId, this);
+    if (entry != ConnectionFilter.Entry.FREE) {
       refuse(ctx, entry.answer(), entry.reason());
       return;
     }

@@ -21,13 +21,15 @@ import org.u2sa.messages.MessageCodec;
 
 /**
  * What stands between the network and Moquette: every connection passes here, is limited, says who
- * it is, and is watched. Moquette itself takes only those whom the door let in.
+ * it is, and is watched. Moquette itself takes only those whom the connection filter let in.
  */
-final class BrokerDoor implements AutoCloseable {
+final class ConnectionFilter implements AutoCloseable {
   /** As whom a client goes that need not say its name. */
   static final String ANONYMOUS = "anonymous";
 
-  /** Beyond it Moquette would drop without a word; the door drops earlier, and counts. */
+  /**
+   * Beyond it Moquette would drop without a word; the connection filter drops earlier, and counts.
+   */
   private static final int NEVER_UNWRITABLE = 64 << 20;
 
   private final BrokerLimits limits;
@@ -35,14 +37,15 @@ final class BrokerDoor implements AutoCloseable {
   private final Clock clock;
   private final Refusals refusals;
   private final Users users; // null: everybody may do everything
-  private final LoginDesk desk; // null likewise
+  private final Authenticator desk; // null likewise
   private final byte[] pass = newPass();
   private final Backlog backlog = new Backlog();
-  private final Strangers strangers = new Strangers();
+  private final PendingConnections strangers = new PendingConnections();
   private final AtomicInteger open = new AtomicInteger();
   private final AtomicLong unsent = new AtomicLong();
-  private final Map<String, ClientGate> clients = new ConcurrentHashMap<>();
-  private final Map<String, ClientGate> connections = new ConcurrentHashMap<>(); // Moquette's view
+  private final Map<String, ClientSession> clients = new ConcurrentHashMap<>();
+  private final Map<String, ClientSession> connections =
+      new ConcurrentHashMap<>(); // Moquette's view
   private final AtomicLong connectionsSoFar = new AtomicLong();
   private final RetainedTable retained;
   private final SharedAllowances questions;
@@ -52,13 +55,13 @@ final class BrokerDoor implements AutoCloseable {
   /**
    * @param users who may come; null: everybody, without a password
    */
-  BrokerDoor(
+  ConnectionFilter(
       BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
     this.limits = limits;
     this.codec = codec;
     this.clock = clock;
     this.users = users;
-    desk = users == null ? null : new LoginDesk(users, clock);
+    desk = users == null ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
     questions = new SharedAllowances(limits.questionsPerS());
@@ -70,16 +73,17 @@ final class BrokerDoor implements AutoCloseable {
     return Base64.getEncoder().encode(random);
   }
 
-  /** What the door gives those it lets in, in place of a password. */
+  /** What the connection filter gives those it lets in, in place of a password. */
   String pass() {
     return new String(pass, StandardCharsets.US_ASCII);
   }
 
   /**
-   * For Moquette: whether the door let this one in.
+   * For Moquette: whether the connection filter let this one in.
    *
-   * @throws StartingException if it did not, because the door was not there yet: the connection
-   *     ends without an answer and its client comes again, where "wrong password" would be final
+   * @throws StartingException if it did not, because the connection filter was not there yet: the
+   *     connection ends without an answer and its client comes again, where "wrong password" would
+   *     be final
    */
   boolean letIn(byte[] password) {
     if (password == null || !MessageDigest.isEqual(pass, password)) {
@@ -126,9 +130,9 @@ final class BrokerDoor implements AutoCloseable {
   private final class Furnisher extends ChannelInboundHandlerAdapter {
     @Override
     public void channelActive(ChannelHandlerContext ctx) {
-      Outflow outflow = new Outflow(BrokerDoor.this);
-      ClientGate gate = new ClientGate(BrokerDoor.this, outflow);
-      Inflow inflow = new Inflow(BrokerDoor.this, gate);
+      Outflow outflow = new Outflow(ConnectionFilter.this);
+      ClientSession gate = new ClientSession(ConnectionFilter.this, outflow);
+      Inflow inflow = new Inflow(ConnectionFilter.this, gate);
       gate.inflow(inflow);
       ctx.pipeline().addFirst(new FirstBytes(gate));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
@@ -176,8 +180,8 @@ final class BrokerDoor implements AutoCloseable {
   }
 
   /** Enters a client under its ID, in the place of an older connection of the same client. */
-  synchronized Entry enter(String clientId, ClientGate gate) {
-    ClientGate before = clients.get(clientId);
+  synchronized Entry enter(String clientId, ClientSession gate) {
+    ClientSession before = clients.get(clientId);
     if (before != null && !before.name().equals(gate.name())) {
       return Entry.ANOTHERS_ID;
     }
@@ -204,13 +208,13 @@ final class BrokerDoor implements AutoCloseable {
 
   /** Moquette is ready for the packets of a connection. */
   void connected(String connection) {
-    ClientGate gate = connections.get(connection);
+    ClientSession gate = connections.get(connection);
     if (gate != null) {
       gate.connected();
     }
   }
 
-  void leave(String clientId, ClientGate gate) {
+  void leave(String clientId, ClientSession gate) {
     clients.remove(clientId, gate);
     connections.remove(gate.connection());
     subscriptions.remove(gate.connection());
@@ -253,7 +257,7 @@ final class BrokerDoor implements AutoCloseable {
   }
 
   /** Where passwords are checked; there if {@link #users} are. */
-  LoginDesk desk() {
+  Authenticator desk() {
     return desk;
   }
 
@@ -261,7 +265,7 @@ final class BrokerDoor implements AutoCloseable {
     return backlog;
   }
 
-  Strangers strangers() {
+  PendingConnections strangers() {
     return strangers;
   }
 
@@ -280,9 +284,9 @@ final class BrokerDoor implements AutoCloseable {
    * Takes nothing new any more, and waits until the clients have taken what was sent to them.
    * Returns how many messages at least they have not taken.
    */
-  int awaitLastWords() {
+  int drain() {
     ending = true;
-    return new LastWords(clients.values(), clock).await();
+    return new ShutdownDrain(clients.values(), clock).await();
   }
 
   /** Messages dropped because a client was too slow, or that Moquette lost, so far. */

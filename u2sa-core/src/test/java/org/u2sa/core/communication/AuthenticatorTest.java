@@ -25,13 +25,13 @@ import org.u2sa.interfaces.SystemClock;
 
 /** Who is checked, in which order, and who is told to come again. */
 @Timeout(120)
-class LoginDeskTest {
+class AuthenticatorTest {
   private static final String RIGHT = "right password";
 
   @TempDir Path folder;
-  private LoginDesk desk;
+  private Authenticator desk;
   private final List<String> order = new CopyOnWriteArrayList<>();
-  private final List<LoginDesk.Verdict> verdicts = new CopyOnWriteArrayList<>();
+  private final List<Authenticator.Verdict> verdicts = new CopyOnWriteArrayList<>();
 
   @BeforeEach
   void start() {
@@ -39,7 +39,7 @@ class LoginDeskTest {
     Path file = folder.resolve("users.txt");
     UserFile.write(
         file, List.of(new User("pilot", EnumSet.of(AccessRole.OPERATOR), List.of("*"), hash)));
-    desk = new LoginDesk(new Users(file, line -> {}), new SystemClock());
+    desk = new Authenticator(new Users(file, line -> {}), new SystemClock());
   }
 
   @AfterEach
@@ -105,7 +105,7 @@ class LoginDeskTest {
     assertThat(verdicts.get(0).isFinal()).isTrue();
     check("nobody", "guess", 1);
     assertThat(verdicts.get(1))
-        .isEqualTo(LoginDesk.Verdict.later("too soon after a wrong password"));
+        .isEqualTo(Authenticator.Verdict.later("too soon after a wrong password"));
   }
 
   @Test
@@ -113,7 +113,7 @@ class LoginDeskTest {
     for (int i = 0; i < 50; i++) {
       check("user" + i, "guess", 1);
     }
-    assertThat(verdicts).contains(LoginDesk.Verdict.later("too many log in at once"));
-    assertThat(verdicts).extracting(LoginDesk.Verdict::user).containsOnly(Optional.empty());
+    assertThat(verdicts).contains(Authenticator.Verdict.later("too many log in at once"));
+    assertThat(verdicts).extracting(Authenticator.Verdict::user).containsOnly(Optional.empty());
   }
 }
