@@ -95,6 +95,18 @@ class ContractTest(unittest.TestCase):
         self.probe.hear("stop", Message("StopCommand", serviceName="Probe"))
         self.assertTrue(self.probe._Service__stopping.is_set())
 
+    def test_a_stop_that_was_retained_or_is_disguised_is_none(self):
+        stop = encode(Message("StopCommand", stopAll=True))
+        self.probe._arrived("u2sa/cessna/stop/StopCommand", stop, True)
+        self.probe._arrived("u2sa/cessna/discovery/DiscoveryRequest/StopCommand", stop)
+        self.probe._arrived("u2sa/cessna/discovery/StopCommand", stop)
+        self.assertEqual([], self.probe.sent)
+        self.assertFalse(self.probe._Service__stopping.is_set())
+
+    def test_a_change_on_another_channel_is_none(self):
+        change = Message("ConfigurationChange", serviceName="Probe", variableName="GAIN", value="7")
+        self.assertFalse(self.probe._Service__contract.concerns("goals", change))
+
     def test_requests_come_in_on_channels_that_are_subscribed_to(self):
         channels = [channel for channel, _chain in self.probe._filters()]
         self.assertEqual(channels, ["goals", *Contract.CHANNELS])

@@ -13,6 +13,11 @@ if TYPE_CHECKING:
 _REMEMBERED = 64
 _REQUESTS_TO_ALL = ("FunctionalityRequest", "ConfigurationRequest")
 _REQUESTS_TO_ONE = ("ConfigurationChange", "ConfigurationTransaction", "ConfigurationUndo")
+_REQUESTS_ON = {
+    "discovery": ("DiscoveryRequest",),
+    "functionality": ("FunctionalityRequest",),
+    "configuration": ("ConfigurationRequest", *_REQUESTS_TO_ONE),
+}
 
 
 class Contract:
@@ -29,16 +34,18 @@ class Contract:
         return message.is_a("StopCommand") and (
             message.get("stopAll") is True or message.get("serviceName") == self._service.name)
 
-    def concerns(self, message: Message) -> bool:
-        """Whether the message is a request that `answer` would answer."""
+    def concerns(self, channel: str, message: Message) -> bool:
+        """Whether the message is a request that `answer` would answer, on the channel that carries it."""
+        if not any(message.is_a(kind) for kind in _REQUESTS_ON.get(channel, ())):
+            return False
         if any(message.is_a(kind) for kind in _REQUESTS_TO_ALL):
             return message["serviceName"] in ("", self._service.name)
         if any(message.is_a(kind) for kind in _REQUESTS_TO_ONE):
             return bool(message["serviceName"] == self._service.name)
         return message.is_a("DiscoveryRequest")
 
-    def answer(self, message: Message) -> None:
-        if not self.concerns(message):
+    def answer(self, channel: str, message: Message) -> None:
+        if not self.concerns(channel, message):
             return
         if message.is_a("DiscoveryRequest"):
             self._discovery()

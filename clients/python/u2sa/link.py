@@ -43,12 +43,12 @@ class CannotConnect(ConnectionError):
 class Link:
     """One service's connection. All calls are safe from any thread.
 
-    :param received: called with topic and payload of each message, on paho's thread
+    :param received: called with topic, payload and retained flag of each message, on paho's thread
     :param trouble: called with one line when the connection is lost, restored or refused
     """
 
     def __init__(self, broker: Broker, system_id: str, service: str,
-                 received: Callable[[str, bytes], None], trouble: Callable[[str], None]) -> None:
+                 received: Callable[[str, bytes, bool], None], trouble: Callable[[str], None]) -> None:
         self.instance = str(uuid.uuid4())
         self._broker = broker
         self._system_id = system_id
@@ -147,7 +147,7 @@ class Link:
     def _message(self, _client: Any, _data: Any, packet: Any) -> None:
         self._retained.arrived(packet.topic)
         try:
-            self._received(packet.topic, packet.payload)
+            self._received(packet.topic, packet.payload, bool(packet.retain))
         except Exception as e:  # it would end paho's thread, and with it the connection
             self._trouble(f"receiving a message on {packet.topic} failed: {type(e).__name__}: {e}")
 

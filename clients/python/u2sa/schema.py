@@ -75,8 +75,17 @@ class Schema:
             raise KeyError(f'there is no message "{name}"') from None
 
     def nearest(self, chain: Sequence[str]) -> Optional[MessageType]:
-        """The nearest ancestor that is known, the class itself included (thesis 8.2.5); None if there is none."""
-        return next((self._types[name] for name in reversed(chain) if name in self._types), None)
+        """The nearest ancestor that is known, the class itself included (thesis 8.2.5); None if there is none.
+
+        :raises Malformed: if the chain claims another ancestry for it than it has
+        """
+        for end in range(len(chain), 0, -1):
+            known = self._types.get(chain[end - 1])
+            if known is not None:
+                if known.chain != tuple(chain[:end]):
+                    raise Malformed(f"expected {'/'.join(known.chain)}, not {'/'.join(chain[:end])}")
+                return known
+        return None
 
     def names(self) -> List[str]:
         return list(self._types)

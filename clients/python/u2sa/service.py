@@ -10,6 +10,7 @@ import threading
 import time
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 
+from . import tables
 from .codec import decode
 from .configuration import Configuration, Value, Variable
 from .contract import Contract
@@ -17,7 +18,7 @@ from .health import Health
 from .link import Broker, Link
 from .message import Message
 from .schema import STANDARD, Malformed, Schema
-from .topics import Topic, check_channel, check_system_id, topic_filter
+from .topics import Topic, check_channel, check_system_id, delivery, topic_filter
 
 #: What every service has beside its own variables.
 COMMON_VARIABLES = (
@@ -223,7 +224,7 @@ class Service:
 
     def _handle(self, channel: str, message: Message) -> None:
         if channel in Contract.CHANNELS:
-            self.__contract.answer(message)
+            self.__contract.answer(channel, message)
         if message.is_a(self.subscribers.get(channel, "")):
             self.callback(channel, message)
 
@@ -236,10 +237,15 @@ class Service:
             self.log.error("ends itself after %d exceptions in a row", self.health.in_a_row)
             self.status = "FAILED"
 
-    def _arrived(self, topic: str, payload: bytes) -> None:
-        """On paho's thread: reads and queues, and obeys a stop at once."""
+    def _arrived(self, topic: str, payload: bytes, retained: bool = False) -> None:
+        """On paho's thread: reads and queues, and obeys a stop at once.
+
+        :param retained: whether it was published before the subscription that brings it
+        """
         try:
             where = Topic.parse(topic)
+            if retained and where.channel in tables.CHANNELS and not delivery(where.channel)[1]:
+                raise Malformed(f"it was retained, and {where.channel} retains nothing")
             message = decode(where.chain, payload, self.__schema)
         except Malformed as e:
             self.health.count("refused")
@@ -250,7 +256,7 @@ class Service:
             self.stop()
             self._wake()
             return
-        if not self.__contract.concerns(message) and not message.is_a(self.subscribers.get(where.channel, "")):
+        if not self.__contract.concerns(where.channel, message) and not message.is_a(self.subscribers.get(where.channel, "")):
             return
         try:
             self.__inbox.put_nowait((where.channel, message))

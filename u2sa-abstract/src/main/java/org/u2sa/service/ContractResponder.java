@@ -35,17 +35,20 @@ final class ContractResponder {
   }
 
   /** Whether the message is an order to this service to stop. */
-  boolean isOrderToStop(U2SAData message) {
-    return message instanceof StopCommand stop
+  boolean isOrderToStop(Channel<?> channel, U2SAData message) {
+    return channel.equals(Channels.STOP)
+        && message instanceof StopCommand stop
         && (stop.stopAll() || stop.serviceName().equals(Optional.of(service.getServiceName())));
   }
 
   /** Whether the message is a request that {@link #answer} would answer. */
-  boolean concerns(U2SAData message) {
-    if (message instanceof FunctionalityRequest request) {
-      return isForThis(request.serviceName());
+  boolean concerns(Channel<?> channel, U2SAData message) {
+    if (channel.equals(Channels.FUNCTIONALITY)) {
+      return message instanceof FunctionalityRequest request && isForThis(request.serviceName());
     }
-    return message instanceof DiscoveryRequest || configuration.concerns(message);
+    return channel.equals(Channels.DISCOVERY)
+        ? message instanceof DiscoveryRequest
+        : channel.equals(Channels.CONFIGURATION) && configuration.concerns(message);
   }
 
   private boolean isForThis(String serviceName) {

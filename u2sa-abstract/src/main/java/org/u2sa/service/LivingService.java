@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.Clock;
@@ -24,6 +25,7 @@ abstract class LivingService extends CommunicatingService {
   private final long createdMicros;
   private final AtomicBoolean ended = new AtomicBoolean();
   private volatile boolean askedToStop; // also before the start, which then does not happen
+  private volatile String endReason = "";
   private volatile ServiceStatus status = ServiceStatus.CREATED;
   private volatile Clock.Waiter waiter; // null until started
   private volatile long startedMicros;
@@ -112,6 +114,20 @@ abstract class LivingService extends CommunicatingService {
     askedToStop = true;
     running = false;
     wake();
+  }
+
+  /** {@link #askToStop} for a reason that the log and {@link #endReason} are to give. */
+  final void stopFor(String reason) {
+    if (!askedToStop) {
+      endReason = reason;
+      log(LogLevelEnum.INFO, reason);
+    }
+    askToStop();
+  }
+
+  /** Why the service ends or has ended, if a message made it end; otherwise empty. */
+  public final Optional<String> endReason() {
+    return Optional.of(endReason).filter(reason -> !reason.isEmpty());
   }
 
   final boolean isAskedToStop() {

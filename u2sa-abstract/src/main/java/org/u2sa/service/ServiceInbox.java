@@ -5,6 +5,9 @@ import java.util.HashMap;
 import java.util.Map;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.FunctionalityRequest;
 
 /**
  * A service's bounded queue of messages. Any thread puts, the service's thread takes.
@@ -12,8 +15,9 @@ import org.u2sa.messages.U2SAData;
  * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
  * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
  * full queue refuses the newest. Each is counted, as the former is no loss and the latter is. What
- * is urgent has a queue of its own, which comes first, so that no flood keeps an emergency stop
- * out.
+ * is urgent, an emergency stop, has a queue of its own, which comes first. Arming and failsafes wait
+ * among the others, but the others cannot take their room. Questions that anybody may ask, which the
+ * service contract answers, fill a quarter of the rest at most.
  */
 final class ServiceInbox {
   /** One message and the channel that it came on. */
@@ -41,11 +45,15 @@ final class ServiceInbox {
     }
   }
 
+  private static final int QUESTIONS_PART = 4;
+
   private final int capacity;
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
   private final Map<Channel<?>, Map<String, Delivery>> newest =
       new HashMap<>(); // deliveries still queued
+  private int reserved; // of those in the queue, as what follows
+  private int questions;
   private long dropped;
   private long replaced;
   private ServiceInbox successor; // null as long as messages stay here
@@ -76,7 +84,7 @@ final class ServiceInbox {
       return true;
     }
     Delivery delivery = new Delivery(channel, message, arrivedMicros);
-    boolean kept = enqueue(queue, delivery);
+    boolean kept = enqueue(lineOf(channel), delivery);
     if (kept) {
       ofChannel.put(source, delivery);
     }
@@ -84,27 +92,54 @@ final class ServiceInbox {
   }
 
   private ArrayDeque<Delivery> lineOf(Channel<?> channel) {
-    return channel.deliversEvery() && channel.isUrgent() ? urgent : queue;
+    return channel.isUrgent() ? urgent : queue;
+  }
+
+  private boolean isFull(ArrayDeque<Delivery> line, Delivery delivery) {
+    if (line == urgent) {
+      return urgent.size() >= capacity;
+    }
+    return delivery.channel.reservesRoom()
+        ? reserved >= capacity
+        : queue.size() - reserved >= capacity
+            || isQuestion(delivery.message) && questions >= Math.max(1, capacity / QUESTIONS_PART);
+  }
+
+  /** Counts one that joins the queues, or leaves them. */
+  private void count(Delivery delivery, int sign) {
+    if (delivery.channel.reservesRoom() && !delivery.channel.isUrgent()) {
+      reserved += sign;
+    } else if (isQuestion(delivery.message)) {
+      questions += sign;
+    }
+  }
+
+  private static boolean isQuestion(U2SAData message) {
+    return message instanceof ConfigurationRequest
+        || message instanceof DiscoveryRequest
+        || message instanceof FunctionalityRequest;
   }
 
   private boolean enqueue(ArrayDeque<Delivery> line, Delivery delivery) {
-    if (line.size() >= capacity) {
+    if (isFull(line, delivery)) {
       dropped++;
       return false;
     }
+    count(delivery, 1);
     line.add(delivery);
     return true;
   }
 
   /** The oldest delivery, urgent ones first, or null if there is none. */
   synchronized Delivery poll() {
-    if (!urgent.isEmpty()) {
-      return urgent.poll();
+    Delivery delivery = urgent.isEmpty() ? queue.poll() : urgent.poll();
+    if (delivery == null) {
+      return null;
     }
-    Delivery delivery = queue.poll();
-    if (delivery != null && !delivery.channel.deliversEvery()) {
+    if (!delivery.channel.deliversEvery()) {
       newest.get(delivery.channel).remove(delivery.channel.sourceOf(delivery.message));
     }
+    count(delivery, -1);
     return delivery;
   }
 
@@ -123,6 +158,8 @@ final class ServiceInbox {
       next.urgent.clear();
       next.queue.clear();
       next.newest.clear();
+      next.questions = 0;
+      next.reserved = 0;
       for (Delivery delivery : handled) {
         if (!isWaiting(delivery)) {
           next.append(delivery);
@@ -136,6 +173,8 @@ final class ServiceInbox {
       urgent.clear();
       queue.clear();
       newest.clear();
+      questions = 0;
+      reserved = 0;
       successor = next;
     }
   }
@@ -147,6 +186,7 @@ final class ServiceInbox {
 
   private void append(Delivery delivery) {
     lineOf(delivery.channel).add(delivery);
+    count(delivery, 1);
     if (!delivery.channel.deliversEvery()) {
       newest
           .computeIfAbsent(delivery.channel, key -> new HashMap<>())

@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channel;
@@ -22,6 +23,7 @@ final class ServiceReceiver implements Receiver {
    */
   private record Served(U2SAService present, U2SAService next) {}
 
+  private final AtomicLong misplaced = new AtomicLong();
   private volatile Served served;
 
   ServiceReceiver(U2SAService service) {
@@ -46,13 +48,32 @@ final class ServiceReceiver implements Receiver {
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
     Served now = served;
-    if (now.present.contract().isOrderToStop(message)) {
-      now.present.askToStop();
+    if (!channel.carries(message)) {
+      refuse(now.present, channel, message);
+    } else if (now.present.contract().isOrderToStop(channel, message)) {
+      now.present.stopFor("told to stop on \"" + channel + "\": " + message);
     } else if (now.present.wiring().registrations().isSubscribed(channel)
-        || now.present.contract().concerns(message)) {
+        || now.present.contract().concerns(channel, message)) {
       put(now.present, channel, message);
     } else if (now.next != null && now.next.wiring().registrations().isSubscribed(channel)) {
       put(now.next, channel, message);
+    }
+  }
+
+  /** A service acts on the type alone, so none may come by another way than its own. */
+  private void refuse(U2SAService service, Channel<?> channel, U2SAData message) {
+    long count = misplaced.incrementAndGet();
+    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      service.log(
+          LogLevelEnum.WARN,
+          "refused on \""
+              + channel
+              + "\", which does not carry "
+              + message.type().name()
+              + " ("
+              + count
+              + " so far): "
+              + message);
     }
   }
 

@@ -120,7 +120,7 @@ public abstract class U2SAService extends ReplaceableService {
     succession().note(delivery);
     guarded(
         () -> {
-          if (contract.concerns(message)) {
+          if (contract.concerns(delivery.channel(), message)) {
             Set<String> changed = contract.answer(message);
             if (!changed.isEmpty()) {
               configurationChanged(changed);

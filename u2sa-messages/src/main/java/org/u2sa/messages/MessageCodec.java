@@ -14,6 +14,11 @@ public final class MessageCodec {
     this.types = types;
   }
 
+  /** The types that it knows. */
+  public MessageTypes types() {
+    return types;
+  }
+
   /**
    * The message in the bytes. Unknown keys are skipped; a type that is not registered is read as
    * its nearest registered ancestor, or as an {@link OpaqueMessage}, and keeps what it has beyond

@@ -80,7 +80,11 @@ public final class MessageTypes {
    * answered too: the codec makes a message that stands for the unknown subclass. {@link
    * OpaqueMessage#TYPE} if none is known.
    *
-   * @throws MalformedMessageException if the chain is empty or longer than a chain can be
+   * <p>The chain up to the known type must be that type's own: whoever looks at the first names and
+   * whoever makes a message of the last one must have the same type in mind.
+   *
+   * @throws MalformedMessageException if the chain is empty or longer than a chain can be, or
+   *     claims another ancestry for a known type than it has
    */
   public MessageType<?> nearest(List<String> chain) throws MalformedMessageException {
     return nearest(chain, 0L);
@@ -94,6 +98,11 @@ public final class MessageTypes {
     for (int i = chain.size() - 1; i >= 0; i--) {
       MessageType<?> known = byName.get(chain.get(i));
       if (known != null) {
+        List<String> claimed = chain.subList(0, i + 1);
+        if (!claimed.equals(known.chain())) {
+          throw new MalformedMessageException(
+              "type chain", offset, "expected " + known + ", not " + String.join("/", claimed));
+        }
         return known;
       }
     }

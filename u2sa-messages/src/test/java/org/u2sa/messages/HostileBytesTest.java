@@ -51,8 +51,10 @@ class HostileBytesTest {
 
   @Test
   void decode_arrayThatClaimsMoreThanThereIs_isRefused() {
-    assertRefused("PointCloud", "a166706f696e74739affffffff", "PointCloud.points");
-    assertRefused("PointCloud", "a166706f696e74739bffffffffffffffff", "PointCloud.points");
+    assertRefused(
+        "ObjectDescription/PointCloud", "a166706f696e74739affffffff", "PointCloud.points");
+    assertRefused(
+        "ObjectDescription/PointCloud", "a166706f696e74739bffffffffffffffff", "PointCloud.points");
     assertRefused("GoalList", "a165676f616c739a7fffffff", "GoalList.goals");
   }
 
@@ -107,7 +109,7 @@ class HostileBytesTest {
   @Test
   void decode_requiredFieldMissing_isNamed() {
     assertRefused(
-        "Circle",
+        "ObjectDescription/ShapeDescription/Circle",
         "a16375696461 63".replace(" ", ""),
         "ObjectDescription.x is required and missing");
   }
@@ -151,7 +153,7 @@ class HostileBytesTest {
   }
 
   private void assertRefused(String type, String hex, String expected) {
-    assertThatThrownBy(() -> codec.decode(List.of(type), HexFormat.of().parseHex(hex)))
+    assertThatThrownBy(() -> codec.decode(List.of(type.split("/")), HexFormat.of().parseHex(hex)))
         .isInstanceOf(MalformedMessageException.class)
         .hasMessageContaining(expected);
   }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class MessageTypesTest {
   private final MessageTypes types = MessageTypes.standard();
@@ -42,6 +44,33 @@ class MessageTypesTest {
         .isSameAs(PercentageCommand.TYPE);
     assertThat(types.nearest(List.of("GoalInformation", "Dive"))).isSameAs(GoalInformation.TYPE);
     assertThat(types.nearest(List.of("Tide"))).isSameAs(OpaqueMessage.TYPE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "ConfigurationRequest/ConfigurationTransaction",
+        "ConfigurationRequest/EmergencyStop",
+        "DiscoveryRequest/StopCommand",
+        "Tide/StopCommand",
+        "StopCommand/StopCommand",
+        "PercentageCommand",
+        "PercentageCommand/ActuatorCommand",
+        "ActuatorCommand/Servo/PercentageCommand",
+        "ActuatorCommand/PercentageCommand/StopCommand/Tide"
+      })
+  void nearest_ancestryThatIsNotTheTypes_isRefused(String chain) {
+    assertThatThrownBy(() -> types.nearest(List.of(chain.split("/"))))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining("type chain")
+        .hasMessageContaining("not " + chain.replaceFirst("/Tide$", ""));
+  }
+
+  @Test
+  void nearest_everyKnownTypesOwnChain_isThatType() throws MalformedMessageException {
+    for (MessageType<?> type : types.all()) {
+      assertThat(types.nearest(type.chain())).isSameAs(type);
+    }
   }
 
   @Test

@@ -12,15 +12,18 @@ final class Backlog {
   private final AtomicLong out = new AtomicLong();
   private final AtomicLong lost = new AtomicLong();
   private final AtomicLong kept = new AtomicLong();
+  private final AtomicLong bytesInside = new AtomicLong();
   private long inBefore; // guarded by this
   private long outBefore; // guarded by this
 
-  void in() {
+  void in(int bytes) {
     in.incrementAndGet();
+    bytesInside.addAndGet(bytes);
   }
 
-  void out() {
+  void out(int bytes) {
     out.incrementAndGet();
+    bytesInside.addAndGet(-bytes);
   }
 
   /** Takes note of a message that is kept until each of its subscribers has acknowledged it. */
@@ -34,7 +37,8 @@ final class Backlog {
   }
 
   boolean isFull() {
-    return in.get() - out.get() - lost.get() >= BrokerLimits.ON_THE_WAY;
+    return in.get() - out.get() - lost.get() >= BrokerLimits.ON_THE_WAY
+        || bytesInside.get() >= BrokerLimits.BYTES_ON_THE_WAY;
   }
 
   /**
@@ -50,7 +54,11 @@ final class Backlog {
     inBefore = inNow;
     outBefore = outNow;
     long inside = inNow - outNow - lost.get();
-    if (moved || inside == 0) {
+    if (moved) {
+      return 0;
+    }
+    bytesInside.set(0); // what is still inside will not come out, or nothing is
+    if (inside == 0) {
       return 0;
     }
     lost.addAndGet(inside); // negative if Moquette published by itself, as it does wills

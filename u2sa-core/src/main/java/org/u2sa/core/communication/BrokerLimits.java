@@ -11,10 +11,26 @@ import org.u2sa.interfaces.Variable;
  * @param clients connections at once
  * @param messagesPerS packets a second from one client; beyond it, it is read more slowly
  * @param bytesPerS bytes of payload a second from one client, likewise
+ * @param questionsPerS questions and subscriptions a second from one user, likewise
+ * @param ordersPerS orders a second from one client; those beyond it are refused
+ * @param retained what may be retained
+ * @param unacknowledgedBytes that were published for acknowledgement, by all, since the oldest
+ *     message that a client has not acknowledged: Moquette's queue for it knows no bound
  * @param patienceMicros how long a client may take nothing, or acknowledge nothing, while something
  *     waits for it [µs]
  */
-record BrokerLimits(int clients, int messagesPerS, int bytesPerS, long patienceMicros) {
+record BrokerLimits(
+    int clients,
+    int messagesPerS,
+    int bytesPerS,
+    int questionsPerS,
+    int ordersPerS,
+    Retained retained,
+    long unacknowledgedBytes,
+    long patienceMicros) {
+  /** How many topics clients may retain, how many bytes, and how many bytes one user may. */
+  record Retained(int topics, long bytes, long bytesOfOne) {}
+
   static final Variable<Integer> CLIENTS =
       Variable.integer("CLIENTS AT MOST")
           .range(Range.of(4, 100_000))
@@ -34,6 +50,47 @@ record BrokerLimits(int clients, int messagesPerS, int bytesPerS, long patienceM
           .ifAbsent(20_000_000)
           .describedAs(
               "Bytes of payload a second that the embedded broker reads from one client; more wait at the client.");
+
+  static final Variable<Integer> QUESTIONS_PER_S =
+      Variable.integer("CLIENT QUESTIONS PER SECOND")
+          .range(Range.of(1, 1_000_000))
+          .ifAbsent(200)
+          .describedAs(
+              "Questions to every service and subscriptions a second that the embedded broker reads from one user; more wait at the client.");
+
+  static final Variable<Integer> ORDERS_PER_S =
+      Variable.integer("CLIENT ORDERS PER SECOND")
+          .range(Range.of(1, 1_000_000))
+          .ifAbsent(50)
+          .describedAs(
+              "Changes of configuration, services and goals a second that the embedded broker takes from one client; more are refused.");
+
+  static final Variable<Integer> RETAINED_TOPICS =
+      Variable.integer("RETAINED TOPICS AT MOST")
+          .range(Range.of(16, 1_000_000))
+          .ifAbsent(4_096)
+          .describedAs(
+              "Topics of which the embedded broker keeps a message of its clients; one user may take half. Emergency stop, failsafe and arming state have room of their own.");
+
+  static final Variable<Integer> RETAINED_BYTES =
+      Variable.integer("RETAINED BYTES AT MOST")
+          .range(Range.of(65_536, 2_000_000_000))
+          .ifAbsent(32 << 20)
+          .describedAs("Bytes of those messages in all.");
+
+  static final Variable<Integer> CLIENT_RETAINED_BYTES =
+      Variable.integer("CLIENT RETAINED BYTES AT MOST")
+          .range(Range.of(16_384, 2_000_000_000))
+          .ifAbsent(8 << 20)
+          .describedAs(
+              "Bytes of those messages of one user, or of one client where there are no users.");
+
+  static final Variable<Integer> UNACKNOWLEDGED_BYTES =
+      Variable.integer("UNACKNOWLEDGED BYTES AT MOST")
+          .range(Range.of(1 << 20, 2_000_000_000))
+          .ifAbsent(32 << 20)
+          .describedAs(
+              "Bytes published behind a message after which the embedded broker puts a client out that has not acknowledged it.");
 
   static final Variable<Double> PATIENCE =
       Variable.number("CLIENT PATIENCE", "s")
@@ -55,10 +112,18 @@ record BrokerLimits(int clients, int messagesPerS, int bytesPerS, long patienceM
   static final int LONGEST_TOPIC = 1_024;
   static final int DEEPEST_TOPIC = 32;
   static final int LONGEST_CLIENT_ID = 512;
-  static final int RETAINED_TOPICS = 4_096;
 
   /** Messages on their way through the broker: half of what its queues hold. */
   static final int ON_THE_WAY = 400;
+
+  /** Bytes of those messages. */
+  static final long BYTES_ON_THE_WAY = 16 << 20;
+
+  /** A client's will, which the broker keeps for as long as the client is there. */
+  static final int LONGEST_WILL = 16 * 1_024;
+
+  /** Of so many connections one is kept free for operators. */
+  private static final int OPERATORS_PART = 16;
 
   /** Bytes that may come before the first packet is whole, encryption's included. */
   static final int STRANGERS_BYTES = 64 * 1_024;
@@ -69,12 +134,6 @@ record BrokerLimits(int clients, int messagesPerS, int bytesPerS, long patienceM
   /** A payload with its topic. */
   static final int LONGEST_PACKET = LONGEST_PAYLOAD + 16 * 1_024;
 
-  /**
-   * Bytes that were published for acknowledgement, by all, since the oldest message that a client
-   * has not acknowledged: Moquette's queue for it knows no bound.
-   */
-  static final long UNACKNOWLEDGED_BYTES = 32 << 20;
-
   /** Bytes that wait for one client before messages of QoS 0 to it are dropped. */
   static final long UNREAD_BYTES = 256 * 1_024;
 
@@ -83,11 +142,29 @@ record BrokerLimits(int clients, int messagesPerS, int bytesPerS, long patienceM
         configuration.getVariable(CLIENTS),
         configuration.getVariable(MESSAGES_PER_S),
         configuration.getVariable(BYTES_PER_S),
+        configuration.getVariable(QUESTIONS_PER_S),
+        configuration.getVariable(ORDERS_PER_S),
+        new Retained(
+            configuration.getVariable(RETAINED_TOPICS),
+            configuration.getVariable(RETAINED_BYTES),
+            configuration.getVariable(CLIENT_RETAINED_BYTES)),
+        configuration.getVariable(UNACKNOWLEDGED_BYTES),
         Clock.micros(configuration.getVariable(PATIENCE)));
   }
 
   /** Connections of one user: no one can take all. */
   int clientsPerUser() {
     return Math.max(1, clients / 2);
+  }
+
+  /** Connections of those who are no operators, so that an operator always finds one free. */
+  int clientsBesidesOperators() {
+    return clients - Math.max(1, clients / OPERATORS_PART);
+  }
+
+  /** Whether a topic or filter is longer or deeper than any may be. */
+  static boolean isTooLong(String topic) {
+    return topic.length() > LONGEST_TOPIC
+        || topic.chars().filter(letter -> letter == '/').count() >= DEEPEST_TOPIC;
   }
 }

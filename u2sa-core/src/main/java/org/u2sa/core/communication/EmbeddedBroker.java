@@ -10,8 +10,6 @@ import io.moquette.interception.messages.InterceptConnectMessage;
 import io.moquette.interception.messages.InterceptConnectionLostMessage;
 import io.moquette.interception.messages.InterceptDisconnectMessage;
 import io.moquette.interception.messages.InterceptPublishMessage;
-import io.moquette.interception.messages.InterceptSubscribeMessage;
-import io.moquette.interception.messages.InterceptUnsubscribeMessage;
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufUtil;
 import java.io.IOException;
@@ -37,19 +35,18 @@ final class EmbeddedBroker implements AutoCloseable {
   private final Consumer<String> log;
   private final InetSocketAddress address;
   private final Server server = new Server();
-  private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final Map<String, Will> wills = new ConcurrentHashMap<>();
   private final IncomingCopies incoming;
   private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
   private final OutgoingCopies copies;
-  private final BrokerDoor door;
+  private final ConnectionFilter door;
   private final Runnable died;
 
   private EmbeddedBroker(
       LocalBus bus,
       MessageCodec codec,
       InetSocketAddress address,
-      BrokerDoor door,
+      ConnectionFilter door,
       Consumer<String> log,
       Runnable died) {
     this.door = door;
@@ -60,7 +57,7 @@ final class EmbeddedBroker implements AutoCloseable {
     this.log = log;
     copies =
         new OutgoingCopies(
-            server, bus.systemId(), subscriptions, door::mayRetain, door.backlog(), log);
+            server, bus.systemId(), door.subscriptions(), door.retained(), door.backlog(), log);
   }
 
   /**
@@ -78,7 +75,8 @@ final class EmbeddedBroker implements AutoCloseable {
       Consumer<String> log,
       Runnable died) {
     refuseTakenPort(address);
-    BrokerDoor door = new BrokerDoor(limits, codec, new SystemClock(), security.users(log), log);
+    ConnectionFilter door =
+        new ConnectionFilter(limits, codec, new SystemClock(), security.users(log), log);
     EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, door, log, died);
     try {
       broker.server.startServer(
@@ -86,8 +84,8 @@ final class EmbeddedBroker implements AutoCloseable {
           List.of(broker.new Listener()),
           security::tls,
           (clientId, user, password) -> door.letIn(password),
-          new PermitAllAuthorizatorPolicy()); // the door has looked at each packet
-      DoorFrame.hang(door, broker.server);
+          new PermitAllAuthorizatorPolicy()); // the connection filter has looked at each packet
+      FilterInstaller.hang(door, broker.server);
     } catch (IOException | RuntimeException e) {
       door.close();
       throw cannotListen(address, e);
@@ -107,7 +105,8 @@ final class EmbeddedBroker implements AutoCloseable {
     } else {
       properties.setProperty(IConfig.PORT_PROPERTY_NAME, port);
     }
-    properties.setProperty(IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the door names all
+    properties.setProperty(
+        IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the connection filter names all
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
     properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
     properties.setProperty(
@@ -142,8 +141,8 @@ final class EmbeddedBroker implements AutoCloseable {
     return address;
   }
 
-  /** What the door has refused and given up, for tests. */
-  BrokerDoor door() {
+  /** What the connection filter has refused and given up, for tests. */
+  ConnectionFilter door() {
     return door;
   }
 
@@ -155,12 +154,12 @@ final class EmbeddedBroker implements AutoCloseable {
   public void close() {
     bus.detach(copies);
     copies.close();
-    int owed = door.awaitLastWords();
+    int owed = door.drain();
     if (owed > 0) {
       notTaken.addAndGet(owed);
       log.accept(owed + " messages or more were not taken by remote subscribers before the end");
     }
-    DoorFrame.takeDown(server);
+    FilterInstaller.takeDown(server);
     server.stopServer();
     door.close();
   }
@@ -168,7 +167,10 @@ final class EmbeddedBroker implements AutoCloseable {
   /** What a client wants to be said when its connection breaks. */
   private record Will(String topic, byte[] payload) {}
 
-  /** Called by Moquette on a thread of its own, one call after the other. */
+  /**
+   * Called by Moquette on a thread of its own, one call after the other. What Moquette calls a
+   * client is one connection of it, {@link ClientSession#connection}: so nothing here is another's.
+   */
   private final class Listener extends AbstractInterceptHandler {
     @Override
     public String getID() {
@@ -184,7 +186,7 @@ final class EmbeddedBroker implements AutoCloseable {
     @Override
     public void onPublish(InterceptPublishMessage message) {
       ByteBuf payload = message.getPayload();
-      door.backlog().out();
+      door.backlog().out(payload.readableBytes());
       try {
         incoming.deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
       } finally {
@@ -204,24 +206,12 @@ final class EmbeddedBroker implements AutoCloseable {
     }
 
     @Override
-    public void onSubscribe(InterceptSubscribeMessage message) {
-      subscriptions.add(message.getClientID(), message.getTopicFilter());
-    }
-
-    @Override
-    public void onUnsubscribe(InterceptUnsubscribeMessage message) {
-      subscriptions.remove(message.getClientID(), message.getTopicFilter());
-    }
-
-    @Override
     public void onDisconnect(InterceptDisconnectMessage message) {
       wills.remove(message.getClientID());
-      subscriptions.remove(message.getClientID());
     }
 
     @Override
     public void onConnectionLost(InterceptConnectionLostMessage message) {
-      subscriptions.remove(message.getClientID());
       Will will = wills.remove(message.getClientID());
       if (will != null) { // Moquette says it to its clients only
         incoming.deliver(will.topic, will.payload);

@@ -10,10 +10,10 @@ import io.netty.util.ReferenceCountUtil;
  * Belongs to its connection's thread.
  */
 final class FirstBytes extends ChannelInboundHandlerAdapter {
-  private final ClientGate gate;
+  private final ClientSession gate;
   private long bytes;
 
-  FirstBytes(ClientGate gate) {
+  FirstBytes(ClientSession gate) {
     this.gate = gate;
   }
 

@@ -15,15 +15,15 @@ import java.util.concurrent.TimeUnit;
 final class Inflow extends ChannelInboundHandlerAdapter {
   private static final long LOOK_AGAIN_MS = 2;
 
-  private final BrokerDoor door;
-  private final ClientGate gate;
+  private final ConnectionFilter door;
+  private final ClientSession gate;
   private final Deque<Object> held = new ArrayDeque<>(); // what was read already
   private final Allowance messages;
   private final Allowance bytes;
   private boolean paused;
   private ChannelHandlerContext context;
 
-  Inflow(BrokerDoor door, ClientGate gate) {
+  Inflow(ConnectionFilter door, ClientSession gate) {
     this.door = door;
     this.gate = gate;
     long now = door.nowMicros();
@@ -36,14 +36,14 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     context = ctx;
   }
 
-  /** Reads no more until the gate is ready. */
+  /** Reads no more until the session is ready. */
   void hold() {
     pause(context);
   }
 
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
-    if (held.isEmpty() && isOpen()) {
+    if (held.isEmpty() && isOpen() && isInTurn(message)) {
       letIn(ctx, message);
     } else {
       held.add(message);
@@ -54,6 +54,11 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private boolean isOpen() {
     long now = door.nowMicros();
     return gate.isReady() && messages.isOpen(now) && bytes.isOpen(now) && !door.backlog().isFull();
+  }
+
+  /** Every service answers a question: so they are counted for all connections of a user. */
+  private boolean isInTurn(Object message) {
+    return !gate.isQuestion(message) || door.questions().take(gate.name(), door.nowMicros());
   }
 
   private void letIn(ChannelHandlerContext ctx, Object message) {
@@ -78,7 +83,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
       return;
     }
     boolean any = false;
-    while (!held.isEmpty() && isOpen()) {
+    while (!held.isEmpty() && isOpen() && isInTurn(held.peek())) {
       letIn(ctx, held.poll());
       any = true;
     }

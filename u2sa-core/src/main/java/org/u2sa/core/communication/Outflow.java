@@ -21,7 +21,7 @@ import org.u2sa.core.security.User;
 final class Outflow extends ChannelDuplexHandler {
   private static final String SYSTEMS = "u2sa/";
 
-  private final BrokerDoor door;
+  private final ConnectionFilter door;
   private final Map<Integer, Unacknowledged> unacknowledged = new LinkedHashMap<>(); // by packet
   private User user; // null: may listen to everything
   private String client = "";
@@ -34,7 +34,7 @@ final class Outflow extends ChannelDuplexHandler {
   /** Since when [µs], and how much had been published then for acknowledgement by anybody. */
   private record Unacknowledged(long since, long keptBefore) {}
 
-  Outflow(BrokerDoor door) {
+  Outflow(ConnectionFilter door) {
     this.door = door;
   }
 
@@ -84,8 +84,8 @@ final class Outflow extends ChannelDuplexHandler {
   }
 
   /** What the client has not taken yet. */
-  LastWords.Owed owed() {
-    return new LastWords.Owed(unacknowledged.size() + onTheWay, sentMicros);
+  ShutdownDrain.Owed owed() {
+    return new ShutdownDrain.Owed(unacknowledged.size() + onTheWay, sentMicros);
   }
 
   private boolean mayHear(String topic) {
@@ -131,7 +131,7 @@ final class Outflow extends ChannelDuplexHandler {
     if (now - oldest.since > door.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return door.backlog().kept() - oldest.keptBefore > BrokerLimits.UNACKNOWLEDGED_BYTES
+    return door.backlog().kept() - oldest.keptBefore > door.limits().unacknowledgedBytes()
         ? Optional.of("too much waits for its acknowledgement")
         : Optional.empty();
   }

@@ -46,7 +46,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final Server server;
   private final String systemId;
   private final RemoteSubscriptions subscriptions;
-  private final Consumer<String> retained;
+  private final RetainedTable retained;
   private final Backlog backlog;
   private final Consumer<String> log;
   private final OriginNumbers numbers = OriginNumbers.ofNewSender();
@@ -58,13 +58,13 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private volatile boolean closing;
 
   /**
-   * @param retained told each topic of which the broker will hold a message, before it does
+   * @param retained told of each topic of which the broker will hold a message, before it does
    */
   OutgoingCopies(
       Server server,
       String systemId,
       RemoteSubscriptions subscriptions,
-      Consumer<String> retained,
+      RetainedTable retained,
       Backlog backlog,
       Consumer<String> log) {
     this.server = server;
@@ -174,10 +174,10 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
         copy.channel.deliversEvery()
             || copy.channel.isRetained()
             || closing; // the last words are to be confirmed, whatever they are
-    if (copy.channel.isRetained()) {
-      retained.accept(copy.topic);
-    }
     byte[] payload = copy.message.serialize(copy.origin);
+    if (copy.channel.isRetained()) {
+      retained.enterLocal(copy.topic, payload.length);
+    }
     if (eachMatters) {
       backlog.keep(payload.length);
     }

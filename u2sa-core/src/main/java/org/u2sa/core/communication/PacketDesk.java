@@ -11,15 +11,15 @@ import java.util.Optional;
 
 /** Looks at each packet of a client that was let in. Belongs to its connection's thread. */
 final class PacketDesk {
-  private final BrokerDoor door;
+  private final ConnectionFilter door;
   private final PacketRules rules;
   private final String who;
-  private final ClientGate gate;
+  private final ClientSession gate;
 
   /**
    * @param who for the log
    */
-  PacketDesk(BrokerDoor door, PacketRules rules, String who, ClientGate gate) {
+  PacketDesk(ConnectionFilter door, PacketRules rules, String who, ClientSession gate) {
     this.door = door;
     this.rules = rules;
     this.who = who;
@@ -79,7 +79,7 @@ final class PacketDesk {
       }
       return false;
     }
-    door.backlog().in();
+    door.backlog().in(publish.content().readableBytes());
     if (qos == MqttQoS.AT_LEAST_ONCE) {
       door.backlog().keep(publish.content().readableBytes());
     }

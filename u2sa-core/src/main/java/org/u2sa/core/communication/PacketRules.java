@@ -1,6 +1,7 @@
 package org.u2sa.core.communication;
 
 import io.netty.buffer.ByteBufUtil;
+import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttPublishMessage;
 import io.netty.handler.codec.mqtt.MqttQoS;
@@ -8,11 +9,10 @@ import io.netty.handler.codec.mqtt.MqttSubAckMessage;
 import io.netty.handler.codec.mqtt.MqttSubscribeMessage;
 import io.netty.handler.codec.mqtt.MqttTopicSubscription;
 import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
-import java.util.HashMap;
 import java.util.HashSet;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
@@ -22,36 +22,66 @@ import org.u2sa.messages.contract.EmergencyStop;
 
 /** What one client's packets may do. Belongs to its connection's thread. */
 final class PacketRules {
-  private static final int TOPICS_REMEMBERED = 256;
-
-  private final BrokerDoor door;
+  private final ConnectionFilter door;
   private final User user; // null: everything within the limits
-  private final String clientId;
+  private final String owner;
+  private final String connection;
+  private final TopicJudge judge;
+  private final Allowance orders;
   private final Set<String> filters = new HashSet<>();
-  private final Map<String, Optional<String>> refusalByTopic = new HashMap<>();
 
-  PacketRules(BrokerDoor door, User user, String clientId) {
+  PacketRules(ConnectionFilter door, User user, String clientId, String connection) {
+    this.connection = connection;
     this.door = door;
     this.user = user;
-    this.clientId = clientId;
+    owner = user == null ? "client " + clientId : "user " + user.name();
+    judge = new TopicJudge(door.codec().types(), user);
+    orders = new Allowance(door.limits().ordersPerS(), door.nowMicros());
+  }
+
+  /** Whether a packet asks something of every service, or of the broker's whole table. */
+  boolean isQuestion(MqttMessage packet) {
+    return packet instanceof MqttPublishMessage
+        ? judge
+            .judge(((MqttPublishMessage) packet).variableHeader().topicName())
+            .is(AccessRule.Kind.QUESTION)
+        : packet instanceof MqttSubscribeMessage;
   }
 
   /** Why the message may not be published; empty if it may. */
   Optional<String> refusalOf(MqttPublishMessage publish) {
-    String topic = publish.variableHeader().topicName();
-    Optional<String> refusal = refusalOfTopic(topic);
-    if (refusal.isPresent()) {
-      return refusal;
+    TopicJudge.Verdict verdict = judge.judge(publish.variableHeader().topicName());
+    if (verdict.refusal() != null) {
+      return Optional.of(verdict.refusal());
     }
     if (publish.content().readableBytes() > BrokerLimits.LONGEST_PAYLOAD) {
       return Optional.of("its payload is too long");
     }
-    if (publish.fixedHeader().isRetain() && !door.mayRetain(topic)) {
-      return Optional.of("too many retained topics");
+    if (verdict.is(AccessRule.Kind.ORDER) && !mayOrder()) {
+      return Optional.of("too many orders of one client");
     }
-    return topic.indexOf("/emergency-stop/") < 0 || user == null || user.mayClearEmergencyStop()
-        ? Optional.empty()
-        : refusalOfStop(topic, ByteBufUtil.getBytes(publish.content()));
+    boolean retained = publish.fixedHeader().isRetain();
+    boolean stop = isEmergencyStop(verdict);
+    if (!retained && !stop) {
+      return Optional.empty();
+    }
+    byte[] payload = ByteBufUtil.getBytes(publish.content());
+    Optional<String> refusal = stop ? refusalOfStop(verdict, payload, false) : Optional.empty();
+    if (refusal.isEmpty() && retained) {
+      refusal =
+          publish.fixedHeader().qosLevel() == MqttQoS.AT_MOST_ONCE
+              ? Optional.of("it is to be retained and has QoS 0") // Moquette deletes what it held
+              : refusalOfRetained(verdict, payload);
+    }
+    return refusal;
+  }
+
+  private boolean mayOrder() {
+    boolean open = orders.isOpen(door.nowMicros());
+    if (open) {
+      orders.take(1.0);
+    }
+    return open;
   }
 
   /** Why the client may not come as one of the topic's system; empty if it may, or it is none. */
@@ -65,68 +95,82 @@ final class PacketRules {
     }
   }
 
-  /** Why the client may not have that will; empty if it may. */
-  Optional<String> refusalOfWill(String topic, Introduction said) {
-    Optional<String> refusal = refusalOfTopic(topic);
-    if (refusal.isEmpty() && said.isWillRetained() && !door.mayRetain(topic)) {
-      refusal = Optional.of("too many retained topics");
+  /**
+   * Why the client may not have that will; empty if it may. A will is said when nobody is there any
+   * more who would answer for it: it says that a service is lost, or stops, and clears nothing.
+   */
+  Optional<String> refusalOfWill(String topic, ConnectRequest said) {
+    TopicJudge.Verdict verdict = judge.judge(topic);
+    if (verdict.refusal() != null) {
+      return Optional.of(verdict.refusal());
     }
-    if (refusal.isEmpty()
-        && topic.indexOf("/emergency-stop/") >= 0
-        && user != null
-        && !user.mayClearEmergencyStop()) {
-      refusal = refusalOfStop(topic, said.will());
+    if (verdict.rule() != null && !verdict.rule().mayBeWill()) {
+      return Optional.of(verdict.rule().type().name() + " is no will");
+    }
+    if (said.will().length > BrokerLimits.LONGEST_WILL) {
+      return Optional.of("it is too long");
+    }
+    Optional<String> refusal =
+        isEmergencyStop(verdict) ? refusalOfStop(verdict, said.will(), true) : Optional.empty();
+    if (refusal.isEmpty() && said.isWillRetained()) {
+      refusal =
+          said.willQuality() == 0
+              ? Optional.of("it is to be retained and has QoS 0")
+              : refusalOfRetained(verdict, said.will());
     }
     return refusal;
   }
 
-  /** A topic's answer does not change, and a client has few topics. */
-  private Optional<String> refusalOfTopic(String topic) {
-    Optional<String> known = refusalByTopic.get(topic);
-    if (known == null) {
-      known = judge(topic);
-      if (refusalByTopic.size() < TOPICS_REMEMBERED) {
-        refusalByTopic.put(topic, known);
-      }
-    }
-    return known;
+  private static boolean isEmergencyStop(TopicJudge.Verdict verdict) {
+    return verdict.rule() != null && verdict.rule().channel().equals(Channels.EMERGENCY_STOP);
   }
 
-  private Optional<String> judge(String text) {
-    if (isTooLong(text)) {
-      return Optional.of("its topic is too long");
+  /**
+   * Who may not clear an emergency stop may not delete the retained one either; nor may those who
+   * may clear it, since a deleted one stands on where it was heard and is unknown to latecomers.
+   */
+  private Optional<String> refusalOfStop(
+      TopicJudge.Verdict verdict, byte[] payload, boolean isWill) {
+    Optional<U2SAData> message = read(verdict.topic(), payload);
+    if (message.isEmpty() || !(message.get() instanceof EmergencyStop)) {
+      return Optional.of("it is no emergency stop that can be read");
     }
-    if (user == null) {
+    if (((EmergencyStop) message.get()).active()) {
       return Optional.empty();
     }
-    Topic topic;
-    try {
-      topic = Topic.parse(text);
-    } catch (IllegalArgumentException e) {
-      return Optional.of("its topic is none of U2SA");
+    if (isWill) {
+      return Optional.of("a will clears no emergency stop");
     }
-    if (!user.mayEnter(topic.systemId())) {
-      return Optional.of("it is another system");
-    }
-    return user.mayPublish(topic)
+    return user == null || user.mayClearEmergencyStop()
         ? Optional.empty()
-        : Optional.of("role " + user.rolesText() + " may not publish on " + known(topic));
+        : Optional.of("only an operator clears an emergency stop");
   }
 
-  private static String known(Topic topic) {
-    return Channels.named(topic.channel()).isPresent() ? topic.channel() : "its own channels";
-  }
-
-  /** Who may not clear an emergency stop may not delete the retained one either. */
-  private Optional<String> refusalOfStop(String topic, byte[] payload) {
-    try {
-      U2SAData message = door.codec().decode(Topic.parse(topic).typeChain(), payload);
-      if (message instanceof EmergencyStop && ((EmergencyStop) message).active()) {
-        return Optional.empty();
+  /** Only channels that retain do, each source's message under its own topic, as room allows. */
+  private Optional<String> refusalOfRetained(TopicJudge.Verdict verdict, byte[] payload) {
+    AccessRule rule = verdict.rule();
+    if (rule != null && !rule.retained()) {
+      return Optional.of(rule.channel().name() + " retains nothing");
+    }
+    boolean urgent = verdict.is(AccessRule.Kind.URGENT);
+    if (payload.length > 0 || urgent) {
+      Optional<U2SAData> message = read(verdict.topic(), payload);
+      if (message.isEmpty()) {
+        return Optional.of("it is to be retained and cannot be read");
       }
-      return Optional.of("only an operator clears an emergency stop");
-    } catch (MalformedMessageException | IllegalArgumentException e) {
-      return Optional.of("it is no emergency stop that can be read");
+      if (rule != null
+          && !rule.channel().sourceOf(message.get()).equals(verdict.topic().source())) {
+        return Optional.of("it is retained for another source than it names");
+      }
+    }
+    return door.retained().enter(verdict.topic().toString(), owner, payload.length, urgent);
+  }
+
+  private Optional<U2SAData> read(Topic topic, byte[] payload) {
+    try {
+      return Optional.of(door.codec().decode(topic.typeChain(), payload));
+    } catch (MalformedMessageException e) {
+      return Optional.empty();
     }
   }
 
@@ -134,13 +178,16 @@ final class PacketRules {
   Optional<String> refusalOf(MqttSubscribeMessage subscribe) {
     for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
       String filter = wanted.topicFilter();
-      if (isTooLong(filter)) {
+      if (BrokerLimits.isTooLong(filter)) {
         return Optional.of("a filter is too long");
       }
       if (filters.size() >= BrokerLimits.FILTERS_PER_CLIENT && !filters.contains(filter)) {
         return Optional.of("it has too many filters");
       }
       filters.add(filter);
+    }
+    for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
+      door.subscriptions().add(connection, wanted.topicName());
     }
     return Optional.empty();
   }
@@ -156,16 +203,9 @@ final class PacketRules {
   }
 
   void unsubscribed(MqttUnsubscribeMessage unsubscribe) {
-    filters.removeAll(unsubscribe.payload().topics());
-  }
-
-  private static boolean isTooLong(String topic) {
-    return topic.length() > BrokerLimits.LONGEST_TOPIC
-        || topic.chars().filter(letter -> letter == '/').count() >= BrokerLimits.DEEPEST_TOPIC;
-  }
-
-  @Override
-  public String toString() {
-    return clientId;
+    for (String filter : unsubscribe.payload().topics()) {
+      filters.remove(filter);
+      door.subscriptions().remove(connection, filter);
+    }
   }
 }

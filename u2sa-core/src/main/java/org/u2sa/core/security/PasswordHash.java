@@ -54,6 +54,15 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     return new PasswordHash(iterations, salt, derive(password, salt, iterations));
   }
 
+  /** One that no password has, and that takes as long to be tried as any. */
+  public static PasswordHash unguessable(SecureRandom random) {
+    byte[] salt = new byte[SALT_BYTES];
+    byte[] hash = new byte[HASH_BYTES];
+    random.nextBytes(salt);
+    random.nextBytes(hash);
+    return new PasswordHash(ITERATIONS, salt, hash);
+  }
+
   /** Whether it is the password. Takes as long whether it is or not. */
   public boolean matches(char[] password) {
     return MessageDigest.isEqual(hash, derive(password, salt, iterations));

@@ -48,19 +48,6 @@ public record User(
     return systems.contains(EVERY_SYSTEM) || systems.contains(systemId);
   }
 
-  /** Whether the user may publish the message of that topic. */
-  public boolean mayPublish(Topic topic) {
-    if (!mayEnter(topic.systemId())) {
-      return false;
-    }
-    for (AccessRole role : roles) {
-      if (role.mayPublish(topic)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   /** Whether the user may clear an emergency stop; others may at most set one. */
   public boolean mayClearEmergencyStop() {
     return roles.contains(AccessRole.OPERATOR);

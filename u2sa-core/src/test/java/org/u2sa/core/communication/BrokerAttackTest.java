@@ -20,6 +20,7 @@ class BrokerAttackTest {
   private static final String ACTUATION = "u2sa/cessna/actuation/ActuatorCommand/PercentageCommand";
   private static final byte[] COMMAND = BrokerTraffic.command(3.0).serialize();
   private static final int REFUSED = 0x80;
+  private static final int COME_AGAIN = 3;
 
   private AttackedBroker broker;
 
@@ -214,8 +215,8 @@ class BrokerAttackTest {
       broker.stranger().introduced("many-" + i);
     }
     RawClient late = broker.stranger();
-    assertThat(late.isPutOut()).isTrue();
-    broker.awaitLog("connection refused, too many");
+    assertThat(late.introduce("late")).isEqualTo(COME_AGAIN);
+    broker.awaitLog("log-in refused, too many connections");
     broker.leaveStrangers();
     broker.servesOn();
   }

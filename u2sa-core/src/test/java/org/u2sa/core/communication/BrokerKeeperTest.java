@@ -8,12 +8,14 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.messages.MessageCodec;
@@ -46,7 +48,7 @@ class BrokerKeeperTest {
         new MessageCodec(MessageTypes.standard()),
         address,
         new BrokerSecurity(null, null),
-        new BrokerLimits(16, 1_000, 1_000_000, 15_000_000),
+        BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),
         log::add,
         whenDead);
   }

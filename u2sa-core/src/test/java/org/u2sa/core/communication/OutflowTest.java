@@ -36,7 +36,7 @@ class OutflowTest {
   void tooSlow_clientThatReadsAll_never() {
     BrokerLimits limits = BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of()));
     MessageCodec codec = new MessageCodec(MessageTypes.standard());
-    BrokerDoor door = new BrokerDoor(limits, codec, new TestClock(), null, line -> {});
+    ConnectionFilter door = new ConnectionFilter(limits, codec, new TestClock(), null, line -> {});
     Outflow outflow = new Outflow(door);
     EmbeddedChannel channel = new EmbeddedChannel(MqttEncoder.INSTANCE, outflow);
     ChannelHandlerContext context = channel.pipeline().context(outflow);

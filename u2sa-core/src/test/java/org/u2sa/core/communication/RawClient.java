@@ -16,6 +16,9 @@ final class RawClient implements AutoCloseable {
 
   private final Socket socket;
   private int keepAliveS = 60;
+  private String willTopic; // null: none
+  private byte[] will = {};
+  private int willFlags;
   private byte[] last = {}; // content of the packet that was read last
 
   RawClient(int port) throws IOException {
@@ -33,6 +36,14 @@ final class RawClient implements AutoCloseable {
   /** Promises in its introduction to say something each so many seconds. */
   RawClient keepingAlive(int seconds) {
     keepAliveS = seconds;
+    return this;
+  }
+
+  /** Has the broker say this when the connection breaks. */
+  RawClient willing(String topic, byte[] payload, boolean retained) {
+    willTopic = topic;
+    will = payload.clone();
+    willFlags = 0x04 | 1 << 3 | (retained ? 0x20 : 0); // QoS 1
     return this;
   }
 
@@ -72,9 +83,14 @@ final class RawClient implements AutoCloseable {
     DataOutputStream out = new DataOutputStream(bytes);
     out.writeUTF("MQTT");
     out.write(4); // 3.1.1
-    out.write(CLEAN_SESSION | (userAndPassword.length > 0 ? USER_AND_PASSWORD : 0));
+    out.write(CLEAN_SESSION | willFlags | (userAndPassword.length > 0 ? USER_AND_PASSWORD : 0));
     out.writeShort(keepAliveS);
     out.writeUTF(clientId);
+    if (willTopic != null) {
+      out.writeUTF(willTopic);
+      out.writeShort(will.length);
+      out.write(will);
+    }
     for (String text : userAndPassword) {
       out.writeUTF(text);
     }

@@ -3,6 +3,7 @@ package org.u2sa.core.communication;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
@@ -43,11 +44,18 @@ abstract class SecuredClients {
     TestAuthority.addUser(directory, "pilot", "operator", "cessna");
     TestAuthority.addUser(directory, "screen", "observer", "cessna");
     TestAuthority.addUser(directory, "boatman", "operator", "boat");
-    broker = new TestManager(Map.of("SECURITY DIRECTORY", folder.toString()));
+    Map<String, Object> variables = new HashMap<>(variables());
+    variables.put("SECURITY DIRECTORY", folder.toString());
+    broker = new TestManager(variables);
     Connection local = broker.local("Local", inbox);
     for (Channel<?> channel : Channels.all()) {
       local.subscribe(channel);
     }
+  }
+
+  /** What the manager's configuration says besides. */
+  Map<String, Object> variables() {
+    return Map.of();
   }
 
   @AfterEach

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.communication.Topic;
 
 class UserFileTest {
   private static final int FEW = 1_000; // iterations: a test need not resist anybody
@@ -104,10 +103,9 @@ class UserFileTest {
   }
 
   @Test
-  void mayPublish_otherSystem_isRefused() {
-    Topic stop = Topic.parse("u2sa/cessna/stop/StopCommand");
-    assertThat(user("a", AccessRole.OPERATOR, "cessna").mayPublish(stop)).isTrue();
-    assertThat(user("a", AccessRole.OPERATOR, "boat").mayPublish(stop)).isFalse();
-    assertThat(user("a", AccessRole.OPERATOR, "*").mayPublish(stop)).isTrue();
+  void mayEnter_otherSystem_isRefused() {
+    assertThat(user("a", AccessRole.OPERATOR, "cessna").mayEnter("cessna")).isTrue();
+    assertThat(user("a", AccessRole.OPERATOR, "boat").mayEnter("cessna")).isFalse();
+    assertThat(user("a", AccessRole.OPERATOR, "*").mayEnter("cessna")).isTrue();
   }
 }

@@ -180,6 +180,12 @@ public final class RunCommand implements Callable<Integer> {
         new CountDownLatch(1).await(); // the Communication Manager alone, until interrupted
       }
       system.awaitEnd();
+      for (U2SAService ended : system.services()) {
+        ended
+            .endReason()
+            .ifPresent(
+                why -> say(terminal, "Service " + ended.getServiceName() + " ended: " + why));
+      }
       for (U2SAService failed : system.failed()) {
         say(terminal, "Service " + failed.getServiceName() + " failed; see its log file.");
       }

@@ -12,6 +12,7 @@ import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.User;
 import org.u2sa.core.security.UserFile;
 import org.u2sa.gcs.ExitCode;
+import org.u2sa.messages.MessageTypes;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -58,7 +59,7 @@ final class MosquittoCommand implements Callable<Integer> {
         directory.certificate(), at.resolve("server.pem"), StandardCopyOption.REPLACE_EXISTING);
     SecretFile.write(at.resolve("server-key.pem"), Files.readAllBytes(directory.key()));
     write(at.resolve("passwords"), MosquittoFiles.passwords(users));
-    write(at.resolve("acl"), MosquittoFiles.rights(users));
+    write(at.resolve("acl"), MosquittoFiles.rights(users, MessageTypes.discovered()));
     write(at.resolve("mosquitto.conf"), MosquittoFiles.configuration(at, bind, port));
     command
         .commandLine()

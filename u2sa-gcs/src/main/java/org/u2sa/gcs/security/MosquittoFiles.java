@@ -2,11 +2,13 @@ package org.u2sa.gcs.security;
 
 import java.nio.file.Path;
 import java.util.Collection;
-import java.util.LinkedHashSet;
-import java.util.Set;
-import org.u2sa.core.security.AccessRole;
-import org.u2sa.core.security.Permission;
+import java.util.Collections;
+import java.util.Optional;
+import org.u2sa.core.security.AccessRule;
+import org.u2sa.core.security.AccessTable;
 import org.u2sa.core.security.User;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.MessageTypes;
 
 /** The embedded broker's users and roles in Mosquitto's files (mosquitto.conf(5)). */
 final class MosquittoFiles {
@@ -45,7 +47,11 @@ final class MosquittoFiles {
     return text.toString();
   }
 
-  static String rights(Collection<User> users) {
+  /**
+   * Rights by topic: each type's own chain on each channel and nothing else. A filter that covered
+   * unknown subclasses would cover known types behind them as well.
+   */
+  static String rights(Collection<User> users, MessageTypes types) {
     StringBuilder text = new StringBuilder("# Written by ./u2sa security mosquitto.\n");
     for (User user : users) {
       text.append("\n# ")
@@ -54,32 +60,32 @@ final class MosquittoFiles {
           .append(user.name())
           .append('\n');
       for (String system : user.systems()) {
-        String level = system.equals(User.EVERY_SYSTEM) ? "+" : system;
-        text.append("topic read u2sa/").append(level).append("/#\n");
-        for (String filter : filters(user)) {
-          text.append("topic write u2sa/").append(level).append('/').append(filter).append('\n');
+        String base = "u2sa/" + (system.equals(User.EVERY_SYSTEM) ? "+" : system) + "/";
+        text.append("topic read ").append(base).append("#\n");
+        for (AccessRule rule : AccessTable.all()) {
+          if (!Collections.disjoint(rule.roles(), user.roles())) {
+            types.all().stream()
+                .filter(type -> isOf(rule, type))
+                .forEach(type -> append(text, base + rule.channel() + "/" + type, rule, types));
+          }
         }
       }
     }
     return text.toString();
   }
 
-  private static Set<String> filters(User user) {
-    Set<String> filters = new LinkedHashSet<>();
-    for (AccessRole role : AccessRole.values()) { // in their order, whatever the set's
-      if (user.roles().contains(role)) {
-        for (Permission permission : role.permissions()) {
-          add(filters, permission);
-        }
-      }
-    }
-    return filters;
+  private static boolean isOf(AccessRule rule, MessageType<?> type) {
+    return AccessTable.rule(rule.channel().name(), type).equals(Optional.of(rule));
   }
 
-  private static void add(Set<String> filters, Permission permission) {
-    if (permission.types().isEmpty()) {
-      filters.add(permission.channel() + "/#");
+  private static void append(
+      StringBuilder text, String topic, AccessRule rule, MessageTypes types) {
+    text.append("topic write ").append(topic).append('\n');
+    if (rule.channel().isRetainedBySource()) { // the last level is any source's name, but no type's
+      text.append("topic write ").append(topic).append("/+\n");
+      for (MessageType<?> known : types.all()) {
+        text.append("topic deny ").append(topic).append('/').append(known.name()).append('\n');
+      }
     }
-    permission.types().forEach(type -> filters.add(permission.channel() + "/" + type + "/#"));
   }
 }

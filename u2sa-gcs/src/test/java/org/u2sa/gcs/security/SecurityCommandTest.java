@@ -190,9 +190,10 @@ class SecurityCommandTest {
         .contains(
             "user autopilot\n",
             "topic read u2sa/cessna/#\n",
-            "topic write u2sa/cessna/actuation/#\n",
-            "topic write u2sa/cessna/configuration/ConfigurationResponse/#\n")
-        .doesNotContain("u2sa/cessna/stop", "ConfigurationChange/", "emergency-stop");
+            "topic write u2sa/cessna/actuation/ActuatorCommand/PercentageCommand\n",
+            "topic write u2sa/cessna/configuration/ConfigurationResponse\n")
+        .doesNotContain("u2sa/cessna/stop", "configuration/ConfigurationChange\n", "emergency-stop")
+        .doesNotContainPattern("write .*#");
     assertThat(Files.readString(target.resolve("passwords"))).startsWith("autopilot:$7$210000$");
   }
 }

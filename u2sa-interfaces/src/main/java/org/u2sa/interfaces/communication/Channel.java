@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -19,23 +20,32 @@ public final class Channel<T extends U2SAData> {
 
   private final String name;
   private final MessageType<T> type;
+  private final CarriedTypes carried; // null: the type and its subclasses, whatever they are
   private final boolean every;
   private final boolean retained;
   private final boolean urgent;
+  private final boolean bySource; // if retained
+  private final boolean reserved;
   private final Function<? super T, String> source;
 
   private Channel(
       String name,
       MessageType<T> type,
+      CarriedTypes carried,
       boolean every,
       boolean retained,
       boolean urgent,
+      boolean bySource,
+      boolean reserved,
       Function<? super T, String> source) {
     this.name = name;
     this.type = type;
+    this.carried = carried;
     this.every = every;
     this.retained = retained;
     this.urgent = urgent;
+    this.bySource = bySource;
+    this.reserved = reserved;
     this.source = source;
   }
 
@@ -48,7 +58,15 @@ public final class Channel<T extends U2SAData> {
    */
   public static <T extends U2SAData> Channel<T> every(String name, MessageType<T> type) {
     return new Channel<>(
-        checked(name), Objects.requireNonNull(type, "type"), true, false, false, message -> "");
+        checked(name),
+        Objects.requireNonNull(type, "type"),
+        CarriedTypes.by(type),
+        true,
+        false,
+        false,
+        false,
+        false,
+        message -> "");
   }
 
   /**
@@ -62,7 +80,25 @@ public final class Channel<T extends U2SAData> {
   public static <T extends U2SAData> Channel<T> latest(
       String name, MessageType<T> type, Function<? super T, String> source) {
     return new Channel<>(
-        checked(name), Objects.requireNonNull(type, "type"), false, false, false, source);
+        checked(name),
+        Objects.requireNonNull(type, "type"),
+        CarriedTypes.by(type),
+        false,
+        false,
+        false,
+        false,
+        false,
+        source);
+  }
+
+  /**
+   * This channel, but of the subclasses of its type it carries these and their subclasses only: a
+   * channel of requests and answers has several types, and nothing else may travel on it.
+   */
+  @SafeVarargs
+  public final Channel<T> carrying(MessageType<? extends T>... types) {
+    return new Channel<>(
+        name, type, CarriedTypes.only(types), every, retained, urgent, bySource, reserved, source);
   }
 
   /**
@@ -70,7 +106,15 @@ public final class Channel<T extends U2SAData> {
    * once.
    */
   public Channel<T> retained() {
-    return new Channel<>(name, type, every, true, urgent, source);
+    return new Channel<>(name, type, carried, every, true, urgent, bySource, reserved, source);
+  }
+
+  /**
+   * {@link #retained()} where there are several sources: the broker holds the last message of each,
+   * under a topic that ends with its name.
+   */
+  public Channel<T> retainedBySource() {
+    return new Channel<>(name, type, carried, every, true, urgent, true, reserved, source);
   }
 
   /**
@@ -78,7 +122,15 @@ public final class Channel<T extends U2SAData> {
    * each message matters.
    */
   public Channel<T> urgent() {
-    return new Channel<>(name, type, every, retained, true, source);
+    return new Channel<>(name, type, carried, every, retained, true, bySource, reserved, source);
+  }
+
+  /**
+   * This channel, but its messages find room in a service's inbox when the others have filled
+   * theirs; they wait in their order all the same.
+   */
+  public Channel<T> reservingRoom() {
+    return new Channel<>(name, type, carried, every, retained, urgent, bySource, true, source);
   }
 
   /** The name that stands in the topic. */
@@ -101,6 +153,16 @@ public final class Channel<T extends U2SAData> {
     return retained;
   }
 
+  /** Whether its messages find room where others have filled theirs. */
+  public boolean reservesRoom() {
+    return reserved || urgent;
+  }
+
+  /** Whether a topic of the channel may end with its source. */
+  public boolean isRetainedBySource() {
+    return bySource;
+  }
+
   /** Whether its messages overtake others that wait for a service. */
   public boolean isUrgent() {
     return urgent;
@@ -112,13 +174,34 @@ public final class Channel<T extends U2SAData> {
     return carried.isInstance(message) ? source.apply(carried.cast(message)) : "";
   }
 
-  /** Whether the message may travel on this channel: it is of the channel's type or a subclass. */
+  /**
+   * Whether the message may travel on this channel: it is of the channel's type or a subclass, and
+   * of one that the channel carries. A channel of any message carries none of the service contract:
+   * those have channels of their own.
+   */
   public boolean carries(U2SAData message) {
-    return type.messageClass().isInstance(message);
+    return type.messageClass().isInstance(message)
+        && (carried == null || carried.include(message.type()));
+  }
+
+  /** {@link #carries(U2SAData)} of a message of that type. */
+  public boolean carries(MessageType<?> other) {
+    return type.messageClass().isAssignableFrom(other.messageClass())
+        && (carried == null || carried.include(other));
+  }
+
+  /** The types that travel on this channel, their subclasses left out. */
+  public List<MessageType<?>> carriedTypes() {
+    return carried == null || carried.types().isEmpty() ? List.of(type) : carried.types();
+  }
+
+  /** Whether a channel may be called so. */
+  static boolean isName(String name) {
+    return NAME.matcher(name).matches();
   }
 
   private static String checked(String name) {
-    if (!NAME.matcher(name).matches()) {
+    if (!isName(name)) {
       throw new IllegalArgumentException(
           "channel \""
               + name

@@ -1,7 +1,9 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.GoalInformation;
@@ -15,12 +17,25 @@ import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.ConfigurationChangeResult;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.contract.FunctionalityRequest;
+import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.contract.StopCommand;
 
 /**
@@ -75,23 +90,34 @@ public final class Channels {
   /** What actuators say of themselves (thesis 5.1); to control. */
   public static final Channel<ActuatorAnnouncement> ACTUATORS =
       Channel.latest("actuators", ActuatorAnnouncement.TYPE, ActuatorAnnouncement::actuatorName)
-          .retained();
+          .retainedBySource();
 
   /** Who is there: requests and responses (thesis 3.2.2.1). */
-  public static final Channel<U2SAData> DISCOVERY = Channel.every("discovery", U2SAData.TYPE);
+  public static final Channel<U2SAData> DISCOVERY =
+      Channel.every("discovery", U2SAData.TYPE)
+          .carrying(DiscoveryRequest.TYPE, DiscoveryResponse.TYPE);
 
   /**
    * Which channels a service publishes and subscribes to: requests and responses (thesis 3.2.2.1).
    */
   public static final Channel<U2SAData> FUNCTIONALITY =
-      Channel.every("functionality", U2SAData.TYPE);
+      Channel.every("functionality", U2SAData.TYPE)
+          .carrying(FunctionalityRequest.TYPE, FunctionalityResponse.TYPE);
 
   /** Orders to stop one service or all (thesis 3.2.2.1). */
   public static final Channel<StopCommand> STOP = Channel.every("stop", StopCommand.TYPE);
 
   /** Configuration variables: requests, changes, and what comes of them (thesis 3.2.2.1). */
   public static final Channel<U2SAData> CONFIGURATION =
-      Channel.every("configuration", U2SAData.TYPE);
+      Channel.every("configuration", U2SAData.TYPE)
+          .carrying(
+              ConfigurationRequest.TYPE,
+              ConfigurationResponse.TYPE,
+              ConfigurationChange.TYPE,
+              ConfigurationChangeResult.TYPE,
+              ConfigurationTransaction.TYPE,
+              ConfigurationUndo.TYPE,
+              ConfigurationTransactionResult.TYPE);
 
   /** How each service is (thesis 3.5.3). */
   public static final Channel<HealthReport> HEALTH =
@@ -99,11 +125,13 @@ public final class Channels {
 
   /** How each service looks to the health monitor, and what is done about it (thesis 3.5.3). */
   public static final Channel<ServiceCondition> CONDITIONS =
-      Channel.latest("conditions", ServiceCondition.TYPE, ServiceCondition::serviceName).retained();
+      Channel.latest("conditions", ServiceCondition.TYPE, ServiceCondition::serviceName)
+          .retainedBySource();
 
   /** Orders to launchers to start, restart or swap a service, and what came of them. */
   public static final Channel<U2SAData> SERVICE_ORDERS =
-      Channel.every("service-orders", U2SAData.TYPE);
+      Channel.every("service-orders", U2SAData.TYPE)
+          .carrying(ServiceOrder.TYPE, ServiceOrderResult.TYPE);
 
   /** The emergency stop, latched until an operator clears it. */
   public static final Channel<EmergencyStop> EMERGENCY_STOP =
@@ -113,18 +141,19 @@ public final class Channels {
    * What the vehicle is to do because something is wrong; to planner, Mission Manager and control.
    */
   public static final Channel<FailsafeState> FAILSAFE =
-      Channel.latest("failsafe", FailsafeState.TYPE, state -> "").retained();
+      Channel.latest("failsafe", FailsafeState.TYPE, state -> "").retained().reservingRoom();
 
   /** Signs of life of those who watch the vehicle. */
   public static final Channel<OperatorHeartbeat> OPERATOR =
       Channel.latest("operator", OperatorHeartbeat.TYPE, OperatorHeartbeat::operator);
 
   /** Requests to let the vehicle move, or no longer. */
-  public static final Channel<ArmCommand> ARMING = Channel.every("arming", ArmCommand.TYPE);
+  public static final Channel<ArmCommand> ARMING =
+      Channel.every("arming", ArmCommand.TYPE).reservingRoom();
 
   /** Whether the vehicle may move; to actuators and screens. */
   public static final Channel<ArmingState> ARMING_STATE =
-      Channel.latest("arming-state", ArmingState.TYPE, state -> "").retained();
+      Channel.latest("arming-state", ArmingState.TYPE, state -> "").retained().reservingRoom();
 
   /** What batteries have left. */
   public static final Channel<BatteryState> POWER =
@@ -158,6 +187,9 @@ public final class Channels {
           ARMING_STATE,
           POWER);
 
+  private static final Map<String, Channel<?>> BY_NAME =
+      ALL.stream().collect(Collectors.toMap(Channel::name, channel -> channel));
+
   private Channels() {}
 
   /** All standard channels. */
@@ -167,7 +199,7 @@ public final class Channels {
 
   /** The standard channel of that name. */
   public static Optional<Channel<?>> named(String name) {
-    return ALL.stream().filter(channel -> channel.name().equals(name)).findFirst();
+    return Optional.ofNullable(BY_NAME.get(name));
   }
 
   /** The standard channel of that name, or one on which each message matters. */

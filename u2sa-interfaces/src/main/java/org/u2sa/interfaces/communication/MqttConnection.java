@@ -166,7 +166,7 @@ final class MqttConnection implements Connection, MqttLink.Owner {
   }
 
   @Override
-  public void arrived(String topicName, byte[] payload) {
+  public void arrived(String topicName, byte[] payload, boolean isOld) {
     Topic topic;
     try {
       topic = Topic.parse(topicName);
@@ -178,7 +178,10 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     if ((channel == null || channel.isRetained()) && !retained.isNews(topicName, payload)) {
       return; // known since before the link broke
     }
-    if (channel != null) { // otherwise it came in while unsubscribing
+    if (channel != null && isOld && !channel.isRetained()) {
+      // An order that somebody left behind is none: it would be obeyed at each start.
+      incoming.refuse("a retained message on " + topic + ": \"" + channel + "\" retains nothing");
+    } else if (channel != null) { // otherwise it came in while unsubscribing
       incoming.hand(channel, topic, payload);
     }
   }

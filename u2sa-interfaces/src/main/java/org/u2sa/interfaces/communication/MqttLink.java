@@ -22,6 +22,7 @@ import org.u2sa.interfaces.Clock;
  */
 final class MqttLink {
   private static final long ANSWER_WITHIN_MS = 4_000;
+  private static final long IF_BUSY_MICROS = 60 * Clock.MICROS_PER_SECOND;
   private static final long END_WITHIN_MS = 1_000;
   private static final long CATCH_UP_AFTER_MS = 100;
 
@@ -97,7 +98,7 @@ final class MqttLink {
     options = how;
     clock = time;
     backOff = new BackOff(random);
-    long deadline = clock.micros() + patienceMicros;
+    long begun = clock.micros();
     long waitMs = 0;
     while (true) {
       try {
@@ -108,6 +109,10 @@ final class MqttLink {
           throw new IllegalStateException(e.getCause());
         }
         waitMs = backOff.nextMs();
+        // Who is asked to come again comes again: a broker that is only busy is there.
+        boolean isBusy = failure.getReasonCode() == MqttException.REASON_CODE_BROKER_UNAVAILABLE;
+        long deadline =
+            begun + (isBusy ? Math.max(patienceMicros, IF_BUSY_MICROS) : patienceMicros);
         if (isRefusal(failure)
             || clock.micros() + TimeUnit.MILLISECONDS.toMicros(waitMs) > deadline) {
           throw failure;

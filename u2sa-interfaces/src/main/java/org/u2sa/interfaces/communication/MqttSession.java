@@ -41,8 +41,12 @@ final class MqttSession {
 
   /** Whom a session tells. Calls come on Paho's threads. */
   interface Listener {
-    /** A message came in. Must not throw. */
-    void arrived(String topicName, byte[] payload);
+    /**
+     * A message came in. Must not throw.
+     *
+     * @param retained whether it was published before the subscription that brings it
+     */
+    void arrived(String topicName, byte[] payload, boolean retained);
 
     /** The session broke; it will not be of use again. */
     void lost(MqttSession session, String why);
@@ -213,7 +217,7 @@ final class MqttSession {
 
     @Override
     public void messageArrived(String topicName, MqttMessage message) {
-      listener.arrived(topicName, message.getPayload());
+      listener.arrived(topicName, message.getPayload(), message.isRetained());
     }
 
     @Override

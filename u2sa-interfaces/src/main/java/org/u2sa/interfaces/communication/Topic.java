@@ -71,11 +71,25 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
       throw new IllegalArgumentException(
           "topic \"" + topic + "\": expected a type before the source \"" + last + "\"");
     }
+    List<String> chain = Arrays.asList(levels).subList(FIRST_TYPE, types);
+    if (!Channel.isName(levels[2]) || !chain.stream().allMatch(Topic::isTypeName)) {
+      throw new IllegalArgumentException(
+          "topic \"" + topic + "\": expected a channel's name and then names of types");
+    }
     return new Topic(
         levels[1],
         levels[2],
-        Arrays.asList(levels).subList(FIRST_TYPE, types),
+        chain,
         hasSource ? SourceLevel.decode(last.substring(SOURCE.length())) : "");
+  }
+
+  /** As Java classes are called; wildcards, which a will's topic may hold unseen, are not. */
+  private static boolean isTypeName(String level) {
+    return Character.isJavaIdentifierStart(level.charAt(0))
+        && level
+            .chars()
+            .allMatch(
+                c -> Character.isJavaIdentifierPart(c) && !Character.isIdentifierIgnorable(c));
   }
 
   /**

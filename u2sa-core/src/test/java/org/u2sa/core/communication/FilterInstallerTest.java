@@ -24,20 +24,23 @@ import org.u2sa.messages.MessageCodec;
 import org.u2sa.messages.MessageTypes;
 import org.u2sa.testkit.FreePort;
 
-/** What a client meets in the moment in which Moquette listens and the door does not hang yet. */
+/**
+ * What a client meets in the moment in which Moquette listens and the connection filter does not
+ * hang yet.
+ */
 @Timeout(60)
-class DoorFrameTest {
+class FilterInstallerTest {
   private static final MessageCodec CODEC = new MessageCodec(MessageTypes.standard());
 
   private final Server server = new Server();
   private int port;
-  private BrokerDoor door;
+  private ConnectionFilter door;
 
   @BeforeEach
   void start() throws IOException {
     port = FreePort.find();
     door =
-        new BrokerDoor(
+        new ConnectionFilter(
             BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),
             CODEC,
             new SystemClock(),
@@ -59,7 +62,7 @@ class DoorFrameTest {
 
   @AfterEach
   void stop() {
-    DoorFrame.takeDown(server);
+    FilterInstaller.takeDown(server);
     server.stopServer();
   }
 
@@ -79,7 +82,7 @@ class DoorFrameTest {
           CompletableFuture.supplyAsync(() -> early.connect("Early", new RecordingReceiver()));
       soon().until(() -> wire.connections() > 1); // so the first was refused
 
-      DoorFrame.hang(door, server);
+      FilterInstaller.hang(door, server);
 
       Connection connection = coming.join();
       assertThat(connection.instance()).isNotEmpty();

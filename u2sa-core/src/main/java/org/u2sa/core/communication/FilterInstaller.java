@@ -16,16 +16,16 @@ import java.util.concurrent.ExecutionException;
 import org.u2sa.interfaces.communication.CommunicationException;
 
 /**
- * Hangs the door into Moquette's listening socket. Moquette has no way of its own for that, so its
- * private field is read; should a later version keep it elsewhere, the broker does not start. What
- * connects before the door hangs has no pass and is not let in.
+ * Puts the connection filter before Moquette's listening socket. Moquette has no way of its own for
+ * that, so its private field is read; should a later version keep it elsewhere, the broker does not
+ * start. What connects before the connection filter is there has no pass and is not let in.
  */
-final class DoorFrame {
+final class FilterInstaller {
   private static final long END_WITHIN_S = 5;
 
-  private DoorFrame() {}
+  private FilterInstaller() {}
 
-  static void hang(BrokerDoor door, Server server) {
+  static void hang(ConnectionFilter door, Server server) {
     int hung = 0;
     try {
       Object acceptor = field(server, "acceptor");
@@ -66,7 +66,7 @@ final class DoorFrame {
   }
 
   /** On the loop's own thread, as its channels may be looked at there only. */
-  private static int hang(BrokerDoor door, EventLoop loop) {
+  private static int hang(ConnectionFilter door, EventLoop loop) {
     int hung = 0;
     Iterator<Channel> channels = ((SingleThreadEventLoop) loop).registeredChannelsIterator();
     while (channels.hasNext()) {

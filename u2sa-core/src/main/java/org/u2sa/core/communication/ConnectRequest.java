@@ -9,25 +9,25 @@ import java.util.Optional;
 import java.util.UUID;
 
 /** What a client says of itself in its first packet. */
-final class Introduction {
+final class ConnectRequest {
   private final MqttConnectMessage packet;
   private final String clientId;
   private final String pass;
 
-  private Introduction(MqttConnectMessage packet, String clientId, String pass) {
+  private ConnectRequest(MqttConnectMessage packet, String clientId, String pass) {
     this.packet = packet;
     this.clientId = clientId;
     this.pass = pass;
   }
 
   /**
-   * @param pass what the door gives those it lets in, in place of a password
+   * @param pass what the connection filter gives those it lets in, in place of a password
    */
-  static Introduction of(MqttConnectMessage packet, String pass) {
+  static ConnectRequest of(MqttConnectMessage packet, String pass) {
     String said = packet.payload().clientIdentifier();
     // mosquitto_sub leaves naming itself to the broker unless told otherwise
     String id = said == null || said.isEmpty() ? "unnamed-" + UUID.randomUUID() : said;
-    return new Introduction(packet, id, pass);
+    return new ConnectRequest(packet, id, pass);
   }
 
   /** Why it cannot be taken, whoever it is. */
@@ -72,17 +72,24 @@ final class Introduction {
     return will == null ? new byte[0] : will;
   }
 
+  int willQuality() {
+    return packet.variableHeader().willQos();
+  }
+
   boolean isWillRetained() {
     return packet.variableHeader().isWillRetain();
   }
 
   /**
-   * The packet as Moquette gets it: with the door's pass for a password, and no session that would
-   * outlast the connection, as what queued in it would have no bound.
+   * The packet as Moquette gets it: with the connection filter's pass for a password, and no
+   * session that would outlast the connection, as what queued in it would have no bound.
    *
+   * @param connection the connection's own ID, in place of the client's: Moquette takes two
+   *     connections of one client for one, and ends the newer's will and subscriptions with the
+   *     older
    * @param withWill whether the client's will, if it has one, may be published
    */
-  MqttConnectMessage forMoquette(String name, boolean withWill) {
+  MqttConnectMessage forMoquette(String connection, String name, boolean withWill) {
     MqttConnectVariableHeader said = packet.variableHeader();
     MqttConnectVariableHeader header =
         new MqttConnectVariableHeader(
@@ -97,7 +104,7 @@ final class Introduction {
             said.keepAliveTimeSeconds());
     MqttConnectPayload payload =
         new MqttConnectPayload(
-            clientId,
+            connection,
             withWill ? packet.payload().willTopic() : null,
             withWill ? packet.payload().willMessageInBytes() : null,
             name,

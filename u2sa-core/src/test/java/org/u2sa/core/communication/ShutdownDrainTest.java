@@ -17,7 +17,7 @@ import org.u2sa.messages.U2SAData;
 
 /** What is published just before the embedded broker ends. */
 @Timeout(120)
-class LastWordsTest {
+class ShutdownDrainTest {
   private static final Channel<PercentageCommand> REPORTS =
       Channel.every("reports", PercentageCommand.TYPE);
   private static final int MANY = 300; // far more than the broker sends without acknowledgement
@@ -44,7 +44,7 @@ class LastWordsTest {
 
   private List<PercentageCommand> publishMany() {
     List<PercentageCommand> sent =
-        IntStream.range(0, MANY).mapToObj(LastWordsTest::report).toList();
+        IntStream.range(0, MANY).mapToObj(ShutdownDrainTest::report).toList();
     sent.forEach(report -> local.publish(REPORTS, report));
     return sent;
   }

@@ -12,17 +12,17 @@ import org.u2sa.interfaces.Clock;
  * commands. What was sent with QoS 1 they acknowledge; for the rest they are given some time, since
  * a client forgets what it has not looked at when its connection ends.
  */
-final class LastWords {
+final class ShutdownDrain {
   private static final long QUIET_MICROS = 500_000;
   private static final long LOOK_EVERY_MICROS = 10_000;
   private static final long GIVE_UP_AFTER_MICROS = 1_500_000; // if nobody takes anything
   private static final long AT_MOST_MICROS = 10_000_000;
   private static final long ANSWER_WITHIN_MS = 1_000;
 
-  private final Collection<ClientGate> clients;
+  private final Collection<ClientSession> clients;
   private final Clock clock;
 
-  LastWords(Collection<ClientGate> clients, Clock clock) {
+  ShutdownDrain(Collection<ClientSession> clients, Clock clock) {
     this.clients = clients;
     this.clock = clock;
   }
@@ -71,7 +71,7 @@ final class LastWords {
   private Owed owed() throws InterruptedException {
     int messages = 0;
     long sentMicros = Long.MIN_VALUE / 2;
-    for (ClientGate client : clients) {
+    for (ClientSession client : clients) {
       Future<Owed> answer = client.owed();
       try {
         Owed one = answer.get(ANSWER_WITHIN_MS, TimeUnit.MILLISECONDS);

@@ -5,9 +5,11 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.handler.codec.mqtt.MqttConnectMessage;
 import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
+import io.netty.handler.codec.mqtt.MqttFixedHeader;
 import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttMessageType;
+import io.netty.handler.codec.mqtt.MqttQoS;
 import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -15,13 +17,14 @@ import java.util.Optional;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.User;
 
 /**
  * One client's way in: first it says who it is, then each of its packets is looked at before
  * Moquette sees it. Belongs to its connection's thread.
  */
-final class ClientGate extends ChannelInboundHandlerAdapter {
+final class ClientSession extends ChannelInboundHandlerAdapter {
   private enum Stage {
     STRANGER,
     CHECKED, // its password is being looked at
@@ -29,13 +32,21 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     OUT
   }
 
-  private final BrokerDoor door;
+  private static final MqttMessage FAREWELL =
+      new MqttMessage(
+          new MqttFixedHeader(MqttMessageType.DISCONNECT, false, MqttQoS.AT_MOST_ONCE, false, 0));
+  private static final long FAREWELL_WITHIN_S = 10;
+  private static final long LOOK_AGAIN_MS = 2;
+
+  private final ConnectionFilter door;
   private final Outflow outflow;
+  private final String connection;
   private Inflow inflow;
   private Stage stage = Stage.STRANGER;
-  private PacketDesk desk; // from its admission
+  private PacketDesk desk; // from its admission, as the rules
+  private PacketRules rules;
   private String clientId = "";
-  private volatile String name = BrokerDoor.ANONYMOUS;
+  private volatile String name = ConnectionFilter.ANONYMOUS;
   private User user; // null: anonymous
   private InetAddress from;
   private long since;
@@ -43,9 +54,10 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   private volatile boolean connected; // Moquette has finished its part
   private volatile ChannelHandlerContext context;
 
-  ClientGate(BrokerDoor door, Outflow outflow) {
+  ClientSession(ConnectionFilter door, Outflow outflow) {
     this.door = door;
     this.outflow = outflow;
+    connection = door.newConnection();
   }
 
   void inflow(Inflow before) {
@@ -55,6 +67,47 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   /** The user's name. */
   String name() {
     return name;
+  }
+
+  /** Whether the user is an operator, for whom connections are kept free. */
+  boolean isOperator() {
+    return user != null && user.roles().contains(AccessRole.OPERATOR);
+  }
+
+  /** The connection's own ID, which no other has had. */
+  String connection() {
+    return connection;
+  }
+
+  /** Whether a packet counts among the questions of its user. */
+  boolean isQuestion(Object packet) {
+    return rules != null && packet instanceof MqttMessage && rules.isQuestion((MqttMessage) packet);
+  }
+
+  /**
+   * Ends the connection because its client came again by another one. Its will is not said: the
+   * client is there. May be called on any thread.
+   */
+  void replaced() {
+    ChannelHandlerContext ctx = context;
+    ctx.executor()
+        .execute(
+            () -> {
+              if (stage == Stage.IN) {
+                stage = Stage.OUT;
+                sayFarewell(ctx);
+                ctx.executor().schedule(() -> ctx.close(), FAREWELL_WITHIN_S, TimeUnit.SECONDS);
+              }
+            });
+  }
+
+  /** Moquette passes over a farewell that comes before it has finished connecting the client. */
+  private void sayFarewell(ChannelHandlerContext ctx) {
+    if (connected) {
+      ctx.fireChannelRead(FAREWELL);
+    } else if (ctx.channel().isActive()) {
+      ctx.executor().schedule(() -> sayFarewell(ctx), LOOK_AGAIN_MS, TimeUnit.MILLISECONDS);
+    }
   }
 
   /**
@@ -71,7 +124,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
   }
 
   /** What the client has not taken yet; may be asked on any thread. */
-  Future<LastWords.Owed> owed() {
+  Future<ShutdownDrain.Owed> owed() {
     return context.executor().submit(outflow::owed);
   }
 
@@ -80,7 +133,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     context = ctx;
     since = door.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
-    for (ClientGate longest : door.strangers().add(this, from)) {
+    for (ClientSession longest : door.strangers().add(this, from)) {
       longest.putOutFor("stranger put out for a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
@@ -163,7 +216,7 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
       putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
       return;
     }
-    Introduction said = Introduction.of((MqttConnectMessage) packet, door.pass());
+    ConnectRequest said = ConnectRequest.of((MqttConnectMessage) packet, door.pass());
     clientId = said.clientId();
     Optional<String> fault = said.fault();
     if (fault.isPresent()) {
@@ -186,14 +239,17 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     }
   }
 
-  private void judged(ChannelHandlerContext ctx, Introduction said, LoginDesk.Verdict verdict) {
+  private void judged(
+      ChannelHandlerContext ctx, ConnectRequest said, Authenticator.Verdict verdict) {
     if (stage != Stage.CHECKED) {
       return; // gone meanwhile
     }
     if (verdict.user().isEmpty()) {
       refuse(
           ctx,
-          MqttConnectReturnCode.CONNECTION_REFUSED_BAD_USER_NAME_OR_PASSWORD,
+          verdict.isFinal()
+              ? MqttConnectReturnCode.CONNECTION_REFUSED_BAD_USER_NAME_OR_PASSWORD
+              : MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE,
           verdict.reason());
       return;
     }
@@ -202,27 +258,28 @@ final class ClientGate extends ChannelInboundHandlerAdapter {
     ctx.fireChannelReadComplete();
   }
 
-  private void admit(ChannelHandlerContext ctx, Introduction said) {
-    PacketRules rules = new PacketRules(door, user, clientId);
-    Optional<String> foreign = said.willTopic().flatMap(rules::refusalOfSystem);
+  private void admit(ChannelHandlerContext ctx, ConnectRequest said) {
+    PacketRules its = new PacketRules(door, user, clientId, connection);
+    Optional<String> foreign = said.willTopic().flatMap(its::refusalOfSystem);
     if (foreign.isPresent()) { // it means to act where it may not: better told at once
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
     }
-    Optional<String> taken = door.enter(clientId, this);
-    if (taken.isPresent()) {
-      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED, taken.get());
+    ConnectionFilter.Entry entry = door.enter(clientId, this);
+    if (entry != ConnectionFilter.Entry.FREE) {
+      refuse(ctx, entry.answer(), entry.reason());
       return;
     }
     stage = Stage.IN;
-    desk = new PacketDesk(door, rules, who(), this);
+    rules = its;
+    desk = new PacketDesk(door, its, who(), this);
     inflow.hold();
     door.strangers().remove(this);
     outflow.admitted(user, clientId);
     // Without its will a client may still come: every client of U2SA has one, also an observer's.
-    Optional<String> will = said.willTopic().flatMap(topic -> rules.refusalOfWill(topic, said));
+    Optional<String> will = said.willTopic().flatMap(topic -> its.refusalOfWill(topic, said));
     will.ifPresent(why -> door.refusals().add("will refused, " + why, who()));
-    ctx.fireChannelRead(said.forMoquette(name, will.isEmpty()));
+    ctx.fireChannelRead(said.forMoquette(connection, name, will.isEmpty()));
   }
 
   private void refuse(ChannelHandlerContext ctx, MqttConnectReturnCode code, String why) {

@@ -5,13 +5,13 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.WriteBufferWaterMark;
+import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
@@ -21,13 +21,15 @@ import org.u2sa.messages.MessageCodec;
 
 /**
  * What stands between the network and Moquette: every connection passes here, is limited, says who
- * it is, and is watched. Moquette itself takes only those whom the door let in.
+ * it is, and is watched. Moquette itself takes only those whom the connection filter let in.
  */
-final class BrokerDoor implements AutoCloseable {
+final class ConnectionFilter implements AutoCloseable {
   /** As whom a client goes that need not say its name. */
   static final String ANONYMOUS = "anonymous";
 
-  /** Beyond it Moquette would drop without a word; the door drops earlier, and counts. */
+  /**
+   * Beyond it Moquette would drop without a word; the connection filter drops earlier, and counts.
+   */
   private static final int NEVER_UNWRITABLE = 64 << 20;
 
   private final BrokerLimits limits;
@@ -35,27 +37,34 @@ final class BrokerDoor implements AutoCloseable {
   private final Clock clock;
   private final Refusals refusals;
   private final Users users; // null: everybody may do everything
-  private final LoginDesk desk; // null likewise
+  private final Authenticator desk; // null likewise
   private final byte[] pass = newPass();
   private final Backlog backlog = new Backlog();
-  private final Strangers strangers = new Strangers();
+  private final PendingConnections strangers = new PendingConnections();
   private final AtomicInteger open = new AtomicInteger();
   private final AtomicLong unsent = new AtomicLong();
-  private final Map<String, ClientGate> clients = new ConcurrentHashMap<>();
-  private final Set<String> retainedTopics = ConcurrentHashMap.newKeySet();
+  private final Map<String, ClientSession> clients = new ConcurrentHashMap<>();
+  private final Map<String, ClientSession> connections =
+      new ConcurrentHashMap<>(); // Moquette's view
+  private final AtomicLong connectionsSoFar = new AtomicLong();
+  private final RetainedTable retained;
+  private final SharedAllowances questions;
+  private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private volatile boolean ending;
 
   /**
    * @param users who may come; null: everybody, without a password
    */
-  BrokerDoor(
+  ConnectionFilter(
       BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
     this.limits = limits;
     this.codec = codec;
     this.clock = clock;
     this.users = users;
-    desk = users == null ? null : new LoginDesk(users, clock);
+    desk = users == null ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
+    retained = new RetainedTable(limits);
+    questions = new SharedAllowances(limits.questionsPerS());
   }
 
   private static byte[] newPass() {
@@ -64,16 +73,17 @@ final class BrokerDoor implements AutoCloseable {
     return Base64.getEncoder().encode(random);
   }
 
-  /** What the door gives those it lets in, in place of a password. */
+  /** What the connection filter gives those it lets in, in place of a password. */
   String pass() {
     return new String(pass, StandardCharsets.US_ASCII);
   }
 
   /**
-   * For Moquette: whether the door let this one in.
+   * For Moquette: whether the connection filter let this one in.
    *
-   * @throws StartingException if it did not, because the door was not there yet: the connection
-   *     ends without an answer and its client comes again, where "wrong password" would be final
+   * @throws StartingException if it did not, because the connection filter was not there yet: the
+   *     connection ends without an answer and its client comes again, where "wrong password" would
+   *     be final
    */
   boolean letIn(byte[] password) {
     if (password == null || !MessageDigest.isEqual(pass, password)) {
@@ -96,7 +106,8 @@ final class BrokerDoor implements AutoCloseable {
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
-      if (open.incrementAndGet() > limits.clients() || ending) {
+      // Who was let in and who has not said who it is are counted apart; more cannot be.
+      if (open.incrementAndGet() > limits.clients() + 2 * BrokerLimits.STRANGERS || ending) {
         open.decrementAndGet();
         refusals.add(
             "connection refused, " + (ending ? "the broker ends" : "too many"),
@@ -119,57 +130,109 @@ final class BrokerDoor implements AutoCloseable {
   private final class Furnisher extends ChannelInboundHandlerAdapter {
     @Override
     public void channelActive(ChannelHandlerContext ctx) {
-      Outflow outflow = new Outflow(BrokerDoor.this);
-      ClientGate gate = new ClientGate(BrokerDoor.this, outflow);
-      Inflow inflow = new Inflow(BrokerDoor.this, gate);
+      Outflow outflow = new Outflow(ConnectionFilter.this);
+      ClientSession gate = new ClientSession(ConnectionFilter.this, outflow);
+      Inflow inflow = new Inflow(ConnectionFilter.this, gate);
       gate.inflow(inflow);
       ctx.pipeline().addFirst(new FirstBytes(gate));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-gate", gate);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);
-      ctx.pipeline().addBefore("handler", "u2sa-retain-flag", new RetainFlag(retainedTopics));
+      ctx.pipeline().addBefore("handler", "u2sa-retain-flag", new RetainFlag(retained.topics()));
       ctx.fireChannelActive();
       ctx.pipeline().remove(this);
     }
   }
 
-  /**
-   * Enters a client under its ID.
-   *
-   * @return why it may not be entered; empty if it was
-   */
-  Optional<String> enter(String clientId, ClientGate gate) {
-    long ofUser =
-        clients.values().stream().filter(other -> other.name().equals(gate.name())).count();
-    if (users != null && ofUser >= limits.clientsPerUser()) {
-      return Optional.of("too many connections of one user");
+  /** What came of {@link #enter}. */
+  enum Entry {
+    FREE("", MqttConnectReturnCode.CONNECTION_ACCEPTED),
+    FULL("too many connections", MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE),
+    FULL_FOR_USER(
+        "too many connections of one user",
+        MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE),
+    ANOTHERS_ID(
+        "the client ID is another user's",
+        MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED);
+
+    private final String reason;
+    private final MqttConnectReturnCode answer;
+
+    Entry(String reason, MqttConnectReturnCode answer) {
+      this.reason = reason;
+      this.answer = answer;
     }
-    ClientGate before = clients.putIfAbsent(clientId, gate);
-    if (before != null && !before.name().equals(gate.name())) {
-      return Optional.of("the client ID is another user's");
+
+    /** Why the client may not be entered. */
+    String reason() {
+      return reason;
     }
-    if (before != null) { // a client that comes back before its old connection was found dead
-      clients.put(clientId, gate);
+
+    /** What the client is told; where waiting helps, that it may come again. */
+    MqttConnectReturnCode answer() {
+      return answer;
     }
-    return Optional.empty();
   }
 
-  /** Moquette is ready for the client's packets. */
-  void connected(String clientId) {
-    ClientGate gate = clients.get(clientId);
+  /** An ID for a connection: never the same twice. */
+  String newConnection() {
+    return "connection-" + connectionsSoFar.incrementAndGet();
+  }
+
+  /** Enters a client under its ID, in the place of an older connection of the same client. */
+  synchronized Entry enter(String clientId, ClientSession gate) {
+    ClientSession before = clients.get(clientId);
+    if (before != null && !before.name().equals(gate.name())) {
+      return Entry.ANOTHERS_ID;
+    }
+    int others = clients.size() - (before == null ? 0 : 1);
+    boolean keepFree = users != null && !gate.isOperator();
+    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clients())) {
+      return Entry.FULL;
+    }
+    if (users != null
+        && ofUser(gate.name()) - (before == null ? 0 : 1) >= limits.clientsPerUser()) {
+      return Entry.FULL_FOR_USER;
+    }
+    clients.put(clientId, gate);
+    connections.put(gate.connection(), gate);
+    if (before != null) { // a client that comes back before its old connection was found dead
+      before.replaced();
+    }
+    return Entry.FREE;
+  }
+
+  private long ofUser(String name) {
+    return clients.values().stream().filter(other -> other.name().equals(name)).count();
+  }
+
+  /** Moquette is ready for the packets of a connection. */
+  void connected(String connection) {
+    ClientSession gate = connections.get(connection);
     if (gate != null) {
       gate.connected();
     }
   }
 
-  void leave(String clientId, ClientGate gate) {
+  void leave(String clientId, ClientSession gate) {
     clients.remove(clientId, gate);
+    connections.remove(gate.connection());
+    subscriptions.remove(gate.connection());
   }
 
-  /** Whether a topic may be retained: those that are already, and new ones while there is room. */
-  boolean mayRetain(String topic) {
-    return retainedTopics.contains(topic)
-        || retainedTopics.size() < BrokerLimits.RETAINED_TOPICS && retainedTopics.add(topic);
+  /** Of which topics the broker holds a message. */
+  RetainedTable retained() {
+    return retained;
+  }
+
+  /** Who listens to what. */
+  RemoteSubscriptions subscriptions() {
+    return subscriptions;
+  }
+
+  /** How many questions each user may still ask. */
+  SharedAllowances questions() {
+    return questions;
   }
 
   BrokerLimits limits() {
@@ -194,7 +257,7 @@ final class BrokerDoor implements AutoCloseable {
   }
 
   /** Where passwords are checked; there if {@link #users} are. */
-  LoginDesk desk() {
+  Authenticator desk() {
     return desk;
   }
 
@@ -202,7 +265,7 @@ final class BrokerDoor implements AutoCloseable {
     return backlog;
   }
 
-  Strangers strangers() {
+  PendingConnections strangers() {
     return strangers;
   }
 
@@ -221,9 +284,9 @@ final class BrokerDoor implements AutoCloseable {
    * Takes nothing new any more, and waits until the clients have taken what was sent to them.
    * Returns how many messages at least they have not taken.
    */
-  int awaitLastWords() {
+  int drain() {
     ending = true;
-    return new LastWords(clients.values(), clock).await();
+    return new ShutdownDrain(clients.values(), clock).await();
   }
 
   /** Messages dropped because a client was too slow, or that Moquette lost, so far. */

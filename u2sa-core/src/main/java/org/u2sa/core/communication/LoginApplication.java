@@ -1,0 +1,50 @@
+package org.u2sa.core.communication;
+
+import java.net.Inet6Address;
+import java.net.InetAddress;
+import java.util.Arrays;
+import java.util.function.Consumer;
+
+/** Somebody's wish to be let in under a name. Compared by identity: each is a wish of its own. */
+final class LoginApplication {
+  private static final int NETWORK_BYTES = 8; // of IPv6: whoever has one address has 2⁶⁴
+
+  private final String name;
+  private final byte[] password;
+  private final String from;
+  private final Consumer<Authenticator.Verdict> answer;
+
+  LoginApplication(
+      String name, byte[] password, InetAddress from, Consumer<Authenticator.Verdict> answer) {
+    this.name = name;
+    this.password = password;
+    this.from =
+        from instanceof Inet6Address
+            ? Arrays.toString(Arrays.copyOf(from.getAddress(), NETWORK_BYTES))
+            : from.getHostAddress();
+    this.answer = answer;
+  }
+
+  String name() {
+    return name;
+  }
+
+  byte[] password() {
+    return password;
+  }
+
+  /** The address, or for IPv6 its network. */
+  String from() {
+    return from;
+  }
+
+  /** Name and address together. */
+  String key() {
+    return from + " " + name;
+  }
+
+  /** Takes the verdict; called once. */
+  Consumer<Authenticator.Verdict> answer() {
+    return answer;
+  }
+}

@@ -1,0 +1,70 @@
+package org.u2sa.core.communication;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.u2sa.interfaces.Clock;
+
+/** Who gave wrong passwords, from where, and how often. Safe for several threads. */
+final class LoginFailures {
+  private static final int REMEMBERED = 4_096;
+  private static final long FIRST_WAIT_MICROS = 250_000;
+  private static final long LONGEST_WAIT_MICROS = 30 * Clock.MICROS_PER_SECOND;
+  private static final long FORGOTTEN_AFTER_MICROS = 600 * Clock.MICROS_PER_SECOND;
+  private static final int DOUBLINGS = 20; // beyond the longest wait, and within a long
+
+  private record Failures(int count, long lastMicros) {}
+
+  private final Clock clock;
+  private final Map<String, Failures> byKey = remembering(); // both guarded by this
+  private final Map<String, Failures> byAddress = remembering();
+
+  LoginFailures(Clock clock) {
+    this.clock = clock;
+  }
+
+  private static Map<String, Failures> remembering() {
+    return new LinkedHashMap<>(16, 0.75f, true) {
+      private static final long serialVersionUID = 1L;
+
+      @Override
+      protected boolean removeEldestEntry(Map.Entry<String, Failures> eldest) {
+        return size() > REMEMBERED;
+      }
+    };
+  }
+
+  synchronized void add(LoginApplication wrong) {
+    byKey.put(wrong.key(), oneMore(byKey, wrong.key()));
+    byAddress.put(wrong.from(), oneMore(byAddress, wrong.from()));
+  }
+
+  private Failures oneMore(Map<String, Failures> map, String key) {
+    return new Failures(recent(map, key) + 1, clock.micros());
+  }
+
+  private int recent(Map<String, Failures> map, String key) {
+    Failures before = map.get(key);
+    boolean counts = before != null && clock.micros() - before.lastMicros < FORGOTTEN_AFTER_MICROS;
+    return counts ? before.count : 0;
+  }
+
+  /** Forgets those of the same name from the same address; the address's own stay. */
+  synchronized void forget(LoginApplication right) {
+    byKey.remove(right.key());
+  }
+
+  /** Whether the same name from the same address gave a wrong password a short time ago. */
+  synchronized boolean mustWait(LoginApplication application) {
+    int count = recent(byKey, application.key());
+    if (count == 0) {
+      return false;
+    }
+    long wait = Math.min(FIRST_WAIT_MICROS << Math.min(count - 1, DOUBLINGS), LONGEST_WAIT_MICROS);
+    return clock.micros() < byKey.get(application.key()).lastMicros + wait;
+  }
+
+  /** Wrong passwords that came from the address lately. */
+  synchronized int from(LoginApplication application) {
+    return recent(byAddress, application.from());
+  }
+}

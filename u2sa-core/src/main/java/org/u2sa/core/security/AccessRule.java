@@ -1,0 +1,48 @@
+package org.u2sa.core.security;
+
+import java.util.Set;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.messages.MessageType;
+
+/**
+ * One row of {@link AccessTable}: a type on the channel that carries it. Retained or not, QoS and
+ * urgency are the channel's.
+ *
+ * @param channel a standard channel
+ * @param type the type; its subclasses go by the same rule
+ * @param roles who may publish it
+ * @param kind how much of it one client may send
+ * @param mayBeWill whether it may be a client's will, which the broker says in its place
+ */
+public record AccessRule(
+    Channel<?> channel, MessageType<?> type, Set<AccessRole> roles, Kind kind, boolean mayBeWill) {
+  /** What a message asks of those who receive it. */
+  public enum Kind {
+    /** What is so: measures, states, plans, answers. */
+    REPORT,
+    /** Asks every service for an answer and changes nothing. */
+    QUESTION,
+    /** Changes configuration, services or goals. */
+    ORDER,
+    /** Stops, arms or restrains the vehicle: comes first, and has room reserved. */
+    URGENT
+  }
+
+  public AccessRule {
+    roles = Set.copyOf(roles);
+  }
+
+  AccessRule asWill() {
+    return new AccessRule(channel, type, roles, kind, true);
+  }
+
+  /** Whether a broker keeps the last one for late subscribers. */
+  public boolean retained() {
+    return channel.isRetained();
+  }
+
+  /** MQTT's quality of service: 1 where each message matters. */
+  public int quality() {
+    return channel.deliversEvery() || channel.isRetained() ? 1 : 0;
+  }
+}

@@ -1,0 +1,153 @@
+package org.u2sa.core.security;
+
+import static org.u2sa.core.security.AccessRole.CONTROL;
+import static org.u2sa.core.security.AccessRole.LAUNCHER;
+import static org.u2sa.core.security.AccessRole.MONITOR;
+import static org.u2sa.core.security.AccessRole.OPERATOR;
+import static org.u2sa.core.security.AccessRole.SAFETY;
+import static org.u2sa.core.security.AccessRole.SERVICE;
+import static org.u2sa.core.security.AccessRule.Kind.ORDER;
+import static org.u2sa.core.security.AccessRule.Kind.QUESTION;
+import static org.u2sa.core.security.AccessRule.Kind.REPORT;
+import static org.u2sa.core.security.AccessRule.Kind.URGENT;
+
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.core.security.AccessRule.Kind;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.MessageType;
+import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.ConfigurationChangeResult;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.FunctionalityRequest;
+import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
+
+/**
+ * Which message travels on which channel, and who may publish it: what is not in here, nobody may.
+ * The embedded broker's rules, Mosquitto's and the table in docs/security.md are made of it.
+ */
+public final class AccessTable {
+  private static final Set<AccessRole> SERVICES =
+      EnumSet.of(SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY);
+  private static final Set<AccessRole> ANSWERING =
+      EnumSet.of(SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY, OPERATOR); // its tools are services
+  private static final Set<AccessRole> ALL = EnumSet.allOf(AccessRole.class);
+
+  private static final List<AccessRule> RULES =
+      List.of(
+          row(Channels.SENSED_STATE, REPORT, SERVICES),
+          row(Channels.STATE, REPORT, SERVICES),
+          row(Channels.SENSED_OBJECTS, REPORT, SERVICES),
+          row(Channels.SCANS, REPORT, SERVICES),
+          row(Channels.OBJECTS, REPORT, SERVICES),
+          row(Channels.GOALS, REPORT, SERVICES),
+          row(Channels.GOAL_REPORTS, REPORT, SERVICES),
+          row(Channels.GOAL_UPDATES, REPORT, ANSWERING),
+          row(Channels.GOAL_COMMANDS, ORDER, Set.of(OPERATOR)),
+          row(Channels.NAVIGATION, REPORT, SERVICES),
+          row(Channels.ACTUATION, REPORT, Set.of(CONTROL)),
+          row(Channels.ACTUATORS, REPORT, SERVICES),
+          row(Channels.DISCOVERY, DiscoveryRequest.TYPE, QUESTION, ALL),
+          row(Channels.DISCOVERY, DiscoveryResponse.TYPE, REPORT, ANSWERING),
+          row(Channels.FUNCTIONALITY, FunctionalityRequest.TYPE, QUESTION, ALL),
+          row(Channels.FUNCTIONALITY, FunctionalityResponse.TYPE, REPORT, ANSWERING),
+          row(Channels.STOP, URGENT, Set.of(OPERATOR)),
+          row(Channels.CONFIGURATION, ConfigurationRequest.TYPE, QUESTION, ALL),
+          row(Channels.CONFIGURATION, ConfigurationResponse.TYPE, REPORT, ANSWERING),
+          row(Channels.CONFIGURATION, ConfigurationChange.TYPE, ORDER, Set.of(OPERATOR)),
+          row(Channels.CONFIGURATION, ConfigurationChangeResult.TYPE, REPORT, ANSWERING),
+          row(Channels.CONFIGURATION, ConfigurationTransaction.TYPE, ORDER, Set.of(OPERATOR)),
+          row(Channels.CONFIGURATION, ConfigurationUndo.TYPE, ORDER, Set.of(OPERATOR)),
+          row(Channels.CONFIGURATION, ConfigurationTransactionResult.TYPE, REPORT, ANSWERING),
+          row(Channels.HEALTH, REPORT, ANSWERING).asWill(),
+          row(Channels.CONDITIONS, REPORT, Set.of(MONITOR)),
+          row(Channels.SERVICE_ORDERS, ServiceOrder.TYPE, ORDER, Set.of(MONITOR, OPERATOR)),
+          row(Channels.SERVICE_ORDERS, ServiceOrderResult.TYPE, REPORT, Set.of(LAUNCHER)),
+          // Actuators repeat a stop that a clear did not lift; who may clear is looked at apart.
+          row(Channels.EMERGENCY_STOP, URGENT, ANSWERING).asWill(),
+          row(Channels.FAILSAFE, URGENT, Set.of(SAFETY)),
+          row(Channels.OPERATOR, REPORT, Set.of(OPERATOR)),
+          row(Channels.ARMING, URGENT, Set.of(OPERATOR)),
+          row(Channels.ARMING_STATE, URGENT, Set.of(SAFETY)),
+          row(Channels.POWER, REPORT, SERVICES));
+
+  private static final Map<String, Map<String, AccessRule>> BY_CHANNEL = byChannel();
+
+  private AccessTable() {}
+
+  /** All rows, in the order of {@link Channels#all}. */
+  public static List<AccessRule> all() {
+    return RULES;
+  }
+
+  private static AccessRule row(Channel<?> channel, Kind kind, Set<AccessRole> roles) {
+    return row(channel, channel.type(), kind, roles);
+  }
+
+  private static AccessRule row(
+      Channel<?> channel, MessageType<?> type, Kind kind, Set<AccessRole> roles) {
+    return new AccessRule(channel, type, roles, kind, false);
+  }
+
+  private static Map<String, Map<String, AccessRule>> byChannel() {
+    Map<String, Map<String, AccessRule>> table = new HashMap<>();
+    for (AccessRule rule : RULES) {
+      table
+          .computeIfAbsent(rule.channel().name(), name -> new HashMap<>())
+          .put(rule.type().name(), rule);
+    }
+    return table;
+  }
+
+  /**
+   * The row of a message: of its type, or of its nearest ancestor that has one.
+   *
+   * @param channel a standard channel's name
+   * @param known what the message will be read as, {@link
+   *     org.u2sa.messages.MessageTypes#nearest(List)}
+   */
+  public static Optional<AccessRule> rule(String channel, MessageType<?> known) {
+    Map<String, AccessRule> ofChannel = BY_CHANNEL.getOrDefault(channel, Map.of());
+    for (MessageType<?> type = known; type != null; type = type.parent().orElse(null)) {
+      AccessRule rule = ofChannel.get(type.name());
+      if (rule != null && rule.type() == type) {
+        return Optional.of(rule);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * Whether one of the roles may publish the message on a channel that is no standard one: nothing
+   * goes there that the role could not publish on its own channel.
+   */
+  public static boolean mayPublishOnOwnChannel(Set<AccessRole> roles, MessageType<?> known) {
+    if (roles.stream().noneMatch(AccessRole::mayPublishOnOwnChannels)) {
+      return false;
+    }
+    boolean standard = false;
+    for (AccessRule rule : RULES) {
+      if (rule.type().messageClass().isAssignableFrom(known.messageClass())) {
+        standard = true;
+        if (!Collections.disjoint(rule.roles(), roles)) {
+          return true;
+        }
+      }
+    }
+    return !standard;
+  }
+}

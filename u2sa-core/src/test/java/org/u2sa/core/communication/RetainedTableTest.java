@@ -1,0 +1,84 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.XmlConfiguration;
+
+class RetainedTableTest {
+  private final RetainedTable table =
+      new RetainedTable(
+          BrokerLimits.of(
+              XmlConfiguration.inMemory(
+                  "test",
+                  Map.of(
+                      "RETAINED TOPICS AT MOST", 16,
+                      "RETAINED BYTES AT MOST", 65_536,
+                      "CLIENT RETAINED BYTES AT MOST", 40_000))));
+
+  private boolean enters(String topic, String owner, int bytes) {
+    return table.enter(topic, owner, bytes, false).isEmpty();
+  }
+
+  @Test
+  void enter_moreTopicsThanThereMayBe_isRefusedWhoeverAsks() {
+    for (int i = 0; i < 8; i++) {
+      assertThat(enters("a" + i, "ann", 1)).isTrue();
+      assertThat(enters("b" + i, "bob", 1)).isTrue();
+    }
+    assertThat(table.enter("c", "cid", 1, false)).hasValue("too many retained topics");
+    assertThat(enters("a1", "ann", 2)).as("one that is there already").isTrue();
+    assertThat(table.topics()).hasSize(16).doesNotContain("c");
+  }
+
+  @Test
+  void enter_moreTopicsOfOneThanHalf_isRefused() {
+    for (int i = 0; i < 8; i++) {
+      assertThat(enters("a" + i, "ann", 1)).isTrue();
+    }
+    assertThat(table.enter("a8", "ann", 1, false))
+        .hasValue("too many retained topics of one client");
+    assertThat(enters("b", "bob", 1)).isTrue();
+  }
+
+  @Test
+  void enter_moreBytesThanThereMayBe_isRefusedAndWhatWasThereStays() {
+    assertThat(enters("a", "ann", 40_000)).isTrue();
+    assertThat(table.enter("a2", "ann", 1, false))
+        .hasValue("too many retained bytes of one client");
+    assertThat(table.enter("b", "bob", 30_000, false)).hasValue("too many retained bytes");
+    assertThat(enters("b", "bob", 25_536)).isTrue();
+    assertThat(table.enter("a", "ann", 40_001, false)).isPresent();
+    assertThat(table.topics()).containsExactlyInAnyOrder("a", "b");
+    assertThat(enters("a", "ann", 0)).as("deleting").isTrue();
+    assertThat(enters("b", "bob", 40_000)).isTrue();
+    assertThat(table.topics()).containsExactly("b");
+  }
+
+  @Test
+  void enter_urgentIntoAFullTable_hasRoomOfItsOwn() {
+    for (int i = 0; i < 8; i++) {
+      enters("a" + i, "ann", 4_000);
+      enters("b" + i, "bob", 4_000);
+    }
+    assertThat(enters("c", "pilot", 1)).isFalse();
+
+    assertThat(table.enter("stop", "pilot", 10_000, true)).isEmpty();
+    assertThat(table.enter("huge stop", "pilot", 20_000, true)).isPresent();
+    for (int i = 0; table.enter("stop" + i, "ann", 1, true).isEmpty(); i++) {
+      assertThat(i).as("urgent topics").isLessThan(1_000);
+    }
+  }
+
+  @Test
+  void enterLocal_ofThisProcess_takesNobodysRoom() {
+    for (int i = 0; i < 100; i++) {
+      table.enterLocal("local" + i, 1_000_000);
+    }
+    assertThat(enters("local1", "ann", 40_000)).isTrue();
+    assertThat(enters("a", "ann", 1)).isFalse();
+    table.enterLocal("local1", 1);
+    assertThat(enters("a", "ann", 40_000)).isTrue();
+  }
+}
