@@ -59,7 +59,7 @@ final class CessnaDemo implements Callable<Integer> {
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     windOf(options.seed());
-    changes.settings();
+    changes.check(system);
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(

@@ -2,7 +2,9 @@ package org.u2sa.gcs.run;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.u2sa.core.communication.BrokerSearch;
@@ -114,7 +116,7 @@ public final class RunCommand implements Callable<Integer> {
       settings = new ArrayList<>(settings);
       settings.addAll(settingsOfBroker());
     }
-    settings.forEach(setting -> set(options, setting));
+    set(options, system);
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
       throw new ParameterException(
           command.commandLine(), "--separate, --only and --host: expected one of them at most");
@@ -128,6 +130,7 @@ public final class RunCommand implements Callable<Integer> {
       options.oneOfSeveral(false);
     }
     if (!only.isEmpty()) {
+      refuseNamedTwice();
       options.override(MANAGER, "BROKER", "external");
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart);
@@ -135,6 +138,16 @@ public final class RunCommand implements Callable<Integer> {
     return separate
         ? runSeparately(system.apart(), options, terminal)
         : run(system, options, terminal);
+  }
+
+  private void refuseNamedTwice() {
+    Set<String> names = new HashSet<>();
+    for (String name : only) {
+      if (!names.add(name)) {
+        throw new ParameterException(
+            command.commandLine(), "--only: \"" + name + "\" is named twice");
+      }
+    }
   }
 
   /** Said as settings, so that processes that this one starts use the same broker. */
@@ -154,14 +167,15 @@ public final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private void set(LaunchOptions options, String setting) {
-    Setting parsed;
+  private void set(LaunchOptions options, SystemFile system) {
     try {
-      parsed = Setting.parse(setting);
+      for (Setting setting : Setting.parseAll(settings)) {
+        setting.requireServiceOf(system);
+        options.override(setting.service(), setting.variable(), setting.value());
+      }
     } catch (IllegalArgumentException e) {
       throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
     }
-    options.override(parsed.service(), parsed.variable(), parsed.value());
   }
 
   @SuppressWarnings("try") // the hook is there to be closed, not called

@@ -87,7 +87,7 @@ final class UgvDemo implements Callable<Integer> {
     Mission mission = Mission.load(options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
     SystemFile system = SystemFile.read(root.resolve("config/ugv").resolve(systemFile()));
     UgvFiles.home(mission); // what is wrong is said before anything is made
-    changes.settings();
+    changes.check(system);
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(
