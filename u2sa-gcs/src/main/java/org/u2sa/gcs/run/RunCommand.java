@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -140,6 +141,16 @@ public final class RunCommand implements Callable<Integer> {
         : run(system, options, terminal);
   }
 
+  /** Watches the process that started this one, if there is one that holds it. */
+  private Optional<ParentWatch> parentWatch() {
+    if (!supervised) {
+      return Optional.empty();
+    }
+    ParentWatch watch = new ParentWatch(System.in, Runtime.getRuntime()::halt);
+    watch.start();
+    return Optional.of(watch);
+  }
+
   private void refuseNamedTwice() {
     Set<String> names = new HashSet<>();
     for (String name : only) {
@@ -179,10 +190,12 @@ public final class RunCommand implements Callable<Integer> {
   }
 
   @SuppressWarnings("try") // the hook is there to be closed, not called
-  private static Integer run(SystemFile file, LaunchOptions options, Terminal terminal)
+  private Integer run(SystemFile file, LaunchOptions options, Terminal terminal)
       throws InterruptedException {
+    Optional<ParentWatch> parent = parentWatch();
     try (RunningSystem system = RunningSystem.start(file, options);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
+      parent.ifPresent(watch -> watch.endingBy(system::close));
       say(
           terminal,
           "System "
