@@ -54,7 +54,7 @@ final class BrokerDoor implements AutoCloseable {
     this.codec = codec;
     this.clock = clock;
     this.users = users;
-    desk = users == null ? null : new LoginDesk(users, clock);
+    desk = users == null || !users.havePasswords() ? null : new LoginDesk(users, clock);
     refusals = new Refusals(log);
   }
 
@@ -193,7 +193,7 @@ final class BrokerDoor implements AutoCloseable {
     return Optional.ofNullable(users);
   }
 
-  /** Where passwords are checked; there if {@link #users} are. */
+  /** Where passwords are checked; there if {@link #users} have some. */
   LoginDesk desk() {
     return desk;
   }

@@ -21,7 +21,8 @@ public final class SwapOperator extends PeriodicService {
   private static final double LOOKS_PER_S = 10.0;
   private static final String NAME = "SwapOperator";
 
-  private final Queue<PlannedSwap> due = new ConcurrentLinkedQueue<>(); // read by others after the end
+  private final Queue<PlannedSwap> due =
+      new ConcurrentLinkedQueue<>(); // read by others after the end
   private final Consumer<String> console;
   private final double beganS;
   private volatile Optional<String> refusal = Optional.empty();
