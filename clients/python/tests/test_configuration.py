@@ -112,6 +112,16 @@ class ConfigurationTest(unittest.TestCase):
             with self.subTest(text), self.assertRaises(BadConfiguration):
                 Configuration(VARIABLES, self.file)
 
+    def test_files_without_end_or_beginning_are_refused(self):
+        pipe = self.file.with_name("pipe.xml")
+        os.mkfifo(pipe)
+        for file in (pipe, pathlib.Path("/dev/zero"), self.file.parent):
+            with self.subTest(file), self.assertRaisesRegex(BadConfiguration, "is not a regular file"):
+                Configuration(VARIABLES, file)
+        self.file.write_text("<configuration>" + " " * 1_000_000, encoding="utf-8")
+        with self.assertRaisesRegex(BadConfiguration, "larger than 1000000 characters"):
+            Configuration(VARIABLES, self.file)
+
 
 if __name__ == "__main__":
     unittest.main()

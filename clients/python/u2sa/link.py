@@ -1,11 +1,13 @@
 """The one place that knows paho-mqtt, 1.6 and 2.x alike: a connection that comes back by itself."""
 from __future__ import annotations
 
+import os
+import pathlib
 import ssl
 import threading
 import uuid
 from dataclasses import dataclass
-from typing import Any, Callable, Dict, Optional, Set
+from typing import Any, Callable, Dict, Optional, Set, Tuple
 
 import paho.mqtt.client as mqtt
 
@@ -34,6 +36,22 @@ class Broker:
     ca_file: Optional[str] = None
     cert_file: Optional[str] = None
     key_file: Optional[str] = None
+
+
+def local_token(host: str, port: int) -> Tuple[Optional[str], Optional[str]]:
+    """As whom this account's programs come to a broker that the account started on this host; nobody if there is none."""
+    if host != "localhost" and not host.startswith("127.") and host not in ("::1", "[::1]"):
+        return None, None
+    runtime = os.environ.get("XDG_RUNTIME_DIR", "")
+    folder = pathlib.Path(runtime, "u2sa") if runtime and os.path.isdir(runtime) else pathlib.Path.home() / ".u2sa" / "run"
+    file = folder / f"broker-{port}.token"
+    try:
+        if not file.is_file() or file.stat().st_mode & 0o077:
+            return None, None
+        token = file.read_text(encoding="utf-8").strip()
+    except OSError:
+        return None, None  # the broker says what one without it may not do
+    return ("local", token) if token else (None, None)
 
 
 class CannotConnect(ConnectionError):
@@ -71,8 +89,11 @@ class Link:
         first: Dict[str, Any] = {"callback_api_version": versions.VERSION2} if versions else {}
         client: Any = mqtt.Client(client_id=client_id, clean_session=True, protocol=mqtt.MQTTv311, **first)
         broker = self._broker
-        if broker.user is not None:
-            client.username_pw_set(broker.user, broker.password)
+        user, password = broker.user, broker.password
+        if user is None and broker.ca_file is None:
+            user, password = local_token(broker.host, broker.port)
+        if user is not None:
+            client.username_pw_set(user, password)
         if broker.ca_file is not None:
             client.tls_set(broker.ca_file, broker.cert_file, broker.key_file, tls_version=ssl.PROTOCOL_TLS_CLIENT)
         client.reconnect_delay_set(*_BACK_OFF_S)

@@ -1,7 +1,7 @@
 package org.u2sa.service;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.ChangeOrigin;
 import org.u2sa.interfaces.ConfigurationOutcome;
 import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.WrittenChange;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.U2SAData;
@@ -24,10 +25,12 @@ import org.u2sa.messages.contract.ConfigurationUndo;
 
 /**
  * Answers for a service what others ask and change of its configuration (thesis 3.2.1.1). Runs on
- * the service's thread.
+ * the service's thread, but for checking and writing, which is {@link ConfigurationWriter}'s.
  */
 final class ConfigurationResponder {
   private static final int REMEMBERED = 64;
+  private static final String TOO_MANY =
+      "too many changes at once, and nothing was changed: try again in a second";
 
   private final U2SAService service;
   private final XmlConfiguration configuration;
@@ -44,9 +47,20 @@ final class ConfigurationResponder {
         }
       };
 
+  private final Set<String> waiting = new HashSet<>(); // requests that are being written
+  private final ConfigurationWriter writer;
+  private final ChangeRate rate = new ChangeRate();
+  private long refused; // requests beyond the rate
+
   ConfigurationResponder(U2SAService service, XmlConfiguration configuration) {
     this.service = service;
     this.configuration = configuration;
+    writer = new ConfigurationWriter(service);
+  }
+
+  /** Writes the changes, off the service's thread. */
+  ConfigurationWriter writer() {
+    return writer;
   }
 
   /** Whether the message is a request that {@link #answer} would answer. */
@@ -67,22 +81,21 @@ final class ConfigurationResponder {
     return serviceName.equals(service.getServiceName());
   }
 
-  /** Answers a request that concerns this service. Returns the variables that it changed. */
-  Set<String> answer(U2SAData request) {
+  /** Answers a request that concerns this service, now or when what it asks for is written. */
+  void answer(U2SAData request) {
     if (request instanceof ConfigurationChange change) {
-      return change(change);
-    }
-    if (request instanceof ConfigurationTransaction transaction) {
-      return once(transaction.requestId(), transaction.author(), () -> transact(transaction));
-    }
-    if (request instanceof ConfigurationUndo undo) {
-      return once(
+      change(change);
+    } else if (request instanceof ConfigurationTransaction transaction) {
+      once(transaction.requestId(), transaction.author(), transaction(transaction));
+    } else if (request instanceof ConfigurationUndo undo) {
+      ChangeOrigin by = by(undo.author());
+      once(
           undo.requestId(),
           undo.author(),
-          () -> configuration.undo(by(undo.author()), service::configurationRefusal));
+          () -> configuration.writeUndo(by, service::configurationRefusal));
+    } else {
+      service.publish(Channels.CONFIGURATION, configuration());
     }
-    service.publish(Channels.CONFIGURATION, configuration());
-    return Set.of();
   }
 
   private ConfigurationResponse configuration() {
@@ -92,51 +105,63 @@ final class ConfigurationResponder {
         .revision(configuration.revision());
   }
 
-  private Set<String> change(ConfigurationChange change) {
+  private void change(ConfigurationChange change) {
     String name = change.variableName();
-    ConfigurationOutcome outcome =
-        configuration.change(
-            Map.of(name, change.value()),
-            OptionalLong.empty(),
-            by(""),
-            service::configurationRefusal);
-    log(outcome, "");
+    ChangeOrigin by = by("");
+    order(
+        "",
+        () ->
+            configuration.write(
+                Map.of(name, change.value()),
+                OptionalLong.empty(),
+                by,
+                service::configurationRefusal),
+        written -> answer(name, written));
+  }
+
+  private void answer(String variable, WrittenChange written) {
+    ConfigurationOutcome outcome = takeEffect(written, "");
     ConfigurationChangeResult result =
         new ConfigurationChangeResult()
             .serviceName(service.getServiceName())
-            .variableName(name)
+            .variableName(variable)
             .accepted(outcome.accepted())
-            .value(outcome.assignments().get(0).value());
+            .value(outcome.assignments().isEmpty() ? "" : outcome.assignments().get(0).value());
     outcome.refusal().ifPresent(result::reason);
     service.publish(Channels.CONFIGURATION, result);
-    return outcome.changed();
   }
 
-  private ConfigurationOutcome transact(ConfigurationTransaction transaction) {
-    List<ConfigurationAssignment> assignments = transaction.assignments();
+  private Supplier<WrittenChange> transaction(ConfigurationTransaction transaction) {
     Map<String, String> wanted = new LinkedHashMap<>();
-    for (ConfigurationAssignment assignment : assignments) {
+    for (ConfigurationAssignment assignment : transaction.assignments()) {
       String first = wanted.putIfAbsent(assignment.variableName(), assignment.value());
       if (first != null) {
-        return new ConfigurationOutcome(
-            Optional.of("variable \"" + assignment.variableName() + "\" is named twice"),
-            assignments,
-            Set.of(),
-            configuration.revision());
+        String reason = "variable \"" + assignment.variableName() + "\" is named twice";
+        return () -> configuration.refuse(reason);
       }
     }
-    return configuration.change(
-        wanted, transaction.revision(), by(transaction.author()), service::configurationRefusal);
+    ChangeOrigin by = by(transaction.author());
+    return () ->
+        configuration.write(wanted, transaction.revision(), by, service::configurationRefusal);
   }
 
-  private Set<String> once(String requestId, String author, Supplier<ConfigurationOutcome> act) {
+  private void once(String requestId, String author, Supplier<WrittenChange> write) {
     ConfigurationTransactionResult before = answered.get(requestId);
     if (before != null) {
       service.publish(Channels.CONFIGURATION, before);
-      return Set.of();
+    } else if (waiting.add(requestId)) {
+      order(
+          author,
+          write,
+          written -> {
+            waiting.remove(requestId);
+            answer(requestId, author, written);
+          });
     }
-    ConfigurationOutcome outcome = act.get();
-    log(outcome, author);
+  }
+
+  private void answer(String requestId, String author, WrittenChange written) {
+    ConfigurationOutcome outcome = takeEffect(written, author);
     ConfigurationTransactionResult result =
         new ConfigurationTransactionResult()
             .requestId(requestId)
@@ -148,7 +173,36 @@ final class ConfigurationResponder {
     outcome.refusal().ifPresent(result::reason);
     answered.put(requestId, result);
     service.publish(Channels.CONFIGURATION, result);
-    return outcome.changed();
+  }
+
+  /** Has the change written, unless too many are asked for: then it is refused without a look. */
+  private void order(
+      String author, Supplier<WrittenChange> write, ConfigurationWriter.Answer answer) {
+    boolean allowed = rate.allows(author, service.clock().micros());
+    if (allowed && writer.order(new ConfigurationWriter.Order(() -> write(write), answer))) {
+      return;
+    }
+    refused++;
+    answer.take(configuration.refuse(TOO_MANY));
+  }
+
+  /** On the writer's thread. */
+  private WrittenChange write(Supplier<WrittenChange> change) {
+    try {
+      return change.get();
+    } catch (RuntimeException e) { // of the service's own check
+      service.trouble("a change of the configuration could not be judged: " + e);
+      return configuration.refuse("the service could not judge it: " + e);
+    }
+  }
+
+  private ConfigurationOutcome takeEffect(WrittenChange written, String author) {
+    ConfigurationOutcome outcome = written.takeEffect();
+    log(outcome, author);
+    if (!outcome.changed().isEmpty()) {
+      service.configurationChanged(outcome.changed());
+    }
+    return outcome;
   }
 
   private ChangeOrigin by(String author) {
@@ -157,6 +211,12 @@ final class ConfigurationResponder {
 
   private void log(ConfigurationOutcome outcome, String author) {
     String who = author.isEmpty() ? "somebody" : "\"" + author + "\"";
+    if (outcome.refusal().equals(Optional.of(TOO_MANY))) {
+      if (Long.bitCount(refused) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+        service.log(LogLevelEnum.WARN, TOO_MANY + " (" + refused + " so far, now for " + who + ")");
+      }
+      return;
+    }
     if (!outcome.accepted()) {
       service.log(
           LogLevelEnum.ERROR,

@@ -3,7 +3,6 @@ package org.u2sa.service;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -55,16 +54,20 @@ final class ContractResponder {
     return serviceName.isEmpty() || serviceName.equals(service.getServiceName());
   }
 
-  /** Answers a request that concerns this service. Returns the variables that it changed. */
-  Set<String> answer(U2SAData request) {
+  /** Answers a request that concerns this service. */
+  void answer(U2SAData request) {
     if (request instanceof DiscoveryRequest) {
       service.publish(Channels.DISCOVERY, discovery());
     } else if (request instanceof FunctionalityRequest) {
       service.publish(Channels.FUNCTIONALITY, functionality());
     } else {
-      return configuration.answer(request);
+      configuration.answer(request);
     }
-    return Set.of();
+  }
+
+  /** What writes the changes of the configuration, off the service's thread. */
+  ConfigurationWriter configurationWriter() {
+    return configuration.writer();
   }
 
   private DiscoveryResponse discovery() {

@@ -181,6 +181,9 @@ public final class ServiceSwap {
    * On the old service's thread between two messages. Returns whether the successor has taken over.
    */
   boolean carryOut() {
+    if (old.contract().configurationWriter().isBusy()) {
+      return false; // not yet: the service is woken when the change is written
+    }
     if (!move(Stage.ORDERED, Stage.UNDER_WAY)) {
       return false;
     }

@@ -100,6 +100,10 @@ public abstract class U2SAService extends ReplaceableService {
         running = false;
         return;
       }
+      if (contract.configurationWriter().hasWritten()) {
+        guarded(contract.configurationWriter()::handOver);
+        continue;
+      }
       long now = clock().micros();
       reporter.reportIfDue(now);
       boolean mayHandle = first-- > 0 || now < untilMicros;
@@ -121,10 +125,7 @@ public abstract class U2SAService extends ReplaceableService {
     guarded(
         () -> {
           if (contract.concerns(delivery.channel(), message)) {
-            Set<String> changed = contract.answer(message);
-            if (!changed.isEmpty()) {
-              configurationChanged(changed);
-            }
+            contract.answer(message);
           }
           if (wiring().registrations().isSubscribed(delivery.channel()) && isInTime(delivery)) {
             callback(message);
@@ -222,6 +223,7 @@ public abstract class U2SAService extends ReplaceableService {
 
   @Override
   final void reportLast() {
+    contract.configurationWriter().close();
     reporter.reportLast();
   }
 

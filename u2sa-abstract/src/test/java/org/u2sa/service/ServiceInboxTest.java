@@ -21,7 +21,7 @@ class ServiceInboxTest {
 
   private int questionsTaken() {
     int taken = 0;
-    while (inbox.put(Channels.CONFIGURATION, new ConfigurationRequest())) {
+    while (inbox.put(Channels.CONFIGURATION, new ConfigurationRequest(), 0L)) {
       taken++;
     }
     return taken;
@@ -31,9 +31,9 @@ class ServiceInboxTest {
   void put_floodOfQuestions_fillsAQuarterAndLeavesRoomForTheRest() {
     assertThat(questionsTaken()).isEqualTo(CAPACITY / 4);
 
-    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest())).isFalse();
-    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange())).isTrue();
-    assertThat(inbox.put(Channels.GOALS, new GoalList())).isTrue();
+    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L)).isFalse();
+    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L)).isTrue();
+    assertThat(inbox.put(Channels.GOALS, new GoalList(), 0L)).isTrue();
     assertThat(inbox.dropped()).isEqualTo(2);
   }
 
@@ -42,23 +42,23 @@ class ServiceInboxTest {
     questionsTaken();
     inbox.poll();
 
-    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest())).isTrue();
-    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest())).isFalse();
+    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L)).isTrue();
+    assertThat(inbox.put(Channels.DISCOVERY, new DiscoveryRequest(), 0L)).isFalse();
   }
 
   @Test
   void put_safetysMessagesIntoAFullInbox_areTaken() {
     for (int i = 0; i < CAPACITY; i++) {
-      inbox.put(Channels.CONFIGURATION, new ConfigurationChange());
+      inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L);
     }
-    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange())).isFalse();
+    assertThat(inbox.put(Channels.CONFIGURATION, new ConfigurationChange(), 0L)).isFalse();
 
     ArmCommand arm = new ArmCommand();
     EmergencyStop stop = new EmergencyStop();
-    assertThat(inbox.put(Channels.ARMING, arm)).isTrue();
-    assertThat(inbox.put(Channels.EMERGENCY_STOP, stop)).isTrue();
-    assertThat(inbox.put(Channels.FAILSAFE, new FailsafeState())).isTrue();
-    assertThat(inbox.put(Channels.ARMING_STATE, new ArmingState())).isTrue();
+    assertThat(inbox.put(Channels.ARMING, arm, 0L)).isTrue();
+    assertThat(inbox.put(Channels.EMERGENCY_STOP, stop, 0L)).isTrue();
+    assertThat(inbox.put(Channels.FAILSAFE, new FailsafeState(), 0L)).isTrue();
+    assertThat(inbox.put(Channels.ARMING_STATE, new ArmingState(), 0L)).isTrue();
 
     assertThat(inbox.poll().message()).isSameAs(stop);
     for (int i = 0; i < CAPACITY; i++) {
@@ -71,13 +71,13 @@ class ServiceInboxTest {
   @Test
   void put_newerOfALatestChannelWithRoom_replacesTheOneThatWaits() {
     ArmingState newer = new ArmingState();
-    inbox.put(Channels.ARMING_STATE, new ArmingState());
-    inbox.put(Channels.ARMING_STATE, newer);
+    inbox.put(Channels.ARMING_STATE, new ArmingState(), 0L);
+    inbox.put(Channels.ARMING_STATE, newer, 0L);
 
     assertThat(inbox.poll().message()).isSameAs(newer);
     assertThat(inbox.poll()).isNull();
 
-    inbox.put(Channels.ARMING_STATE, newer);
+    inbox.put(Channels.ARMING_STATE, newer, 0L);
     assertThat(inbox.depth()).isOne();
   }
 }

@@ -2,8 +2,6 @@ package org.u2sa.interfaces;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -11,42 +9,43 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.u2sa.messages.contract.ConfigurationAssignment;
 
 /**
  * Changes a configuration: all variables of a change or none. In this order, while other writers of
  * the file wait: the file is read anew, everything is checked, the audit log says what is about to
- * be done, the file is replaced, the memory follows. If the power fails between log and file, the
- * next change finds that out and the log says so.
+ * be done, the file is replaced; the memory follows when the {@link WrittenChange} takes effect. If
+ * the power fails between log and file, the next change finds that out and the log says so.
+ *
+ * <p>One thread at a time writes; what is in memory is {@link LiveValues}' concern, which nobody
+ * holds while the disk is at work.
  */
 final class ConfigurationChanges {
-  private static final int LONGEST_TEXT = 200; // of what is refused, whose author may be anybody
-
-  private final ConfigurationValues memory;
+  private final LiveValues live;
   private final Optional<Path> path;
   private final ChangeJournal journal;
-  private long revision;
+  private volatile long revision; // written by one thread at a time
 
-  ConfigurationChanges(ConfigurationValues memory, Optional<Path> path) {
-    this(memory, path, path.isPresent() ? new AuditFile(path.get()) : new MemoryJournal(), 0);
+  ConfigurationChanges(LiveValues live, Optional<Path> path) {
+    this(live, path, path.isPresent() ? new AuditFile(path.get()) : new MemoryJournal(), 0);
   }
 
   private ConfigurationChanges(
-      ConfigurationValues memory, Optional<Path> path, ChangeJournal journal, long revision) {
-    this.memory = memory;
+      LiveValues live, Optional<Path> path, ChangeJournal journal, long revision) {
+    this.live = live;
     this.path = path;
     this.journal = journal;
     this.revision = revision;
   }
 
   /** The changes of a copy of the configuration, which go on where these are. */
-  ConfigurationChanges forSuccessor(ConfigurationValues copy) {
+  ConfigurationChanges forSuccessor(LiveValues copy) {
     return new ConfigurationChanges(copy, path, journal, revision);
   }
 
   /** One attempt, while nobody else writes. */
   private interface Attempt {
-    ConfigurationOutcome make(ChangeHistory history, Optional<ConfigurationFile> file)
+    WrittenChange make(
+        ConfigurationValues memory, ChangeHistory history, Optional<ConfigurationFile> file)
         throws IOException;
   }
 
@@ -54,7 +53,8 @@ final class ConfigurationChanges {
   void begin(Optional<ConfigurationFile> file) {
     try {
       ChangeHistory history = new ChangeHistory(journal.recent());
-      revision = history.revision() - (lost(history, file).isPresent() ? 1 : 0);
+      boolean lost = lost(live.written(), history, file).isPresent();
+      revision = history.revision() - (lost ? 1 : 0);
     } catch (IOException e) {
       revision = 0; // no reason not to start; a change is refused, and the answer says why
     }
@@ -65,61 +65,59 @@ final class ConfigurationChanges {
     return revision;
   }
 
-  ConfigurationOutcome change(
+  synchronized WrittenChange change(
       Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
-    Map<String, String> texts = new LinkedHashMap<>();
-    wanted.forEach((name, value) -> texts.put(name, String.valueOf(value)));
     return attempt(
         by,
-        texts,
-        (history, file) -> {
+        RefusedTexts.of(wanted),
+        (memory, history, file) -> {
+          RefusedTexts.refuseTooMuch(wanted, live.origin());
           if (seen.isPresent() && seen.getAsLong() != history.revision()) {
             throw new ConfigurationException(outdated(seen.getAsLong(), history));
           }
-          ChangePlanner planner = new ChangePlanner(memory, file);
-          List<PlannedChange> plan = planner.set(wanted, seen.isPresent());
-          return make(plan, file, by, OptionalLong.empty(), check);
+          List<PlannedChange> plan = new ChangePlanner(memory, file).set(wanted, seen.isPresent());
+          return make(memory, plan, file, by, OptionalLong.empty(), check);
         });
   }
 
-  ConfigurationOutcome undo(ChangeOrigin by, ConfigurationCheck check) {
+  synchronized WrittenChange undo(ChangeOrigin by, ConfigurationCheck check) {
     return attempt(
         by,
         Map.of(),
-        (history, file) -> {
+        (memory, history, file) -> {
           AuditEntry last =
               history
                   .undoable()
                   .orElseThrow(
                       () ->
                           new ConfigurationException(
-                              memory.origin() + ": no change is remembered that could be undone"));
+                              live.origin() + ": no change is remembered that could be undone"));
           List<PlannedChange> plan = new ChangePlanner(memory, file).undo(last);
-          return make(plan, file, by, OptionalLong.of(last.revision()), check);
+          return make(memory, plan, file, by, OptionalLong.of(last.revision()), check);
         });
   }
 
-  private ConfigurationOutcome attempt(
-      ChangeOrigin by, Map<String, String> wanted, Attempt attempt) {
+  private WrittenChange attempt(ChangeOrigin by, Map<String, String> wanted, Attempt attempt) {
     try {
       ChangeJournal.Turn turn = journal.take();
       try {
         Optional<ConfigurationFile> file = path.map(ConfigurationFile::read);
-        return attempt.make(history(file), file);
+        ConfigurationValues memory = live.written();
+        return attempt.make(memory, history(memory, file), file);
       } catch (ConfigurationException e) {
         return refused(by, wanted, e.getMessage());
       } finally {
         turn.close();
       }
     } catch (IOException e) {
-      return new ConfigurationOutcome(
-          Optional.of(place(wanted.keySet()) + e), asked(wanted), Set.of(), revision);
+      return refusal(place(wanted.keySet()) + e, wanted);
     }
   }
 
-  private ChangeHistory history(Optional<ConfigurationFile> file) throws IOException {
+  private ChangeHistory history(ConfigurationValues memory, Optional<ConfigurationFile> file)
+      throws IOException {
     ChangeHistory history = new ChangeHistory(journal.recent());
-    Optional<AuditEntry> lost = lost(history, file);
+    Optional<AuditEntry> lost = lost(memory, history, file);
     if (lost.isPresent()) {
       journal.append(lost.get().failed("the process ended before it was written"));
       history = new ChangeHistory(journal.recent());
@@ -128,11 +126,13 @@ final class ConfigurationChanges {
     return history;
   }
 
-  private Optional<AuditEntry> lost(ChangeHistory history, Optional<ConfigurationFile> file) {
+  private static Optional<AuditEntry> lost(
+      ConfigurationValues memory, ChangeHistory history, Optional<ConfigurationFile> file) {
     return history.newest().filter(new ChangePlanner(memory, file)::wasLost);
   }
 
-  private ConfigurationOutcome make(
+  private WrittenChange make(
+      ConfigurationValues memory,
       List<PlannedChange> plan,
       Optional<ConfigurationFile> file,
       ChangeOrigin by,
@@ -143,7 +143,7 @@ final class ConfigurationChanges {
     plan.forEach(change -> proposed.put(change.name(), change.newValue()));
     Optional<String> objection = check.refusal(proposed);
     if (objection.isPresent()) {
-      throw new ConfigurationException(memory.origin() + ": " + objection.get());
+      throw new ConfigurationException(live.origin() + ": " + objection.get());
     }
     List<PlannedChange> changes =
         plan.stream().filter(PlannedChange::changes).collect(Collectors.toList());
@@ -159,16 +159,18 @@ final class ConfigurationChanges {
               changes.stream().map(PlannedChange::audited).collect(Collectors.toList()));
       journal.append(entry);
       write(after, entry);
-      changes.forEach(memory::adopt);
+      live.await(changes);
       revision++;
     }
-    return new ConfigurationOutcome(
-        Optional.empty(),
-        plan.stream().map(PlannedChange::told).collect(Collectors.toList()),
-        changes.stream()
-            .map(PlannedChange::name)
-            .collect(Collectors.toCollection(LinkedHashSet::new)),
-        revision);
+    ConfigurationOutcome outcome =
+        new ConfigurationOutcome(
+            Optional.empty(),
+            plan.stream().map(PlannedChange::told).collect(Collectors.toList()),
+            changes.stream()
+                .map(PlannedChange::name)
+                .collect(Collectors.toCollection(LinkedHashSet::new)),
+            revision);
+    return new WrittenChange(outcome, () -> live.takeEffect(changes));
   }
 
   private ConfigurationFile edited(ConfigurationFile file, List<PlannedChange> changes) {
@@ -178,7 +180,7 @@ final class ConfigurationChanges {
         edited = change.in(edited);
       } catch (IllegalArgumentException e) {
         throw new ConfigurationException(
-            memory.origin() + ", variable \"" + change.name() + "\": " + e.getMessage(), e);
+            live.origin() + ", variable \"" + change.name() + "\": " + e.getMessage(), e);
       }
     }
     return edited;
@@ -200,32 +202,34 @@ final class ConfigurationChanges {
     }
   }
 
-  private ConfigurationOutcome refused(ChangeOrigin by, Map<String, String> wanted, String reason) {
-    List<AuditEntry.Value> values = new ArrayList<>();
-    wanted.forEach(
-        (name, text) ->
-            values.add(
-                new AuditEntry.Value(
-                    shortened(name),
-                    Optional.empty(),
-                    shortened(text),
-                    Optional.empty(),
-                    Optional.empty())));
+  private WrittenChange refused(ChangeOrigin by, Map<String, String> wanted, String reason) {
     AuditEntry entry =
         new AuditEntry(
-            revision, by, AuditEntry.Outcome.REFUSED, reason, OptionalLong.empty(), values);
+            revision,
+            by,
+            AuditEntry.Outcome.REFUSED,
+            RefusedTexts.shortened(reason, 1_000),
+            OptionalLong.empty(),
+            RefusedTexts.audited(wanted));
     String why = reason;
     try {
       journal.append(entry);
     } catch (IOException e) {
       why += "; nor could that be logged: " + e;
     }
-    return new ConfigurationOutcome(Optional.of(why), asked(wanted), Set.of(), revision);
+    return refusal(why, wanted);
+  }
+
+  private WrittenChange refusal(String reason, Map<String, String> wanted) {
+    ConfigurationOutcome outcome =
+        new ConfigurationOutcome(
+            Optional.of(reason), RefusedTexts.answered(wanted), Set.of(), revision);
+    return new WrittenChange(outcome, () -> {});
   }
 
   private String outdated(long seen, ChangeHistory history) {
     String since = history.since(seen);
-    return memory.origin()
+    return live.origin()
         + ": is at revision "
         + history.revision()
         + " by now, not "
@@ -238,21 +242,10 @@ final class ConfigurationChanges {
   private String place(Set<String> names) {
     String variables =
         names.stream().map(name -> "\"" + name + "\"").collect(Collectors.joining(", "));
-    return memory.origin()
+    return live.origin()
         + (names.isEmpty() ? "" : names.size() == 1 ? ", variable " : ", variables ")
         + variables
         + ": cannot be written, the old "
         + (names.size() == 1 ? "value stays: " : "values stay: ");
-  }
-
-  private static List<ConfigurationAssignment> asked(Map<String, String> wanted) {
-    List<ConfigurationAssignment> asked = new ArrayList<>();
-    wanted.forEach(
-        (name, text) -> asked.add(new ConfigurationAssignment().variableName(name).value(text)));
-    return asked;
-  }
-
-  private static String shortened(String text) {
-    return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT) + "…";
   }
 }

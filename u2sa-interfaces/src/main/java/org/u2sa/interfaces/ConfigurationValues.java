@@ -15,7 +15,7 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
  * The variables of one configuration in memory: what the file said, what the service declared, the
- * values that follow. Guarded by the {@link XmlConfiguration} that owns it.
+ * values that follow. Guarded by the {@link LiveValues} that own it.
  */
 final class ConfigurationValues {
   private final String origin;
@@ -107,6 +107,17 @@ final class ConfigurationValues {
             "no service declares it" + NearestNames.didYouMean(variable.name(), declared.keySet()));
       }
     }
+  }
+
+  /** All of it, changed by nobody else. */
+  ConfigurationValues copy() {
+    ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
+    copy.overridden.addAll(overridden);
+    copy.tolerated.addAll(tolerated);
+    copy.declared.putAll(declared);
+    copy.values.clear();
+    copy.values.putAll(values);
+    return copy;
   }
 
   /** What is stated now, without what is declared, which need not be declared again. */

@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.concurrent.locks.LockSupport;
@@ -17,7 +19,7 @@ import java.util.concurrent.locks.LockSupport;
 final class FolderLock implements Closeable {
   private static final String NAME = ".configuration.lock";
   private static final long PAUSE_NANOS = 1_000_000L;
-  private static final int ATTEMPTS = 5_000; // a holder needs some ms; 5 s are a fault
+  private static final int ATTEMPTS = 2_000; // a holder needs some ms; 2 s are a fault
 
   private final FileChannel channel;
   private final FileLock lock;
@@ -30,7 +32,7 @@ final class FolderLock implements Closeable {
   /**
    * Waits for the lock.
    *
-   * @throws IOException if another writer holds it for 5 s, the thread is interrupted meanwhile, or
+   * @throws IOException if another writer holds it for 2 s, the thread is interrupted meanwhile, or
    *     the folder does not allow the lock's file
    */
   static FolderLock take(Path folder) throws IOException {
@@ -45,8 +47,15 @@ final class FolderLock implements Closeable {
   }
 
   private static FolderLock open(Path folder) throws IOException {
+    Path file = folder.resolve(NAME);
+    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)
+        && !Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+      throw new IOException(
+          file + " is not a regular file; remove it"); // a pipe would be waited on
+    }
     FileChannel channel =
-        FileChannel.open(folder.resolve(NAME), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileChannel.open(
+            file, StandardOpenOption.CREATE, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
     try {
       return new FolderLock(channel, await(channel, folder));
     } catch (IOException | RuntimeException e) {
@@ -67,7 +76,8 @@ final class FolderLock implements Closeable {
         throw new IOException("interrupted while another writer was at work in " + folder);
       }
     }
-    throw new IOException("another writer has been at work in " + folder + " for 5 s");
+    throw new IOException(
+        folder.resolve(NAME) + " is locked: another writer has held it for 2 s; try again");
   }
 
   // Of a lock that another process holds, tryLock says null; of one of this process, it throws.

@@ -1,14 +1,14 @@
 package org.u2sa.interfaces;
 
-import java.io.File;
-import java.io.FileOutputStream;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.PosixFileAttributeView;
 
 /**
  * Replaces a file as a whole: after a power cut there is the old or the new one. Written beside it,
@@ -20,23 +20,33 @@ final class WholeFile {
   private WholeFile() {}
 
   /**
-   * Replaces the content of {@code file}, which exists; its permissions stay, a link to it stays
-   * one. To be called under the folder's lock: other writers' temporary files are taken for
-   * leftovers of a power cut.
+   * Replaces the content of {@code file}, which exists; its owner, group and permissions stay, a
+   * link to it stays one. To be called under the folder's lock: other writers' temporary files are
+   * taken for leftovers of a power cut.
    *
    * @throws IOException if that failed: then the old content stands
    */
   static void replace(Path file, byte[] content) throws IOException {
-    Path target = file.toRealPath();
+    boolean interrupted = Thread.interrupted(); // would close the channel; given back below
+    try {
+      replaceTarget(file.toRealPath(), content);
+    } finally {
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  private static void replaceTarget(Path target, byte[] content) throws IOException {
     Path directory = target.getParent();
     String prefix = "." + target.getFileName() + ".";
     deleteLeftovers(directory, prefix);
-    Path temporary = Files.createTempFile(directory, prefix, SUFFIX);
+    Path temporary = Files.createTempFile(directory, prefix, SUFFIX); // its owner's alone
     try {
-      copyPermissions(target, temporary);
-      try (FileOutputStream out = new FileOutputStream(temporary.toFile())) {
-        out.write(content);
-        out.getFD().sync();
+      FileOwnership.copy(target, temporary);
+      try (FileChannel out = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
+        write(out, content);
+        out.force(true);
       }
       Files.move(
           temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
@@ -46,10 +56,11 @@ final class WholeFile {
     }
   }
 
-  private static void copyPermissions(Path from, Path to) throws IOException {
-    PosixFileAttributeView view = Files.getFileAttributeView(from, PosixFileAttributeView.class);
-    if (view != null) {
-      Files.setPosixFilePermissions(to, view.readAttributes().permissions());
+  /** Writes all of it at the channel's position. */
+  static void write(FileChannel out, byte[] content) throws IOException {
+    ByteBuffer left = ByteBuffer.wrap(content);
+    while (left.hasRemaining()) {
+      out.write(left);
     }
   }
 
@@ -71,13 +82,18 @@ final class WholeFile {
 
   // What cannot be listed or deleted stays: it is no reason to refuse the change.
   private static void deleteLeftovers(Path directory, String prefix) {
-    File[] leftovers =
-        directory
-            .toFile()
-            .listFiles(
-                entry -> entry.getName().startsWith(prefix) && entry.getName().endsWith(SUFFIX));
-    for (File leftover : leftovers == null ? new File[0] : leftovers) {
-      leftover.delete();
+    try (DirectoryStream<Path> leftovers =
+        Files.newDirectoryStream(directory, entry -> isLeftover(entry, prefix))) {
+      for (Path leftover : leftovers) {
+        Files.deleteIfExists(leftover);
+      }
+    } catch (IOException | DirectoryIteratorException e) {
+      return;
     }
+  }
+
+  private static boolean isLeftover(Path entry, String prefix) {
+    String name = entry.getFileName().toString();
+    return name.startsWith(prefix) && name.endsWith(SUFFIX);
   }
 }

@@ -30,7 +30,7 @@ import org.u2sa.messages.contract.ConfigurationVariable;
  */
 public final class XmlConfiguration implements Configurator {
   private final Optional<Path> file;
-  private final ConfigurationValues values;
+  private final LiveValues values;
   private final ConfigurationChanges changes;
 
   private XmlConfiguration(
@@ -39,7 +39,7 @@ public final class XmlConfiguration implements Configurator {
       Map<String, FileVariable> stated,
       Optional<ConfigurationFile> content) {
     this.file = file;
-    values = new ConfigurationValues(origin, file.isPresent(), stated);
+    values = new LiveValues(new ConfigurationValues(origin, file.isPresent(), stated));
     changes = new ConfigurationChanges(values, file);
     changes.begin(content);
   }
@@ -83,33 +83,33 @@ public final class XmlConfiguration implements Configurator {
    * @param value Integer, Double, Boolean or String, in the declared unit
    * @throws IllegalArgumentException if the value is of another class
    */
-  public synchronized void override(String variableName, Object value) {
-    values.override(variableName, value);
+  public void override(String variableName, Object value) {
+    values.update(all -> all.override(variableName, value));
   }
 
   /**
    * This configuration, as it is now, for a service of another class that takes the place of the
    * present one: what only the present one declares need not be declared again.
    */
-  public synchronized XmlConfiguration forSuccessor() {
+  public XmlConfiguration forSuccessor() {
     return new XmlConfiguration(this);
   }
 
   /** Lets variables of the file be there though nobody declares them. */
-  public synchronized void tolerate(Collection<String> variableNames) {
-    values.tolerate(variableNames);
+  public void tolerate(Collection<String> variableNames) {
+    values.update(all -> all.tolerate(variableNames));
   }
 
   /**
    * The variables that a successor need not declare: all that were declared or tolerated so far.
    */
-  public synchronized Set<String> tolerated() {
-    return values.tolerated();
+  public Set<String> tolerated() {
+    return values.get(ConfigurationValues::tolerated);
   }
 
   /** Variables of the file that are tolerated and that nobody declares: they have no effect. */
-  public synchronized List<String> withoutEffect() {
-    return values.withoutEffect();
+  public List<String> withoutEffect() {
+    return values.get(ConfigurationValues::withoutEffect);
   }
 
   /**
@@ -126,13 +126,13 @@ public final class XmlConfiguration implements Configurator {
   }
 
   @Override
-  public synchronized Object getVariable(String variableName) {
-    return values.value(variableName);
+  public Object getVariable(String variableName) {
+    return values.get(all -> all.value(variableName));
   }
 
   @Override
-  public synchronized <T> T getVariable(Variable<T> variable) {
-    return values.declare(variable);
+  public <T> T getVariable(Variable<T> variable) {
+    return values.get(all -> all.declare(variable));
   }
 
   /**
@@ -140,13 +140,13 @@ public final class XmlConfiguration implements Configurator {
    *
    * @throws ConfigurationException naming the first of them and the nearest declared name
    */
-  public synchronized void refuseUndeclared() {
-    values.refuseUndeclared();
+  public void refuseUndeclared() {
+    values.update(ConfigurationValues::refuseUndeclared);
   }
 
   /** What has been declared so far, in that order; the list is the caller's own. */
-  public synchronized List<Variable<?>> declared() {
-    return values.declared();
+  public List<Variable<?>> declared() {
+    return values.get(ConfigurationValues::declared);
   }
 
   @Override
@@ -177,9 +177,25 @@ public final class XmlConfiguration implements Configurator {
    *     nothing is changed; empty: the last one wins
    * @param check judges the values together, before anything is written
    */
-  public synchronized ConfigurationOutcome change(
+  public ConfigurationOutcome change(
+      Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
+    return write(wanted, seen, by, check).takeEffect();
+  }
+
+  /**
+   * The part of {@link #change(Map, OptionalLong, ChangeOrigin, ConfigurationCheck)} that waits for
+   * the disk and for other writers: up to some seconds. What it has written is not in memory yet.
+   */
+  public WrittenChange write(
       Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
     return changes.change(wanted, seen, by, check);
+  }
+
+  /** The refusal of a change that is not even looked at; the audit log does not tell of it. */
+  public WrittenChange refuse(String reason) {
+    ConfigurationOutcome outcome =
+        new ConfigurationOutcome(Optional.of(reason), List.of(), Set.of(), revision());
+    return new WrittenChange(outcome, () -> {});
   }
 
   /**
@@ -188,22 +204,28 @@ public final class XmlConfiguration implements Configurator {
    *
    * @param check judges the values together, before anything is written
    */
-  public synchronized ConfigurationOutcome undo(ChangeOrigin by, ConfigurationCheck check) {
+  public ConfigurationOutcome undo(ChangeOrigin by, ConfigurationCheck check) {
+    return writeUndo(by, check).takeEffect();
+  }
+
+  /** The part of {@link #undo} that waits for the disk, as {@link #write}. */
+  public WrittenChange writeUndo(ChangeOrigin by, ConfigurationCheck check) {
     return changes.undo(by, check);
   }
 
   /** Counts the changes of the configuration, as far as this object has seen them. */
-  public synchronized long revision() {
+  public long revision() {
     return changes.revision();
   }
 
   /**
    * Why {@link #setVariable} would refuse this value or text; empty if it would try to write it.
    */
-  public synchronized Optional<String> reasonOfRefusal(String variableName, Object valueOrText) {
+  public Optional<String> reasonOfRefusal(String variableName, Object valueOrText) {
     try {
-      values.value(variableName); // there is one
-      values.bound(variableName, values.stated(variableName)).checked(valueOrText);
+      ConfigurationValues now = values.get(ConfigurationValues::copy);
+      now.value(variableName); // there is one
+      now.bound(variableName, now.stated(variableName)).checked(valueOrText);
       return Optional.empty();
     } catch (ConfigurationException e) {
       return Optional.of(e.getMessage());
@@ -211,12 +233,12 @@ public final class XmlConfiguration implements Configurator {
   }
 
   @Override
-  public synchronized ArrayList<Map.Entry<String, Object>> enumerateFields() {
-    return values.enumerated();
+  public ArrayList<Map.Entry<String, Object>> enumerateFields() {
+    return values.get(ConfigurationValues::enumerated);
   }
 
   /** Every variable with type, value, unit, limits and meaning, for a configuration response. */
-  public synchronized List<ConfigurationVariable> describe() {
-    return values.described();
+  public List<ConfigurationVariable> describe() {
+    return values.get(ConfigurationValues::described);
   }
 }

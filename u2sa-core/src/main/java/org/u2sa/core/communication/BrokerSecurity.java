@@ -8,6 +8,7 @@ import java.net.UnknownHostException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Paths;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.net.ssl.SSLException;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
@@ -30,20 +31,36 @@ final class BrokerSecurity {
           .describedAs(
               "Whether the embedded broker may listen to a network without SECURITY DIRECTORY: everyone there commands the vehicle.");
 
+  /** Who commands over the loopback address where there are no users. */
+  static final Variable<String> LOCAL_COMMANDS =
+      Variable.text("LOCAL COMMANDS")
+          .oneOf("account", "everybody")
+          .ifAbsent("account")
+          .describedAs(
+              "Who of this host may command without SECURITY DIRECTORY: the account that started the broker, by a token file of its own that tools read by themselves, or everybody. Everybody may listen.");
+
+  private final LocalAccount account; // null: no users, or those of the directory
   private final SecurityDirectory directory; // null: neither users nor encryption
   private final SslContext tls; // null likewise
 
   BrokerSecurity(SecurityDirectory directory, SslContext tls) {
+    this(directory, tls, null);
+  }
+
+  private BrokerSecurity(SecurityDirectory directory, SslContext tls, LocalAccount account) {
+    this.account = account;
     this.directory = directory;
     this.tls = tls;
   }
 
   /** What the configuration says. */
-  record Settings(String directory, boolean insecureAllowed) {}
+  record Settings(String directory, boolean insecureAllowed, boolean everybodyCommands) {}
 
   static Settings settings(Configurator configuration) {
     return new Settings(
-        configuration.getVariable(DIRECTORY), configuration.getVariable(ALLOW_INSECURE_NETWORK));
+        configuration.getVariable(DIRECTORY),
+        configuration.getVariable(ALLOW_INSECURE_NETWORK),
+        configuration.getVariable(LOCAL_COMMANDS).equals("everybody"));
   }
 
   /**
@@ -52,7 +69,7 @@ final class BrokerSecurity {
    * @param bindAddress where the broker is to listen
    * @throws BadInputException if that would open it to a network unsecured, or a file is wrong
    */
-  static BrokerSecurity of(Settings settings, String bindAddress, Consumer<String> log) {
+  static BrokerSecurity of(Settings settings, String bindAddress, int port, Consumer<String> log) {
     if (!settings.directory.isEmpty()) {
       return secured(settings.directory);
     }
@@ -62,13 +79,15 @@ final class BrokerSecurity {
             "BIND ADDRESS "
                 + bindAddress
                 + " opens the Communication Manager to a network, but it has neither users nor encryption: "
-                + "make them with ./u2sa security init and name the folder in SECURITY DIRECTORY, "
+                + "./u2sa security init makes both, in the folder security, which SECURITY DIRECTORY is to name; "
                 + "or say ALLOW INSECURE NETWORK");
       }
       log.accept(
           "WARNING: ALLOW INSECURE NETWORK: everyone who reaches "
               + bindAddress
               + " hears and commands this vehicle");
+    } else if (!settings.everybodyCommands) {
+      return new BrokerSecurity(null, null, LocalAccount.at(bindAddress, port, log));
     }
     return new BrokerSecurity(null, null);
   }
@@ -116,6 +135,30 @@ final class BrokerSecurity {
 
   /** Who may come; null: everybody, without a password. */
   Users users(Consumer<String> log) {
+    if (account != null) {
+      return new Users(account);
+    }
     return directory == null ? null : new Users(directory.users(), log);
+  }
+
+  /** Starts the broker that this secures; if that fails, nothing is left of either. */
+  <B> B starting(Supplier<B> start) {
+    try {
+      B broker = start.get();
+      if (account != null) {
+        account.publish();
+      }
+      return broker;
+    } catch (RuntimeException | Error e) {
+      close();
+      throw e;
+    }
+  }
+
+  /** Takes back what {@link #of} has put down. */
+  void close() {
+    if (account != null) {
+      account.close();
+    }
   }
 }

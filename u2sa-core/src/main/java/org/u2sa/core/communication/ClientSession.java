@@ -224,6 +224,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
           ctx, MqttConnectReturnCode.CONNECTION_REFUSED_UNACCEPTABLE_PROTOCOL_VERSION, fault.get());
     } else if (door.users().isEmpty()) {
       admit(ctx, said);
+    } else if (!door.users().get().havePasswords()) {
+      introduceLocally(ctx, said, door.users().get());
     } else if (said.user().isEmpty()) {
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it says no user");
     } else {
@@ -237,6 +239,18 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
               from,
               verdict -> ctx.executor().execute(() -> judged(ctx, said, verdict)));
     }
+  }
+
+  private void introduceLocally(ChannelHandlerContext ctx, ConnectRequest said, Users users) {
+    Optional<User> known = users.ofAccount(said.user(), said.password());
+    if (known.isEmpty()) {
+      refuse(
+          ctx, MqttConnectReturnCode.CONNECTION_REFUSED_BAD_USER_NAME_OR_PASSWORD, "wrong token");
+      return;
+    }
+    user = known.get();
+    name = user.name();
+    admit(ctx, said);
   }
 
   private void judged(

@@ -81,12 +81,15 @@ public final class CommunicationManager implements AutoCloseable {
   private final Supplier<MqttTransport> remote; // null without a broker
   private final BrokerKeeper broker; // null unless embedded
   private final BrokerAnnouncement announcement; // null if there is none
+  private final BrokerSecurity security; // null unless embedded
 
   private CommunicationManager(
       Transport transport,
       Supplier<MqttTransport> remote,
       BrokerKeeper broker,
-      BrokerAnnouncement announcement) {
+      BrokerAnnouncement announcement,
+      BrokerSecurity security) {
+    this.security = security;
     this.transport = transport;
     this.remote = remote;
     this.broker = broker;
@@ -127,18 +130,24 @@ public final class CommunicationManager implements AutoCloseable {
           new MqttTransport(broker.getHostString(), broker.getPort(), systemId, codec, as)
               .waiting(patienceS);
       transport.connect("CommunicationManager", new Probe()).close();
-      return new CommunicationManager(transport, () -> transport, null, null);
+      return new CommunicationManager(transport, () -> transport, null, null, null);
     }
     LocalBus bus = new LocalBus(systemId);
     BrokerKeeper broker = null;
     BrokerAnnouncement announcement = null;
     Supplier<MqttTransport> remote = null;
+    BrokerSecurity secured = null;
     if (kind.equals("embedded")) {
-      BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, log);
+      BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
+      secured = security;
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =
-          new BrokerKeeper(
-              died -> EmbeddedBroker.start(bus, codec, address, security, limits, log, died), log);
+          security.starting(
+              () ->
+                  new BrokerKeeper(
+                      died ->
+                          EmbeddedBroker.start(bus, codec, address, security, limits, log, died),
+                      log));
       String reached = address.getAddress().isAnyLocalAddress() ? LOOPBACK : bindAddress;
       remote =
           () ->
@@ -149,7 +158,7 @@ public final class CommunicationManager implements AutoCloseable {
         announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
       }
     }
-    return new CommunicationManager(bus, remote, broker, announcement);
+    return new CommunicationManager(bus, remote, broker, announcement, secured);
   }
 
   private static FoundBroker search(String systemId, BrokerAccess access, double timeoutS) {
@@ -227,6 +236,9 @@ public final class CommunicationManager implements AutoCloseable {
     }
     if (broker != null) {
       broker.close();
+    }
+    if (security != null) {
+      security.close();
     }
   }
 

@@ -61,7 +61,7 @@ final class ConnectionFilter implements AutoCloseable {
     this.codec = codec;
     this.clock = clock;
     this.users = users;
-    desk = users == null ? null : new Authenticator(users, clock);
+    desk = users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
     questions = new SharedAllowances(limits.questionsPerS());
@@ -256,7 +256,7 @@ final class ConnectionFilter implements AutoCloseable {
     return Optional.ofNullable(users);
   }
 
-  /** Where passwords are checked; there if {@link #users} are. */
+  /** Where passwords are checked; there if {@link #users} have some. */
   Authenticator desk() {
     return desk;
   }

@@ -187,7 +187,7 @@ final class PacketRules {
       filters.add(filter);
     }
     for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
-      door.subscriptions().add(connection, wanted.topicName());
+      door.subscriptions().add(connection, wanted.topicFilter());
     }
     return Optional.empty();
   }

@@ -1,6 +1,7 @@
 package org.u2sa.core.communication;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -17,8 +18,9 @@ import org.u2sa.interfaces.BadInputException;
  * of this run only. Safe for several threads.
  */
 final class Users {
-  private final Path file;
+  private final Path file; // null: there is none
   private final Consumer<String> log;
+  private final LocalAccount account; // null: none, but names and passwords
   private final Map<String, User> ofThisRun = new ConcurrentHashMap<>();
   private volatile Map<String, User> ofFile;
   private FileTime readAt; // guarded by this
@@ -29,8 +31,39 @@ final class Users {
   Users(Path file, Consumer<String> log) {
     this.file = file;
     this.log = log;
+    account = null;
     readAt = changedAt();
     ofFile = UserFile.read(file);
+  }
+
+  /** Those of a broker that only this host can reach. */
+  Users(LocalAccount account) {
+    file = null;
+    log = line -> {};
+    this.account = account;
+    ofFile = Map.of();
+    add(account.user());
+    add(account.anybody());
+  }
+
+  /** Whether users have passwords, which take time to check; else there is the account's token. */
+  boolean havePasswords() {
+    return account == null;
+  }
+
+  /**
+   * Who one is where there is an account's token. It is long and random, so that nobody need be
+   * slowed down who guesses it.
+   *
+   * @param name empty: none is said
+   * @return empty if the token is wrong
+   */
+  Optional<User> ofAccount(String name, byte[] token) {
+    if (name.isEmpty()) {
+      return Optional.of(account.anybody());
+    }
+    char[] said = new String(token, StandardCharsets.UTF_8).toCharArray();
+    return named(name).filter(user -> user.password().matches(said));
   }
 
   Optional<User> named(String name) {
@@ -45,6 +78,9 @@ final class Users {
 
   /** Reads the file again if it has changed; a wrong one is told, and the users before stay. */
   synchronized void refresh() {
+    if (file == null) {
+      return;
+    }
     FileTime changed = changedAt();
     if (changed.equals(readAt)) {
       return;

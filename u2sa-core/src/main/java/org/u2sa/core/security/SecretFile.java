@@ -10,6 +10,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.nio.file.attribute.UserPrincipal;
 import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.Optional;
@@ -37,6 +38,7 @@ public final class SecretFile {
       } else {
         Files.createFile(beside);
       }
+      giveToOwnerOf(Files.exists(file) ? file : file.toAbsolutePath().getParent(), beside);
       try (FileChannel out = FileChannel.open(beside, StandardOpenOption.WRITE)) {
         ByteBuffer left = ByteBuffer.wrap(content);
         while (left.hasRemaining()) {
@@ -47,6 +49,48 @@ public final class SecretFile {
       Files.move(beside, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
       throw new BadInputException(file + ": cannot be written: " + e, e);
+    }
+  }
+
+  /**
+   * Root may write another user's file; that user is to have it all the same.
+   *
+   * @throws IOException if this user may not give it away
+   */
+  private static void giveToOwnerOf(Path file, Path own) throws IOException {
+    if (!isPosix(file)) {
+      return;
+    }
+    UserPrincipal owner = Files.getOwner(file);
+    if (!owner.equals(Files.getOwner(own))) {
+      try {
+        Files.setOwner(own, owner);
+      } catch (IOException e) {
+        throw new IOException(
+            "it belongs to " + owner.getName() + " and could not stay theirs: do it as that user",
+            e);
+      }
+    }
+  }
+
+  /**
+   * What is wrong with a folder's permissions; empty if only its owner may put files into it and
+   * take them out.
+   */
+  public static Optional<String> tooOpenFolder(Path folder) {
+    try {
+      if (!isPosix(folder)) {
+        return Optional.empty(); // another kind of permissions, which Java does not tell
+      }
+      Set<PosixFilePermission> permissions = Files.getPosixFilePermissions(folder);
+      boolean writable =
+          permissions.contains(PosixFilePermission.GROUP_WRITE)
+              || permissions.contains(PosixFilePermission.OTHERS_WRITE);
+      return writable
+          ? Optional.of(folder + ": others than its owner may replace its files; chmod 700 it")
+          : Optional.empty();
+    } catch (IOException e) {
+      return Optional.of(folder + ": its permissions cannot be read: " + e);
     }
   }
 

@@ -2,6 +2,7 @@ package org.u2sa.core.security;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 
 /**
@@ -51,12 +52,28 @@ public record SecurityDirectory(Path path) {
                 + "; ./u2sa security init makes it");
       }
     }
-    for (Path secret : new Path[] {key(), users()}) {
-      SecretFile.tooOpen(secret)
-          .ifPresent(
-              what -> {
-                throw new BadInputException(what);
-              });
+    requireClosed();
+  }
+
+  /**
+   * Checks that nobody but the owner may read keys and users, or put others in their place. The
+   * authority's key, too, if it is here: whoever has it makes brokers that clients trust.
+   *
+   * @throws BadInputException if one is too open; says how to close it
+   */
+  public void requireClosed() {
+    refuse(SecretFile.tooOpenFolder(path));
+    for (Path secret : new Path[] {key(), users(), authorityKey()}) {
+      if (Files.exists(secret)) {
+        refuse(SecretFile.tooOpen(secret));
+      }
     }
+  }
+
+  private static void refuse(Optional<String> problem) {
+    problem.ifPresent(
+        what -> {
+          throw new BadInputException(what);
+        });
   }
 }

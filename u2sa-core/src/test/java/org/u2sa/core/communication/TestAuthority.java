@@ -108,6 +108,8 @@ final class TestAuthority {
     PasswordHash hash = PasswordHash.of(name.toCharArray(), new SecureRandom(), FEW);
     users.add(new User(name, User.rolesOf(roles), List.of(system), hash));
     UserFile.write(directory.users(), users);
-    Files.writeString(directory.path().resolve(name + ".password"), name + "\n");
+    SecretFile.write(
+        directory.path().resolve(name + ".password"),
+        (name + "\n").getBytes(StandardCharsets.UTF_8));
   }
 }

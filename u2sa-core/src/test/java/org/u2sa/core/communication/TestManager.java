@@ -42,6 +42,7 @@ final class TestManager implements AutoCloseable {
   CommunicationManager another(Map<String, Object> variables) {
     Map<String, Object> all = new HashMap<>(variables);
     all.putIfAbsent("COMMUNICATION MANAGER PORT", port);
+    all.putIfAbsent("LOCAL COMMANDS", "everybody"); // raw clients know no token
     return CommunicationManager.start(
         "cessna", XmlConfiguration.inMemory("test", all), TYPES, log::add);
   }

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.SocketTimeoutException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -78,6 +81,25 @@ class HostileFilesTest {
             + root
             + ">",
         "DOCTYPE");
+  }
+
+  @ParameterizedTest
+  @MethodSource("readersAndRoots")
+  void read_dtdOnAServer_nobodyIsAsked(String root, String attributes) throws IOException {
+    try (ServerSocket server = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
+      server.setSoTimeout(1); // a connection that was made waits in the backlog
+      refuses(
+          root,
+          "<!DOCTYPE x SYSTEM \"http://127.0.0.1:"
+              + server.getLocalPort()
+              + "/p.dtd\">\n<"
+              + root
+              + " "
+              + attributes
+              + "/>",
+          "DOCTYPE");
+      assertThatThrownBy(() -> server.accept().close()).isInstanceOf(SocketTimeoutException.class);
+    }
   }
 
   @ParameterizedTest

@@ -68,6 +68,7 @@ final class CessnaDemo implements Callable<Integer> {
     Mission mission = VehicleMission.load(system, changed, missionFile);
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     windOf(options.seed());
+    changes.check(system);
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(

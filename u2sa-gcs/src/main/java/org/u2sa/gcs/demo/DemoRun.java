@@ -177,6 +177,8 @@ public final class DemoRun {
     if (swaps.isEmpty()) {
       return Optional.empty();
     }
+    PlannedSwap.requireServices(
+        swaps, running.services().stream().map(U2SAService::getServiceName).toList());
     SwapOperator operator =
         new SwapOperator(
             running.contextFor(XmlConfiguration.inMemory("SwapOperator", Map.of())),
@@ -193,6 +195,7 @@ public final class DemoRun {
             refusal -> {
               throw new RunFailedException(refusal);
             });
+    operator.ifPresent(SwapOperator::tellMissed);
   }
 
   private void refuseFailed(RunningSystem running) {

@@ -1,7 +1,10 @@
 package org.u2sa.gcs.demo;
 
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.NearestNames;
 
 /**
  * A service that is to be swapped in a run.
@@ -28,5 +31,32 @@ public record PlannedSwap(double atS, String service, String className) {
               + " 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner");
     }
     return new PlannedSwap(Double.parseDouble(form.group(1)), form.group(2), form.group(3));
+  }
+
+  /**
+   * Refuses swaps of services that do not run: nobody would obey the order.
+   *
+   * @param running names of the services
+   * @throws BadInputException naming the services there are, and the nearest
+   */
+  static void requireServices(List<PlannedSwap> swaps, List<String> running) {
+    for (PlannedSwap swap : swaps) {
+      if (!running.contains(swap.service)) {
+        throw new BadInputException(
+            "--swap "
+                + swap
+                + ": no service \""
+                + swap.service
+                + "\" runs; expected one of "
+                + String.join(", ", running)
+                + NearestNames.didYouMean(swap.service, running));
+      }
+    }
+  }
+
+  /** As it was read. */
+  @Override
+  public String toString() {
+    return atS + ":" + service + "=" + className;
   }
 }

@@ -2,6 +2,7 @@ package org.u2sa.gcs.demo;
 
 import java.util.List;
 import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.run.Setting;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -41,21 +42,23 @@ public final class RunChanges {
   }
 
   /**
-   * The variables asked for.
+   * Refuses what would have no effect in that system.
    *
-   * @throws ParameterException if one is not of that form
+   * @throws ParameterException if an option is not of its form, or names a service that the system
+   *     does not have
    */
-  public List<Setting> settings() {
+  public void check(SystemFile system) {
     try {
-      return settings.stream().map(Setting::parse).toList();
+      Setting.parseAll(settings).forEach(setting -> setting.requireServiceOf(system));
     } catch (IllegalArgumentException e) {
       throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
     }
+    swaps();
   }
 
   /** Has a run take the variables asked for. */
   public void applyTo(LaunchOptions options) {
-    settings()
+    Setting.parseAll(settings)
         .forEach(
             setting -> options.override(setting.service(), setting.variable(), setting.value()));
   }

@@ -1,11 +1,11 @@
 package org.u2sa.gcs.demo;
 
-import java.util.ArrayDeque;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.U2SAData;
@@ -21,7 +21,8 @@ public final class SwapOperator extends PeriodicService {
   private static final double LOOKS_PER_S = 10.0;
   private static final String NAME = "SwapOperator";
 
-  private final Queue<PlannedSwap> due = new ArrayDeque<>();
+  private final Queue<PlannedSwap> due =
+      new ConcurrentLinkedQueue<>(); // read by others after the end
   private final Consumer<String> console;
   private final double beganS;
   private volatile Optional<String> refusal = Optional.empty();
@@ -67,6 +68,19 @@ public final class SwapOperator extends PeriodicService {
       if (!result.accepted()) {
         refusal = Optional.of(what);
       }
+    }
+  }
+
+  /** Says, after the run, which swaps did not happen as their time did not come. */
+  void tellMissed() {
+    double endedS = nowS() - beganS;
+    for (PlannedSwap missed : due) {
+      console.accept(
+          String.format(
+              Locale.ROOT,
+              "--swap %s had no effect: the run was over after %.1f s",
+              missed,
+              endedS));
     }
   }
 

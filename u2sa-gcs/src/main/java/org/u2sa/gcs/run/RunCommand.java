@@ -2,7 +2,10 @@ package org.u2sa.gcs.run;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.u2sa.core.communication.BrokerSearch;
@@ -114,7 +117,7 @@ public final class RunCommand implements Callable<Integer> {
       settings = new ArrayList<>(settings);
       settings.addAll(settingsOfBroker());
     }
-    settings.forEach(setting -> set(options, setting));
+    set(options, system);
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
       throw new ParameterException(
           command.commandLine(), "--separate, --only and --host: expected one of them at most");
@@ -128,6 +131,7 @@ public final class RunCommand implements Callable<Integer> {
       options.oneOfSeveral(false);
     }
     if (!only.isEmpty()) {
+      refuseNamedTwice();
       options.override(MANAGER, "BROKER", "external");
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart);
@@ -135,6 +139,26 @@ public final class RunCommand implements Callable<Integer> {
     return separate
         ? runSeparately(system.apart(), options, terminal)
         : run(system, options, terminal);
+  }
+
+  /** Watches the process that started this one, if there is one that holds it. */
+  private Optional<ParentWatch> parentWatch() {
+    if (!supervised) {
+      return Optional.empty();
+    }
+    ParentWatch watch = new ParentWatch(System.in, Runtime.getRuntime()::halt);
+    watch.start();
+    return Optional.of(watch);
+  }
+
+  private void refuseNamedTwice() {
+    Set<String> names = new HashSet<>();
+    for (String name : only) {
+      if (!names.add(name)) {
+        throw new ParameterException(
+            command.commandLine(), "--only: \"" + name + "\" is named twice");
+      }
+    }
   }
 
   /** Said as settings, so that processes that this one starts use the same broker. */
@@ -154,21 +178,24 @@ public final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private void set(LaunchOptions options, String setting) {
-    Setting parsed;
+  private void set(LaunchOptions options, SystemFile system) {
     try {
-      parsed = Setting.parse(setting);
+      for (Setting setting : Setting.parseAll(settings)) {
+        setting.requireServiceOf(system);
+        options.override(setting.service(), setting.variable(), setting.value());
+      }
     } catch (IllegalArgumentException e) {
       throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
     }
-    options.override(parsed.service(), parsed.variable(), parsed.value());
   }
 
   @SuppressWarnings("try") // the hook is there to be closed, not called
-  private static Integer run(SystemFile file, LaunchOptions options, Terminal terminal)
+  private Integer run(SystemFile file, LaunchOptions options, Terminal terminal)
       throws InterruptedException {
+    Optional<ParentWatch> parent = parentWatch();
     try (RunningSystem system = RunningSystem.start(file, options);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
+      parent.ifPresent(watch -> watch.endingBy(system::close));
       say(
           terminal,
           "System "

@@ -57,7 +57,13 @@ final class ServiceProcesses implements AutoCloseable {
     if (closing) {
       return false;
     }
-    Process process = command.of(entry, again).inheritIO().start();
+    // Its standard input is a pipe that this process holds: so it knows when this one has ended.
+    Process process =
+        command
+            .of(entry, again)
+            .redirectOutput(ProcessBuilder.Redirect.INHERIT)
+            .redirectError(ProcessBuilder.Redirect.INHERIT)
+            .start();
     processes.put(entry, process);
     failed.remove(entry);
     process.onExit().thenAccept(ended -> ended(entry, ended));

@@ -1,7 +1,13 @@
 package org.u2sa.gcs.run;
 
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.xml.NearestNames;
 
 /**
  * A variable set on the command line.
@@ -11,6 +17,7 @@ import java.util.regex.Pattern;
  * @param value Boolean, Integer, Double or String, as it looks
  */
 public record Setting(String service, String variable, Object value) {
+  private static final String MANAGER = "CommunicationManager";
   private static final Pattern FORM = Pattern.compile("([^:=]+):([^=]+)=(.*)", Pattern.DOTALL);
 
   /**
@@ -24,6 +31,54 @@ public record Setting(String service, String variable, Object value) {
       throw new IllegalArgumentException("\"" + text + "\": expected SERVICE:VARIABLE=VALUE");
     }
     return new Setting(matcher.group(1), matcher.group(2), value(matcher.group(3)));
+  }
+
+  /**
+   * Reads several.
+   *
+   * @throws IllegalArgumentException if a text is not of that form, or a variable comes twice
+   */
+  public static List<Setting> parseAll(List<String> texts) {
+    List<Setting> settings = new ArrayList<>();
+    for (String text : texts) {
+      Setting setting = parse(text);
+      for (Setting other : settings) {
+        if (other.service.equals(setting.service) && other.variable.equals(setting.variable)) {
+          throw new IllegalArgumentException(
+              "\"" + text + "\": the variable is set to " + other.value + " already");
+        }
+      }
+      settings.add(setting);
+    }
+    return settings;
+  }
+
+  /**
+   * Refuses a setting of a service that is not there: nobody would see that it has no effect.
+   *
+   * @param system whole, as in its file
+   * @throws IllegalArgumentException naming the services there are, and the nearest
+   */
+  public void requireServiceOf(SystemFile system) {
+    Set<String> known = new LinkedHashSet<>();
+    system.services().forEach(entry -> known.add(entry.simpleName()));
+    known.add(MANAGER);
+    if (!known.contains(service)) {
+      throw new IllegalArgumentException(
+          "\""
+              + service
+              + ":"
+              + variable
+              + "="
+              + value
+              + "\": "
+              + system.file()
+              + " lists no service of class \""
+              + service
+              + "\"; expected one of "
+              + String.join(", ", known)
+              + NearestNames.didYouMean(service, known));
+    }
   }
 
   private static Object value(String text) {

@@ -25,7 +25,10 @@ import picocli.CommandLine.Spec;
 final class InitCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
 
-  @Parameters(paramLabel = "DIR", description = "New folder.")
+  @Parameters(
+      paramLabel = "DIR",
+      defaultValue = "security",
+      description = "New folder. Default: ${DEFAULT-VALUE}.")
   private Path folder;
 
   @Option(

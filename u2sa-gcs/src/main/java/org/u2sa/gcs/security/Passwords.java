@@ -9,6 +9,7 @@ import java.security.SecureRandom;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
+import org.u2sa.core.security.SecretFile;
 import org.u2sa.interfaces.BadInputException;
 
 /** Where a user's password comes from: never from the command line, which every process can see. */
@@ -20,11 +21,25 @@ final class Passwords {
 
   /** The first line of a file. */
   static char[] read(Path file) {
+    requireClosed("--password-file", file);
     try {
       List<String> lines = Files.readAllLines(file, StandardCharsets.UTF_8);
       return checked(lines.isEmpty() ? new char[0] : lines.get(0).toCharArray(), file.toString());
     } catch (IOException e) {
       throw new BadInputException("--password-file " + file + ": cannot be read: " + e, e);
+    }
+  }
+
+  private static void requireClosed(String option, Path file) {
+    if (Files.exists(file) && !Files.isRegularFile(file)) {
+      throw new BadInputException(option + " " + file + ": is not a regular file");
+    }
+    if (Files.exists(file)) {
+      SecretFile.tooOpen(file)
+          .ifPresent(
+              what -> {
+                throw new BadInputException(option + " " + what);
+              });
     }
   }
 

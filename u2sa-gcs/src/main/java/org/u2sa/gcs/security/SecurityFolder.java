@@ -21,6 +21,7 @@ final class SecurityFolder {
       throw new BadInputException(
           "--dir " + path + ": there is no users.txt; ./u2sa security init " + path + " makes it");
     }
+    directory.requireClosed();
     return directory;
   }
 }

@@ -94,6 +94,7 @@ final class UgvDemo implements Callable<Integer> {
             system, changed, options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
     // what is wrong is said before anything is made
     DriveConditions conditions = around.conditions(vehicle, UgvFiles.plan(mission));
+    changes.check(system);
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(

@@ -1,11 +1,14 @@
 package org.u2sa.gcs.security;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -16,6 +19,9 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.core.security.SecretFile;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.UserFile;
 import org.u2sa.gcs.ExitCode;
@@ -128,10 +134,82 @@ class SecurityCommandTest {
         .isEqualTo(ExitCode.BAD_INPUT);
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "ca-key.p12, rw-r--r--, chmod 600",
+    "users.txt, rw-rw----, chmod 600",
+    "server-key.pem, rw-r-----, chmod 600",
+    "'', rwxrwxrwx, chmod 700",
+    "'', rwxrwx---, chmod 700"
+  })
+  void commands_folderOrFileOpenToOthers_areRefusedAndSayWhatToDo(
+      String name, String permissions, String remedy) throws IOException {
+    Path open = directory.path().resolve(name);
+    Files.setPosixFilePermissions(open, PosixFilePermissions.fromString(permissions));
+    String dir = directory.path().toString();
+
+    assertThat(run("security", "user", "list", "--dir", dir)).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains(directory.path().toString(), remedy);
+    assertThat(run("security", "certificate", "10.0.0.7", "--dir", dir))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThatThrownBy(directory::check).hasMessageContaining(remedy);
+  }
+
+  @Test
+  void userAdd_passwordFileOpenToOthers_isRefused() throws IOException {
+    Path password = secret("word", "1234567890\n");
+    Files.setPosixFilePermissions(password, PosixFilePermissions.fromString("rw-r--r--"));
+    String dir = directory.path().toString();
+
+    assertThat(
+            run(
+                "security",
+                "user",
+                "add",
+                "x",
+                "--role",
+                "service",
+                "--password-file",
+                password.toString(),
+                "--dir",
+                dir))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("others than its owner may use it; chmod 600 it");
+  }
+
+  /** Root adds a user on the vehicle, whose own account must go on reading the file. */
+  @Test
+  void userAdd_usersOfAnotherAccount_staysTheirs() throws IOException {
+    assumeTrue((Integer) Files.getAttribute(directory.users(), "unix:uid") == 0, "root only");
+    Files.setAttribute(directory.users(), "unix:uid", 12_345);
+
+    assertThat(
+            run(
+                "security",
+                "user",
+                "add",
+                "x",
+                "--role",
+                "service",
+                "--password-file",
+                secret("word", "1234567890\n").toString(),
+                "--dir",
+                directory.path().toString()))
+        .as(err.toString())
+        .isEqualTo(ExitCode.DONE);
+    assertThat(Files.getAttribute(directory.users(), "unix:uid")).isEqualTo(12_345);
+  }
+
+  private Path secret(String name, String text) throws IOException {
+    Path file = folder.resolve(name);
+    SecretFile.write(file, text.getBytes(StandardCharsets.UTF_8));
+    return file;
+  }
+
   @Test
   void userAdd_wrongRoleShortPasswordNoTerminal_saysWhatIsExpected() throws IOException {
     String dir = directory.path().toString();
-    Path tooShort = Files.writeString(folder.resolve("short"), "123456789\n");
+    Path tooShort = secret("short", "123456789\n");
     assertThat(
             run(
                 "security",
@@ -141,7 +219,7 @@ class SecurityCommandTest {
                 "--role",
                 "captain",
                 "--password-file",
-                Files.writeString(folder.resolve("long"), "1234567890\n").toString(),
+                secret("long", "1234567890\n").toString(),
                 "--dir",
                 dir))
         .isEqualTo(ExitCode.BAD_INPUT);

@@ -103,6 +103,25 @@ class UgvDemoTest {
     assertThat(run.err()).contains("expected pursuit with --vehicle ackermann");
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          --set  | Nope:X=1 | lists no service of class "Nope"
+          --set  | Contrl:RATE=50 | expected one of
+          --set  | UgvPlanner:RATE=50 | lists no service of class
+          --set  | IoioService:NOPE=1 | variable "NOPE": no service declares it
+          --swap | 5:x=y | no service "x" runs; expected one of
+          --swap | 5:Contrl=org.example.Other | did you mean "Control"?
+          """)
+  void demo_whatWouldHaveNoEffect_isRefused(String option, String value, String expected) {
+    UgvCommandLine run = drive("out", "--loops", "1", option, value);
+
+    assertThat(run.err()).contains(expected);
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+  }
+
   @Test
   void demo_noLoops_isRefused() {
     UgvCommandLine run = drive("out", "--loops", "0");

@@ -110,7 +110,9 @@ public final class BrokerAccess {
   }
 
   private static char[] firstLine(String file) {
-    try (InputStream in = Files.newInputStream(path("PASSWORD FILE", file))) {
+    Path path = path("PASSWORD FILE", file);
+    SecretFiles.requireClosed("PASSWORD FILE", path);
+    try (InputStream in = Files.newInputStream(path)) {
       byte[] bytes = new byte[1024]; // far longer than any password
       int length = in.read(bytes);
       String[] lines =

@@ -101,13 +101,17 @@ public final class MqttTransport implements Transport {
     options.setKeepAliveInterval(KEEP_ALIVE_S);
     options.setConnectionTimeout(CONNECT_WITHIN_S);
     options.setSocketFactory(access.sockets());
-    access
-        .user()
-        .ifPresent(
-            user -> {
-              options.setUserName(user);
-              options.setPassword(access.password());
-            });
+    if (access.user().isPresent()) {
+      options.setUserName(access.user().get());
+      options.setPassword(access.password());
+    } else if (!access.isEncrypted()) {
+      LocalToken.read(host, port)
+          .ifPresent(
+              token -> {
+                options.setUserName(LocalToken.USER);
+                options.setPassword(token);
+              });
+    }
     return options;
   }
 

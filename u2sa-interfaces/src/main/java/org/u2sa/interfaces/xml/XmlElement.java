@@ -35,8 +35,14 @@ public final class XmlElement {
     this.name = name;
     this.line = line;
     this.span = span;
-    this.attributes = Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
-    this.children = Collections.unmodifiableList(new ArrayList<>(children));
+    this.attributes =
+        attributes.isEmpty()
+            ? Collections.emptyMap() // most have none, and a file may have a million elements
+            : Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
+    this.children =
+        children.isEmpty()
+            ? Collections.emptyList()
+            : Collections.unmodifiableList(new ArrayList<>(children));
     this.text = text;
   }
 

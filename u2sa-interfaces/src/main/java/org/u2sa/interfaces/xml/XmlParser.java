@@ -1,8 +1,7 @@
 package org.u2sa.interfaces.xml;
 
+import com.ctc.wstx.api.WstxInputProperties;
 import com.ctc.wstx.stax.WstxInputFactory;
-import com.ctc.wstx.stax.WstxOutputFactory;
-import com.fasterxml.jackson.dataformat.xml.XmlFactory;
 import java.io.StringReader;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -10,26 +9,36 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import javax.xml.stream.Location;
 import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLResolver;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Turns text into elements. The only class that knows Jackson, Woodstox and StAX; the factories are
- * named, because Android has no look-up for them.
+ * Turns text into elements. The only class that knows Woodstox and StAX; the factory is named,
+ * because Android has no look-up for it.
+ *
+ * <p>What a text says of places outside of it is never followed: a DOCTYPE is refused, and should
+ * the parser want anything else than the text, it gets an error.
  */
 final class XmlParser {
   private static final int MAX_DEPTH = 100;
+  private static final int MAX_ELEMENTS = 1_000_000;
+  private static final int MAX_ATTRIBUTES = 100; // of one element
+  private static final int MAX_ATTRIBUTE_LENGTH = 1_000_000;
+  private static final int MAX_NAME_LENGTH = 200;
   private static final char BYTE_ORDER_MARK = '\uFEFF';
-  // Jackson's factory switches DTDs and external entities off; never changed after construction.
+  // Never changed after construction.
   private static final XMLInputFactory FACTORY = factory();
 
   private final String origin;
   private final XMLStreamReader reader;
   private final int offset; // of the reader's first character in the file's text
   private final Deque<Open> open = new ArrayDeque<>();
+  private int elements;
 
   private XmlParser(String origin, XMLStreamReader reader, int offset) {
     this.origin = origin;
@@ -39,12 +48,19 @@ final class XmlParser {
 
   private static XMLInputFactory factory() {
     WstxInputFactory woodstox = new WstxInputFactory();
+    woodstox.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+    woodstox.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+    XMLResolver nothing =
+        (publicId, systemId, baseUri, namespace) -> {
+          throw new XMLStreamException("nothing is read from outside: " + systemId);
+        };
+    woodstox.setXMLResolver(nothing);
+    woodstox.setProperty(WstxInputProperties.P_DTD_RESOLVER, nothing);
+    woodstox.setProperty(WstxInputProperties.P_ENTITY_RESOLVER, nothing);
+    woodstox.setProperty(WstxInputProperties.P_MAX_ATTRIBUTES_PER_ELEMENT, MAX_ATTRIBUTES);
+    woodstox.setProperty(WstxInputProperties.P_MAX_ATTRIBUTE_SIZE, MAX_ATTRIBUTE_LENGTH);
     woodstox.getConfig().doParseLazily(false); // errors come as XMLStreamException, where they are
-    return XmlFactory.builder()
-        .xmlInputFactory(woodstox)
-        .xmlOutputFactory(new WstxOutputFactory())
-        .build()
-        .getXMLInputFactory();
+    return woodstox;
   }
 
   /** An element whose end tag has not come yet. */
@@ -70,11 +86,13 @@ final class XmlParser {
           FACTORY.createXMLStreamReader(new StringReader(text.substring(offset)));
       try {
         return new XmlParser(origin, reader, offset).root();
+      } catch (XMLStreamException e) {
+        throw notWellFormed(origin, e, reader.getLocation());
       } finally {
         reader.close();
       }
     } catch (XMLStreamException e) {
-      throw notWellFormed(origin, e);
+      throw notWellFormed(origin, e, e.getLocation()); // at the very beginning
     }
   }
 
@@ -106,13 +124,15 @@ final class XmlParser {
       throw new BadInputException(
           origin + ", line " + line() + ": more than " + MAX_DEPTH + " elements within each other");
     }
+    if (++elements > MAX_ELEMENTS) {
+      throw new BadInputException(
+          origin + ", line " + line() + ": more than " + MAX_ELEMENTS + " elements");
+    }
     Open element = new Open(name(), line(), position());
     for (int i = 0; i < reader.getAttributeCount(); i++) {
       String prefix = reader.getAttributePrefix(i);
       String local = reader.getAttributeLocalName(i);
-      element.attributes.put(
-          prefix == null || prefix.isEmpty() ? local : prefix + ":" + local,
-          reader.getAttributeValue(i));
+      element.attributes.put(qualified(prefix, local), reader.getAttributeValue(i));
     }
     open.push(element);
   }
@@ -145,10 +165,22 @@ final class XmlParser {
   }
 
   private String name() {
-    String prefix = reader.getPrefix();
-    return prefix == null || prefix.isEmpty()
-        ? reader.getLocalName()
-        : prefix + ":" + reader.getLocalName();
+    return qualified(reader.getPrefix(), reader.getLocalName());
+  }
+
+  private String qualified(String prefix, String local) {
+    if (local.length() > MAX_NAME_LENGTH) {
+      throw new BadInputException(
+          origin
+              + ", line "
+              + line()
+              + ": the name \""
+              + XmlText.shortened(local)
+              + "\" is longer than "
+              + MAX_NAME_LENGTH
+              + " characters");
+    }
+    return prefix == null || prefix.isEmpty() ? local : prefix + ":" + local;
   }
 
   private int line() {
@@ -159,11 +191,12 @@ final class XmlParser {
     return reader.getLocation().getCharacterOffset() + offset;
   }
 
-  private static BadInputException notWellFormed(String origin, XMLStreamException e) {
+  private static BadInputException notWellFormed(
+      String origin, XMLStreamException e, Location reached) {
     // Woodstox puts the place on a second line of its message, which stands in front already.
     String what = e.getMessage().split("\\n\\s*at \\[row", 2)[0].trim();
-    String where =
-        e.getLocation() == null ? "" : ", line " + Math.max(1, e.getLocation().getLineNumber());
+    Location at = e.getLocation() == null ? reached : e.getLocation(); // none of exceeded limits
+    String where = at == null ? "" : ", line " + Math.max(1, at.getLineNumber());
     return new BadInputException(
         origin + where + ": not well-formed XML: " + XmlText.oneLine(what), e);
   }

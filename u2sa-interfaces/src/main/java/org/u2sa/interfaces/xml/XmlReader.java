@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Reads XML files into {@link XmlElement}s. Safe against hostile files: no DTD, no entities beside
- * XML's own, bounded size and depth.
+ * Reads XML files into {@link XmlElement}s. Safe against hostile files: nothing outside of the file
+ * is read or asked, no DTD, no entities beside XML's own; bounded size, depth and kind of file.
  */
 public final class XmlReader {
   private static final int CHUNK = 8192;
@@ -33,17 +33,20 @@ public final class XmlReader {
    * @throws BadInputException as {@link #read(Path, String)}
    */
   public static XmlElement read(InputStream in, String origin, String expectedRoot) {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    byte[] chunk = new byte[CHUNK];
     try {
-      for (int n = in.read(chunk);
-          n >= 0 && bytes.size() <= XmlText.MAX_BYTES;
-          n = in.read(chunk)) {
-        bytes.write(chunk, 0, n);
-      }
+      return XmlText.of(bytes(in), origin).root(expectedRoot);
     } catch (IOException e) {
       throw new BadInputException(origin + ": cannot be read: " + e.getMessage(), e);
     }
-    return XmlText.of(bytes.toByteArray(), origin).root(expectedRoot);
+  }
+
+  /** What the stream holds, up to a little more than may be read: it may have grown, or no end. */
+  static byte[] bytes(InputStream in) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    byte[] chunk = new byte[CHUNK];
+    for (int n = in.read(chunk); n >= 0 && bytes.size() <= XmlText.MAX_BYTES; n = in.read(chunk)) {
+      bytes.write(chunk, 0, n);
+    }
+    return bytes.toByteArray();
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.interfaces.xml;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
@@ -9,9 +10,11 @@ import java.nio.charset.CodingErrorAction;
 import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
 import java.nio.charset.UnsupportedCharsetException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -22,8 +25,8 @@ import org.u2sa.interfaces.BadInputException;
  * functions give the text with one change, every other character where it was. Immutable.
  */
 public final class XmlText {
-  /** Largest file that is read: a world of a hundred thousand points is a tenth of it. */
-  static final int MAX_BYTES = 64 * 1024 * 1024;
+  /** Largest file that is read: a world of a hundred thousand points is a third of it. */
+  static final int MAX_BYTES = 16 * 1024 * 1024;
 
   private static final int DECLARATION_LENGTH = 200;
   private static final int SHORT = 40;
@@ -42,20 +45,30 @@ public final class XmlText {
 
   /**
    * The text of a file, decoded as its byte order mark or XML declaration says, else as UTF-8.
+   * Regular files only: a device or a pipe may have no end, or no beginning.
    *
    * @throws BadInputException if it is missing, unreadable, too large or wrongly encoded
    */
   public static XmlText read(Path file) {
     try {
-      if (Files.isDirectory(file)) {
-        throw new BadInputException(file + ": is a directory, expected an XML file");
+      BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
+      if (!attributes.isRegularFile()) {
+        throw new BadInputException(
+            file
+                + (attributes.isDirectory()
+                    ? ": is a directory, expected an XML file"
+                    : ": is a device or the like, expected a regular file"));
       }
-      if (Files.size(file) > MAX_BYTES) {
+      if (attributes.size() > MAX_BYTES) {
         throw tooLarge(file.toString());
       }
-      return of(Files.readAllBytes(file), file.toString());
+      try (InputStream in = Files.newInputStream(file)) {
+        return of(XmlReader.bytes(in), file.toString());
+      }
     } catch (NoSuchFileException e) {
       throw new BadInputException(file + ": there is no such file", e);
+    } catch (AccessDeniedException e) {
+      throw new BadInputException(file + ": may not be read by this user", e);
     } catch (IOException e) {
       throw new BadInputException(file + ": cannot be read: " + e, e);
     }

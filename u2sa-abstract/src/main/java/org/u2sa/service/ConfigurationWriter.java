@@ -1,0 +1,118 @@
+package org.u2sa.service;
+
+import java.util.ArrayDeque;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.WrittenChange;
+
+/**
+ * Checks and writes the changes that others ask for, one after the other, on a thread of its own
+ * that lives as long as there is something to write: the service's thread never waits for a disk.
+ * What is written waits here until the service takes it, between two messages.
+ *
+ * <p>The thread takes its turn on the run's clock as services do. So in a simulation the time
+ * stands still until a change is written, and a run repeats whatever the disk does.
+ */
+final class ConfigurationWriter {
+  private static final int CAPACITY = 32;
+
+  /**
+   * A change that is to be written.
+   *
+   * @param write waits for the disk; on the writer's thread
+   * @param answer what the service does with what came of it, on the service's thread
+   */
+  record Order(Supplier<WrittenChange> write, Answer answer) {}
+
+  /** Takes what came of a change. */
+  interface Answer {
+    void take(WrittenChange change);
+  }
+
+  private record Done(WrittenChange change, Answer answer) {}
+
+  private final LivingService service;
+  private final Queue<Order> orders = new ArrayDeque<>(); // guarded by this
+  private final Queue<Done> done = new ConcurrentLinkedQueue<>();
+  private Clock.Waiter turn; // of the writing thread; null if there is none; guarded by this
+  private boolean closed; // guarded by this
+
+  ConfigurationWriter(LivingService service) {
+    this.service = service;
+  }
+
+  /** Has the change written soon. Returns false if too many wait already. */
+  synchronized boolean order(Order order) {
+    if (closed || orders.size() >= CAPACITY) {
+      return false;
+    }
+    orders.add(order);
+    if (turn == null) {
+      Clock.Waiter waiter = service.clock().newWaiter(service.getName() + "-configuration");
+      turn = waiter;
+      Thread thread = new Thread(() -> writeAll(waiter), "u2sa-configuration-" + service.getName());
+      thread.setDaemon(true);
+      thread.start();
+    }
+    return true;
+  }
+
+  private void writeAll(Clock.Waiter waiter) {
+    try {
+      waiter.await(service.clock().micros()); // for its turn
+      for (Order order = next(waiter); order != null; order = next(waiter)) {
+        done.add(new Done(order.write().get(), order.answer()));
+        service.wake();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (RuntimeException | Error e) {
+      service.die(e); // what kills the thread of a service's own would kill the service
+    } finally {
+      end(waiter);
+    }
+  }
+
+  private synchronized Order next(Clock.Waiter waiter) {
+    Order next = closed ? null : orders.poll();
+    if (next == null) {
+      end(waiter);
+    }
+    return next;
+  }
+
+  private synchronized void end(Clock.Waiter waiter) {
+    if (turn == waiter) {
+      turn = null;
+      service.wake(); // a swap may wait for that
+    }
+    waiter.close();
+  }
+
+  /** Whether a change is being written, or waits for the service to take it. */
+  synchronized boolean isBusy() {
+    return turn != null || !done.isEmpty();
+  }
+
+  /** Whether something waits for {@link #handOver}. */
+  boolean hasWritten() {
+    return !done.isEmpty();
+  }
+
+  /** On the service's thread: hands the oldest change over that was written. */
+  void handOver() {
+    Done next = done.remove();
+    next.answer().take(next.change());
+  }
+
+  /** Begins nothing any more: the service ends. */
+  synchronized void close() {
+    closed = true;
+    orders.clear();
+    if (turn != null) {
+      turn.close();
+    }
+  }
+}

@@ -1,0 +1,51 @@
+package org.u2sa.interfaces.communication;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.EnumSet;
+import java.util.Set;
+import org.u2sa.interfaces.BadInputException;
+
+/** Files with a password in them: their owner's alone. */
+final class SecretFiles {
+  private static final Set<PosixFilePermission> OTHERS =
+      EnumSet.of(
+          PosixFilePermission.OTHERS_READ,
+          PosixFilePermission.OTHERS_WRITE,
+          PosixFilePermission.GROUP_READ,
+          PosixFilePermission.GROUP_WRITE);
+
+  private SecretFiles() {}
+
+  /**
+   * Refuses a file that others than its owner may read or write, or that is no file.
+   *
+   * @param variable that names it, for the message
+   * @throws BadInputException if it is so; if it is not there, reading it tells that
+   */
+  static void requireClosed(String variable, Path file) {
+    if (!Files.exists(file)) {
+      return;
+    }
+    if (!Files.isRegularFile(file)) {
+      throw new BadInputException(variable + " \"" + file + "\" is not a regular file");
+    }
+    if (!file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+      return; // another kind of permissions, which Java does not tell
+    }
+    try {
+      Set<PosixFilePermission> open = EnumSet.noneOf(PosixFilePermission.class);
+      open.addAll(Files.getPosixFilePermissions(file));
+      open.retainAll(OTHERS);
+      if (!open.isEmpty()) {
+        throw new BadInputException(
+            variable + " \"" + file + "\": others than its owner may use it; chmod 600 it");
+      }
+    } catch (IOException e) {
+      throw new BadInputException(
+          variable + " \"" + file + "\": its permissions cannot be read: " + e, e);
+    }
+  }
+}
