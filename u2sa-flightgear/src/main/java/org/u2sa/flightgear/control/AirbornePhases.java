@@ -15,16 +15,23 @@ final class AirbornePhases {
   private final EnergyLaw energy;
 
   private final WindEstimate wind;
+  private final TakeOffRotation rotation;
 
   private double holdAltitudeM;
   private double altitudeDemandM;
   private double speedDemandMps; // calibrated
 
-  AirbornePhases(Tuning tuning, GroundSteering steering, InnerLoops loops, WindEstimate wind) {
+  AirbornePhases(
+      Tuning tuning,
+      GroundSteering steering,
+      InnerLoops loops,
+      WindEstimate wind,
+      TakeOffRotation rotation) {
     this.tuning = tuning;
     this.steering = steering;
     this.loops = loops;
     this.wind = wind;
+    this.rotation = rotation;
     lateral = new LateralGuidance(tuning.shortestL1M());
     stall = new StallGuard(tuning.stall());
     energy = new EnergyLaw(tuning.energy());
@@ -55,7 +62,7 @@ final class AirbornePhases {
     // Near the ground the nose stays where it was raised to, whatever the airspeed asks for.
     double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
     double least =
-        climb.leastPitchRad() + low * Math.max(0.0, climb.rotatePitchRad() - climb.leastPitchRad());
+        climb.leastPitchRad() + low * Math.max(0.0, rotation.pitchRad() - climb.leastPitchRad());
     return surfaces(state, bank, climb.bankLimitRad(), true, least, dtS);
   }
 

@@ -21,6 +21,7 @@ final class Autopilot {
   private final AirbornePhases air;
   private final TouchDown touchDown;
   private final WindEstimate wind = new WindEstimate();
+  private final TakeOffRotation rotation;
   private final FinalApproach approach = new FinalApproach();
   private final LandingRefusal refusal;
 
@@ -34,8 +35,9 @@ final class Autopilot {
     sequence = new TakeOffSequence(tuning.takeOff());
     steering = new GroundSteering(tuning.ground());
     loops = new InnerLoops(tuning);
-    ground = new GroundPhases(tuning, sequence, steering, loops);
-    air = new AirbornePhases(tuning, steering, loops, wind);
+    rotation = new TakeOffRotation(tuning, wind);
+    ground = new GroundPhases(tuning, sequence, steering, loops, rotation);
+    air = new AirbornePhases(tuning, steering, loops, wind, rotation);
     touchDown = new TouchDown(tuning.touchDown(), tuning.flare(), steering, loops);
     refusal =
         new LandingRefusal(
@@ -68,7 +70,7 @@ final class Autopilot {
             target.isPresent(),
             isLanding(state, target),
             refusal.step(state, target, wind, approach),
-            tuning.takeOff().rotateMps() + tuning.gustShare() * wind.speedMps(),
+            rotation.speedMps(),
             loops.throttle());
     if (first || phase != before) {
       enter(state, before, first);

@@ -7,13 +7,20 @@ final class GroundPhases {
   private final GroundSteering steering;
   private final InnerLoops loops;
   private final StallGuard stall;
+  private final TakeOffRotation rotation;
 
-  GroundPhases(Tuning tuning, TakeOffSequence sequence, GroundSteering steering, InnerLoops loops) {
+  GroundPhases(
+      Tuning tuning,
+      TakeOffSequence sequence,
+      GroundSteering steering,
+      InnerLoops loops,
+      TakeOffRotation rotation) {
     this.tuning = tuning;
     this.sequence = sequence;
     this.steering = steering;
     this.loops = loops;
     stall = new StallGuard(tuning.stall());
+    this.rotation = rotation;
   }
 
   Surfaces runUp(FlightState state, boolean navigating, double dtS) {
@@ -40,7 +47,7 @@ final class GroundPhases {
     if (rotating) {
       Tuning.ClimbOut climb = tuning.climbOut();
       double step = climb.rotateRate() * dtS;
-      double pitch = Limit.approach(loops.pitchRad(), climb.rotatePitchRad(), step);
+      double pitch = Limit.approach(loops.pitchRad(), rotation.pitchRad(), step);
       loops.pitch(Math.min(pitch, stall.pitchLimitRad(state)));
       elevator = loops.elevator(state, dtS);
       level = loops.levelAileron(state, dtS);

@@ -34,6 +34,21 @@ class ManyFlightsTest {
     fly(seed, "--seed", String.valueOf(seed), "--mission", mission.toString());
   }
 
+  /**
+   * Strong wind from eight directions; altitude and bank may leave the bounds of the demo's own.
+   */
+  @ParameterizedTest(name = "12 m/s from {0} deg")
+  @ValueSource(ints = {0, 45, 90, 135, 180, 225, 270, 315})
+  void demo_strongWind_capturesAllWithoutAStall(int fromDeg) {
+    for (long seed : new long[] {11, 13}) {
+      Path out = directory.resolve("out" + seed);
+      CommandLineRun run =
+          CommandLineRun.demo(out, "--seed", String.valueOf(seed), "--wind", "12@" + fromDeg);
+
+      assertThat(run.exitCode()).as("seed %d: %s%s", seed, run.err(), Summary.in(out)).isZero();
+    }
+  }
+
   private void fly(long seed, String... options) {
     Path out = directory.resolve("out");
     CommandLineRun run = CommandLineRun.demo(out, options);
