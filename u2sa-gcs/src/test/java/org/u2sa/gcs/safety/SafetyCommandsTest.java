@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -16,7 +15,7 @@ import org.u2sa.gcs.remote.ForeignSystem;
 import picocli.CommandLine;
 
 /** The operator's commands on a system in a process of its own. */
-@Timeout(60)
+@Timeout(180)
 class SafetyCommandsTest {
   @TempDir private static Path directory;
   private static ForeignSystem foreign;
@@ -85,19 +84,18 @@ class SafetyCommandsTest {
 
   @Test
   void orders_toASystemThatIsNotThere_failAndNameTheNearest() {
-    assertThat(run(foreign.broker(), "baot", new EmergencyStopCommand(), "--timeout", "1"))
+    assertThat(run(foreign.broker(), "baot", new EmergencyStopCommand(), "--timeout", "10"))
         .isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .contains("baot: Emergency stop was sent, but NOT CONFIRMED")
         .contains("no service of system \"baot\" is heard")
         .contains("did you mean boat?");
-    for (Object order : List.of(new ArmVehicleCommand(), new DisarmVehicleCommand())) {
-      out.getBuffer().setLength(0);
-      assertThat(run(foreign.broker(), "baot", order, "--timeout", "1")).isEqualTo(ExitCode.FAILED);
-      assertThat(out.toString())
-          .contains("no Safety Manager answered")
-          .contains("did you mean boat?");
-    }
+    out.getBuffer().setLength(0);
+    assertThat(run(foreign.broker(), "baot", new ArmVehicleCommand(), "--timeout", "10"))
+        .isEqualTo(ExitCode.FAILED);
+    assertThat(out.toString())
+        .contains("no Safety Manager answered")
+        .contains("did you mean boat?");
   }
 
   @Test
@@ -105,7 +103,7 @@ class SafetyCommandsTest {
     try (ForeignSystem ship =
         ForeignSystem.start(
             other, "ship", ObedientMotor.class.getName(), DeafWinch.class.getName())) {
-      assertThat(run(ship.broker(), "ship", new EmergencyStopCommand(), "--timeout", "1"))
+      assertThat(run(ship.broker(), "ship", new EmergencyStopCommand(), "--timeout", "10"))
           .isEqualTo(ExitCode.FAILED);
       assertThat(out.toString())
           .contains("ship: Emergency stop was sent, but NOT CONFIRMED by all; confirmed by Motor")
@@ -121,7 +119,8 @@ class SafetyCommandsTest {
 
   @Test
   void operator_ofASystemThatIsNotThere_failsAndNamesTheNearest() {
-    assertThat(run(foreign.broker(), "baot", new OperatorCommand(), "--for", "1", "--timeout", "1"))
+    assertThat(
+            run(foreign.broker(), "baot", new OperatorCommand(), "--for", "1", "--timeout", "10"))
         .isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .contains("baot: no Safety Manager is heard")
