@@ -44,6 +44,9 @@ class ServiceCommandsTest {
   private int run(ForeignSystem system, String... args) {
     List<String> all = new ArrayList<>(List.of(args));
     all.addAll(List.of("--broker", system.broker()));
+    if (!all.contains("--timeout")) {
+      all.addAll(List.of("--timeout", "60")); // ends with the answers
+    }
     return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(String[]::new));
   }
 
@@ -171,7 +174,7 @@ class ServiceCommandsTest {
     Path own = Files.createDirectory(directory.resolve("mule"));
     try (ForeignSystem mule =
         ForeignSystem.start(own, "mule", ESTIMATOR, Stubborn.class.getName())) {
-      assertThat(run(mule, "stop", "--timeout", "2")).isEqualTo(ExitCode.FAILED);
+      assertThat(run(mule, "stop", "--timeout", "6")).isEqualTo(ExitCode.FAILED);
       assertThat(out.toString()).contains("StateEstimator: stopped", "Stubborn: NO WORD");
     }
   }
