@@ -15,9 +15,9 @@ import org.u2sa.messages.contract.FunctionalityRequest;
  * <p>On channels where the newest counts, a message replaces the waiting one of the same source and
  * takes its place in the queue, so a slow service sees fresh data and a flood costs no memory. A
  * full queue refuses the newest. Each is counted, as the former is no loss and the latter is. What
- * is urgent, an emergency stop, has a queue of its own, which comes first. Arming and failsafes wait
- * among the others, but the others cannot take their room. Questions that anybody may ask, which the
- * service contract answers, fill a quarter of the rest at most.
+ * is urgent, an emergency stop, has a queue of its own, which comes first. Arming and failsafes
+ * wait among the others, but the others cannot take their room. Questions that anybody may ask,
+ * which the service contract answers, fill a quarter of the rest at most.
  */
 final class ServiceInbox {
   /** One message and the channel that it came on. */
