@@ -8,7 +8,6 @@ import org.u2sa.interfaces.Range
 import org.u2sa.interfaces.Variable
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.messages.StateInformation
-import org.u2sa.messages.frame.Geodetic
 import org.u2sa.messages.frame.Point
 import org.u2sa.messages.frame.ReferenceFrame
 import org.u2sa.service.ProprioceptiveSensor
@@ -20,10 +19,12 @@ private const val MICROS_PER_YEAR = 365.2425 * 86_400.0e6
 private const val EPOCH_YEAR = 1970.0
 
 /**
- * What a phone knows of its vehicle by its own sensors, in one message: where it is by GPS, carried ahead by its velocity,
- * and how it lies. Out: sensed-state. Thesis 4.6.3: the phone's sensors, before a GPS and a compass joined the IOIO.
+ * What a phone knows of its vehicle by its own sensors, in two messages, each once and at the time at which it was measured:
+ * "… GPS" says where it is, "… attitude" how it lies and turns. Out: sensed-state. Thesis 4.6.3: the phone's sensors, before a
+ * GPS and a compass joined the IOIO.
  *
- * It publishes nothing while the fix is older than FIX TIMEOUT: a vehicle that does not know where it is must hear that.
+ * The attitude waits for the first fix: magnetic north becomes true north by the place. The State Estimator joins the two,
+ * and lets a fix drop out that has grown too old.
  */
 class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensors) :
     ProprioceptiveSensor(context, "PhoneSensor", STEPS_PER_S) {
@@ -31,14 +32,31 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private val fixTimeoutMicros = Clock.micros(getVariable(FIX_TIMEOUT))
     private val attitudeTimeoutMicros = Clock.micros(getVariable(ATTITUDE_TIMEOUT))
     private val headingSigmaRad = getVariable(HEADING_SIGMA)
+    private val gpsName = sensorName() + " GPS"
+    private val attitudeName = sensorName() + " attitude"
     private var said = ""
+    private var lastFix: GpsFix? = null // published
+    private var lastOrientation: Orientation? = null // published
 
     override fun step(nowS: Double) {
         val reading = sensors.read()
         val now = clock().micros()
         report(trouble(reading, now))
-        val fix = reading.fix?.takeIf { it.valid() && now - it.measuredAtMicros() <= fixTimeoutMicros } ?: return
-        publish(Channels.SENSED_STATE, state(fix, reading, now))
+        reading.fix
+            ?.takeIf { it.valid() && now - it.measuredAtMicros() <= fixTimeoutMicros }
+            ?.takeIf { it.measuredAtMicros() != lastFix?.measuredAtMicros() }
+            ?.let {
+                lastFix = it
+                publish(Channels.SENSED_STATE, place(it, reading))
+            }
+        val here = lastFix ?: return
+        reading.orientation
+            ?.takeIf { now - it.measuredAtMicros <= attitudeTimeoutMicros }
+            ?.takeIf { it.measuredAtMicros != lastOrientation?.measuredAtMicros }
+            ?.let {
+                lastOrientation = it
+                publish(Channels.SENSED_STATE, attitude(it, here, reading))
+            }
     }
 
     private fun trouble(reading: PhoneSensors.Reading, now: Long): String = when {
@@ -57,31 +75,32 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
         }
     }
 
-    private fun state(fix: GpsFix, reading: PhoneSensors.Reading, now: Long): StateInformation {
-        val state = StateInformation().sensorName(sensorName()).referenceFrame(ReferenceFrame.GLOBAL)
-        state.timestamp(now)
-        val place = place(fix, now)
-        state.x(place.longitudeDeg()).y(place.latitudeDeg())
+    private fun measured(name: String, atMicros: Long): StateInformation {
+        val state = StateInformation().sensorName(name).referenceFrame(ReferenceFrame.GLOBAL)
+        state.timestamp(atMicros)
+        return state
+    }
+
+    private fun place(fix: GpsFix, reading: PhoneSensors.Reading): StateInformation {
+        val state = measured(gpsName, fix.measuredAtMicros())
+        state.x(fix.longitudeDeg()).y(fix.latitudeDeg())
         fix.eastMps().ifPresent(state::xDot)
         fix.northMps().ifPresent(state::yDot)
         fix.upMps().ifPresent(state::zDot)
         fix.horizontalSigmaM().ifPresent { state.xSigma(it).ySigma(it) }
         altitude(fix, reading.pressure, state)
-        val orientation = reading.orientation
-        if (orientation != null && now - orientation.measuredAtMicros <= attitudeTimeoutMicros) {
-            val declinationRad = MagneticModel.declinationRad(place.latitudeDeg(), place.longitudeDeg(), 0.0, year(now))
-            attitude(orientation, declinationRad, state)
-            movement(orientation, reading, declinationRad, state)
-        }
         return state
     }
 
-    /** The fix, carried ahead by its own velocity. */
-    private fun place(fix: GpsFix, now: Long): Geodetic {
-        val ageS = Clock.seconds(now - fix.measuredAtMicros())
-        val measured = Geodetic(fix.longitudeDeg(), fix.latitudeDeg(), 0.0)
-        val ahead = Point.of(fix.eastMps().orElse(0.0) * ageS, fix.northMps().orElse(0.0) * ageS, 0.0)
-        return measured.fromEnu(ahead)
+    private fun attitude(orientation: Orientation, here: GpsFix, reading: PhoneSensors.Reading): StateInformation {
+        val at = orientation.measuredAtMicros
+        val declinationRad = MagneticModel.declinationRad(here.latitudeDeg(), here.longitudeDeg(), 0.0, year(at))
+        val state = measured(attitudeName, at)
+        val attitude = orientation.attitude(mounting)
+        state.phi(attitude.phi).theta(attitude.theta).psi((attitude.psi + declinationRad).mod(2.0 * Math.PI))
+        state.psiSigma(orientation.headingSigmaRad ?: headingSigmaRad)
+        movement(orientation, reading, declinationRad, state)
+        return state
     }
 
     private fun altitude(fix: GpsFix, pressure: PhoneSensors.Pressure?, state: StateInformation) {
@@ -91,12 +110,6 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
         } else if (pressure != null) {
             state.z(Barometer.altitudeM(pressure.pascals)).zSigma(Barometer.SIGMA_M)
         }
-    }
-
-    private fun attitude(orientation: Orientation, declinationRad: Double, state: StateInformation) {
-        val attitude = orientation.attitude(mounting)
-        state.phi(attitude.phi).theta(attitude.theta).psi((attitude.psi + declinationRad).mod(2.0 * Math.PI))
-        state.psiSigma(orientation.headingSigmaRad ?: headingSigmaRad)
     }
 
     private fun movement(
@@ -135,11 +148,11 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
         private val FIX_TIMEOUT: Variable<Double> = Variable.number("FIX TIMEOUT", "s")
             .range(Range.of(0.1, 60.0))
             .ifAbsent(2.5)
-            .describedAs("Age at which a GPS fix counts as lost.")
+            .describedAs("Age at which a GPS fix counts as lost: it is not published, and the log says so.")
         private val ATTITUDE_TIMEOUT: Variable<Double> = Variable.number("ATTITUDE TIMEOUT", "s")
             .range(Range.of(0.1, 60.0))
             .ifAbsent(0.5)
-            .describedAs("Age at which the phone's attitude counts as lost; the state then says no heading.")
+            .describedAs("Age at which the phone's attitude counts as lost: it is not published, and the log says so.")
         private val HEADING_SIGMA: Variable<Double> = Variable.number("HEADING SIGMA", "rad")
             .range(Range.positive())
             .ifAbsent(0.17)

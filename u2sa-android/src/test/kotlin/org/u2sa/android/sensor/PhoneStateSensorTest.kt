@@ -11,7 +11,6 @@ import org.u2sa.drivers.compass.MagneticModel
 import org.u2sa.drivers.gps.GpsFix
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.messages.StateInformation
-import org.u2sa.messages.frame.Geodetic
 import org.u2sa.messages.frame.Point
 import org.u2sa.testkit.ServiceKit
 
@@ -48,18 +47,45 @@ class PhoneStateSensorTest {
 
     private fun newest(): StateInformation = kit.latest(Channels.SENSED_STATE).orElseThrow()
 
+    private fun published(name: String) = kit.published(Channels.SENSED_STATE).filter { it.sensorName() == "PhoneSensor $name" }
+
     @Test
-    fun step_fixOfHalfASecondAgo_isCarriedAheadByItsVelocity() {
+    fun step_oneFixForManySteps_isPublishedOnceAtItsOwnTime() {
         start()
         reading = PhoneSensors.Reading(fix = fix(0.0))
-        kit.advance(0.5)
+        kit.advance(1.0)
 
-        val start = Geodetic(LONGITUDE, LATITUDE, 0.0)
-        val moved = start.enuOf(Geodetic(newest().x().asDouble, newest().y().asDouble, 0.0))
-        assertThat(moved.x()).isCloseTo(1.0, offset(1e-3))
-        assertThat(moved.y()).isCloseTo(-0.5, offset(1e-3))
-        assertThat(newest().xSigma()).hasValue(3.0)
-        assertThat(newest().timestamp()).hasValue(500_000)
+        val only = published("GPS").single()
+        assertThat(only.timestamp()).hasValue(0)
+        assertThat(only.x()).hasValue(LONGITUDE)
+        assertThat(only.y()).hasValue(LATITUDE)
+        assertThat(only.xDot()).hasValue(2.0)
+        assertThat(only.xSigma()).hasValue(3.0)
+
+        reading = PhoneSensors.Reading(fix = fix(1.0))
+        kit.advance(1.0)
+        assertThat(published("GPS").map { it.timestamp().asLong }).containsExactly(0L, 1_000_000L)
+    }
+
+    @Test
+    fun step_attitudesOfOneFix_eachIsPublishedOnceWithoutAPlace() {
+        start()
+        reading = PhoneSensors.Reading(fix = fix(0.0), orientation = heading(0.0, 90.0))
+        kit.advance(0.3)
+        reading = PhoneSensors.Reading(fix = fix(0.0), orientation = heading(0.3, 80.0))
+        kit.advance(0.3)
+
+        assertThat(published("GPS")).hasSize(1)
+        assertThat(published("attitude").map { it.timestamp().asLong }).containsExactly(0L, 300_000L)
+        assertThat(published("attitude")).allSatisfy { assertThat(it.x()).isEmpty() }
+    }
+
+    @Test
+    fun step_attitudeBeforeTheFirstFix_waitsForIt() {
+        start()
+        reading = PhoneSensors.Reading(orientation = heading(0.0, 90.0))
+        kit.advance(0.2)
+        assertThat(kit.published(Channels.SENSED_STATE)).isEmpty()
     }
 
     @Test
@@ -118,27 +144,28 @@ class PhoneStateSensorTest {
     fun step_fixTooOldOrNotValid_saysNothing() {
         start()
         reading = PhoneSensors.Reading(fix = fix(0.0, valid = false))
+        kit.advance(3.0)
+        reading = PhoneSensors.Reading(fix = fix(0.1))
         kit.advance(0.5)
         assertThat(kit.published(Channels.SENSED_STATE)).isEmpty()
 
-        reading = PhoneSensors.Reading(fix = fix(0.5))
-        kit.advance(2.5)
-        val before = kit.published(Channels.SENSED_STATE).size
-        assertThat(before).isPositive()
-        kit.advance(2.0)
-        assertThat(kit.published(Channels.SENSED_STATE)).hasSize(before)
+        reading = PhoneSensors.Reading(fix = fix(1.5))
+        kit.advance(0.5)
+        assertThat(published("GPS")).hasSize(1)
     }
 
     @Test
-    fun step_attitudeTooOld_saysWhereButNotWhereTo() {
+    fun step_attitudeTooOld_isNotPublished() {
         start()
-        reading = PhoneSensors.Reading(fix = fix(0.0), orientation = heading(0.0, 90.0))
-        kit.advance(0.4)
-        assertThat(newest().psi()).isPresent()
+        reading = PhoneSensors.Reading(fix = fix(0.0))
+        kit.advance(1.0)
+        reading = PhoneSensors.Reading(fix = fix(0.0), orientation = heading(0.4, 90.0))
+        kit.advance(0.5)
+        assertThat(published("attitude")).isEmpty()
 
-        kit.advance(0.6)
-        assertThat(newest().psi()).isEmpty()
-        assertThat(newest().x()).isPresent()
+        reading = PhoneSensors.Reading(fix = fix(0.0), orientation = heading(1.4, 90.0))
+        kit.advance(0.2)
+        assertThat(published("attitude")).hasSize(1)
     }
 
     @Test
