@@ -79,7 +79,7 @@ final class UgvObserver extends PeriodicService implements RunObserver {
       return false;
     }
     lastS = truth.timeS();
-    unarmed.see(truth);
+    unarmed.see(truth, world.motors(), world.rise(truth));
     if (UnarmedMotion.moves(truth)) {
       movedS = truth.timeS();
     }

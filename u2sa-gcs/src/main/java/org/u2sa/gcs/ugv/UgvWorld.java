@@ -101,6 +101,13 @@ final class UgvWorld {
     return vehicle.command();
   }
 
+  /** How steep the ground is there: rise over run [1]. */
+  double rise(GroundState truth) {
+    return Math.hypot(
+        terrain.riseEast(truth.eastM(), truth.northM()),
+        terrain.riseNorth(truth.eastM(), truth.northM()));
+  }
+
   /** Where on the earth that is. */
   Geodetic place(GroundState truth) {
     return plane.at(truth.eastM(), truth.northM(), terrain.heightM(truth.eastM(), truth.northM()));

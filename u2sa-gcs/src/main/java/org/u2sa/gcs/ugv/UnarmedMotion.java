@@ -4,16 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
 
 /**
  * Whether a vehicle moves that is not armed: after an emergency stop, or before anybody armed it.
- * It has a moment to come to rest. Belongs to one thread.
+ * It has a moment to come to rest. A vehicle without brakes that rolls down a slope while its
+ * motors are neutral or off is not moved by anybody. Belongs to one thread.
  */
 final class UnarmedMotion {
   private static final double SLOWEST_MPS = 0.02;
   private static final double SLOWEST_RADPS = 0.05;
   private static final double AT_REST_WITHIN_S = 2.0;
+  private static final double LEVEL =
+      0.03; // rise over run; less than what rolling resistance holds
 
   private final List<String> violations = new ArrayList<>();
   private boolean armed;
@@ -34,9 +38,15 @@ final class UnarmedMotion {
     armed = state.armed();
   }
 
-  /** Takes note of the truth. */
-  void see(GroundState truth) {
-    boolean mayMove = armed || truth.timeS() - disarmedS < AT_REST_WITHIN_S;
+  /**
+   * Takes note of the truth.
+   *
+   * @param motors what reaches the motors
+   * @param rise of the ground where the vehicle is, over run
+   */
+  void see(GroundState truth, DriveCommand motors, double rise) {
+    boolean rolls = rise > LEVEL && rests(motors.first()) && rests(motors.second());
+    boolean mayMove = armed || rolls || truth.timeS() - disarmedS < AT_REST_WITHIN_S;
     if (!mayMove && moves(truth) && !said) {
       said = true;
       violations.add(
@@ -46,6 +56,10 @@ final class UnarmedMotion {
               truth.timeS(),
               truth.speedMps()));
     }
+  }
+
+  private static boolean rests(double motor) {
+    return motor == 0.0 || Double.isNaN(motor);
   }
 
   /** Each such motion, in words. */
