@@ -28,8 +28,12 @@ public final class TopicTarget {
     Agreement.require(Topic.parse(topic.toString()).equals(topic), "read again", topic, text);
     try {
       filtered(topic, TYPES.nearest(topic.typeChain()));
-    } catch (MalformedMessageException longChain) {
-      Agreement.require(topic.typeChain().size() > 1, "chain", topic, "one too long");
+    } catch (MalformedMessageException refusedChain) {
+      Agreement.require(
+          TYPES.all().stream().noneMatch(type -> type.chain().equals(topic.typeChain())),
+          "chain",
+          topic,
+          "one that is too long, or not the ancestry of the type that it ends with");
     } catch (IllegalArgumentException notAChannel) {
       Agreement.require(
           !topic.channel().matches("[a-z][a-z0-9]*(-[a-z0-9]+)*"), "channel", topic, notAChannel);
