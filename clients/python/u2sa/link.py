@@ -79,7 +79,8 @@ class Link:
         self._answered = threading.Event()
         self._refusal: Optional[str] = None
         self._closing = False
-        self._client = self._made(f"{system_id}/{service}/{self.instance}")
+        # Not the instance, which is published: where any user may take any ID, a reader would throw the service out.
+        self._client = self._made(f"{system_id}/{service}/{uuid.uuid4()}")
         will = Message("ConnectionLost", systemId=system_id, serviceName=service, status="FAILED",
                        lastError="connection lost", instance=self.instance)
         self._client.will_set(str(Topic(system_id, "health", will.chain)), encode(will), qos=1, retain=False)
