@@ -109,13 +109,12 @@ class LocalAccountTest {
       FutureTask<String> heard = new FutureTask<>(() -> firstPacket(impostor));
       new Thread(heard).start();
       MqttTransport transport =
-          new MqttTransport("127.0.0.2", broker.port, "cessna", new MessageCodec(MessageTypes.standard()))
+          new MqttTransport(
+                  "127.0.0.2", broker.port, "cessna", new MessageCodec(MessageTypes.standard()))
               .waiting(0.1);
       assertThatThrownBy(() -> transport.connect("Own", inbox))
           .isInstanceOf(CommunicationException.class);
-      assertThat(heard.get())
-          .contains("MQTT")
-          .doesNotContain(Files.readString(token).trim());
+      assertThat(heard.get()).contains("MQTT").doesNotContain(Files.readString(token).trim());
     }
   }
 
