@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import re
 import ssl
 import threading
 import uuid
@@ -38,13 +39,21 @@ class Broker:
     key_file: Optional[str] = None
 
 
-def local_token(host: str, port: int) -> Tuple[Optional[str], Optional[str]]:
-    """As whom this account's programs come to a broker that the account started on this host; nobody if there is none."""
-    if host != "localhost" and not host.startswith("127.") and host not in ("::1", "[::1]"):
-        return None, None
+def loopback(host: str) -> Optional[str]:
+    """The loopback address that is meant; None for any other host, and for names of one."""
+    if host.lower() == "localhost":
+        return "127.0.0.1"
+    if host in ("::1", "[::1]"):
+        return "::1"
+    return host if re.fullmatch(r"127(\.[0-9]{1,3}){3}", host) else None
+
+
+def local_token(address: str, port: int) -> Tuple[Optional[str], Optional[str]]:
+    """As whom this account's programs come to a broker that the account started at this loopback address; nobody if there is none."""
     runtime = os.environ.get("XDG_RUNTIME_DIR", "")
     folder = pathlib.Path(runtime, "u2sa") if runtime and os.path.isdir(runtime) else pathlib.Path.home() / ".u2sa" / "run"
-    file = folder / f"broker-{port}.token"
+    suffix = "" if address == "127.0.0.1" else "-" + re.sub("[^0-9A-Za-z.-]", "_", address)
+    file = folder / f"broker-{port}{suffix}.token"
     try:
         if not file.is_file() or file.stat().st_mode & 0o077:
             return None, None
@@ -69,6 +78,7 @@ class Link:
                  received: Callable[[str, bytes, bool], None], trouble: Callable[[str], None]) -> None:
         self.instance = str(uuid.uuid4())
         self._broker = broker
+        self._host = broker.host
         self._system_id = system_id
         self._received = received
         self._trouble = trouble
@@ -79,7 +89,8 @@ class Link:
         self._answered = threading.Event()
         self._refusal: Optional[str] = None
         self._closing = False
-        self._client = self._made(f"{system_id}/{service}/{self.instance}")
+        # Not the instance, which is published: where any user may take any ID, a reader would throw the service out.
+        self._client = self._made(f"{system_id}/{service}/{uuid.uuid4()}")
         will = Message("ConnectionLost", systemId=system_id, serviceName=service, status="FAILED",
                        lastError="connection lost", instance=self.instance)
         self._client.will_set(str(Topic(system_id, "health", will.chain)), encode(will), qos=1, retain=False)
@@ -90,8 +101,11 @@ class Link:
         client: Any = mqtt.Client(client_id=client_id, clean_session=True, protocol=mqtt.MQTTv311, **first)
         broker = self._broker
         user, password = broker.user, broker.password
-        if user is None and broker.ca_file is None:
-            user, password = local_token(broker.host, broker.port)
+        local = loopback(broker.host)
+        if user is None and broker.ca_file is None and local is not None:
+            user, password = local_token(local, broker.port)
+            if user is not None:
+                self._host = local  # at another address of the same name any account of this host may listen
         if user is not None:
             client.username_pw_set(user, password)
         if broker.ca_file is not None:
@@ -108,7 +122,7 @@ class Link:
         """Connects. :raises CannotConnect: if that fails; later losses are repaired without a word to the caller"""
         address = f"{self._broker.host}:{self._broker.port}"
         try:
-            self._client.connect(self._broker.host, self._broker.port, _KEEP_ALIVE_S)
+            self._client.connect(self._host, self._broker.port, _KEEP_ALIVE_S)
         except (OSError, ValueError) as e:
             raise CannotConnect(f"no Communication Manager at {address}: {e}") from e
         self._client.loop_start()

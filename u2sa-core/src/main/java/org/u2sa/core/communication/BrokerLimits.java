@@ -109,6 +109,10 @@ record BrokerLimits(
   static final long INTRODUCTION_WITHIN_MS = 10_000;
 
   static final int FILTERS_PER_CLIENT = 256;
+
+  /** Of all connections of one user: each is compared with each new topic. */
+  static final int FILTERS_PER_USER = 2_048;
+
   static final int LONGEST_TOPIC = 1_024;
   static final int DEEPEST_TOPIC = 32;
   static final int LONGEST_CLIENT_ID = 512;

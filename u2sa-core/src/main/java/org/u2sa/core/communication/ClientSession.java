@@ -268,6 +268,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       return;
     }
     user = verdict.user().get();
+    door.strangers().proven(this);
     admit(ctx, said);
     ctx.fireChannelReadComplete();
   }

@@ -40,7 +40,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final Authenticator desk; // null likewise
   private final byte[] pass = newPass();
   private final Backlog backlog = new Backlog();
-  private final PendingConnections strangers = new PendingConnections();
+  private final PendingConnections<ClientSession> strangers = new PendingConnections<>();
   private final AtomicInteger open = new AtomicInteger();
   private final AtomicLong unsent = new AtomicLong();
   private final Map<String, ClientSession> clients = new ConcurrentHashMap<>();
@@ -265,7 +265,7 @@ final class ConnectionFilter implements AutoCloseable {
     return backlog;
   }
 
-  PendingConnections strangers() {
+  PendingConnections<ClientSession> strangers() {
     return strangers;
   }
 

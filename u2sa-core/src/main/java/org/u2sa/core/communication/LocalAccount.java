@@ -51,7 +51,7 @@ final class LocalAccount implements AutoCloseable {
    * @param log is told if it cannot be written, and what follows
    */
   static LocalAccount at(String bindAddress, int port, Consumer<String> log) {
-    LocalAccount account = new LocalAccount(LocalToken.file(port), random(), log);
+    LocalAccount account = new LocalAccount(LocalToken.file(bindAddress, port), random(), log);
     if (isFree(new InetSocketAddress(bindAddress, port))) {
       account.publish();
     }

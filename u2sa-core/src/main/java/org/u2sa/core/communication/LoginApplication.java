@@ -1,14 +1,10 @@
 package org.u2sa.core.communication;
 
-import java.net.Inet6Address;
 import java.net.InetAddress;
-import java.util.Arrays;
 import java.util.function.Consumer;
 
 /** Somebody's wish to be let in under a name. Compared by identity: each is a wish of its own. */
 final class LoginApplication {
-  private static final int NETWORK_BYTES = 8; // of IPv6: whoever has one address has 2⁶⁴
-
   private final String name;
   private final byte[] password;
   private final String from;
@@ -18,10 +14,7 @@ final class LoginApplication {
       String name, byte[] password, InetAddress from, Consumer<Authenticator.Verdict> answer) {
     this.name = name;
     this.password = password;
-    this.from =
-        from instanceof Inet6Address
-            ? Arrays.toString(Arrays.copyOf(from.getAddress(), NETWORK_BYTES))
-            : from.getHostAddress();
+    this.from = SourceNetwork.of(from);
     this.answer = answer;
   }
 

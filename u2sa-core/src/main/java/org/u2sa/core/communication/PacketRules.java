@@ -24,7 +24,8 @@ import org.u2sa.messages.contract.EmergencyStop;
 final class PacketRules {
   private final ConnectionFilter door;
   private final User user; // null: everything within the limits
-  private final String owner;
+  private final String owner; // of what it has retained
+  private final String name; // whose filters are counted together
   private final String connection;
   private final TopicJudge judge;
   private final Allowance orders;
@@ -35,6 +36,7 @@ final class PacketRules {
     this.door = door;
     this.user = user;
     owner = user == null ? "client " + clientId : "user " + user.name();
+    name = user == null ? ConnectionFilter.ANONYMOUS : user.name();
     judge = new TopicJudge(door.codec().types(), user);
     orders = new Allowance(door.limits().ordersPerS(), door.nowMicros());
   }
@@ -184,10 +186,14 @@ final class PacketRules {
       if (filters.size() >= BrokerLimits.FILTERS_PER_CLIENT && !filters.contains(filter)) {
         return Optional.of("it has too many filters");
       }
+      if (!filters.contains(filter)
+          && door.subscriptions().ofUser(name) >= BrokerLimits.FILTERS_PER_USER) {
+        return Optional.of("its user has too many filters");
+      }
       filters.add(filter);
     }
     for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
-      door.subscriptions().add(connection, wanted.topicFilter());
+      door.subscriptions().add(connection, name, wanted.topicFilter());
     }
     return Optional.empty();
   }

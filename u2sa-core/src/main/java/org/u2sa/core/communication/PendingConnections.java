@@ -9,35 +9,61 @@ import java.util.Map;
 
 /**
  * Connections that have not said yet who they are. They are few: a new one puts out the one that
- * has waited longest of the address with most of them, so that a flood from some addresses puts out
- * its own. Who means well needs milliseconds. Safe for several threads.
+ * has waited longest of the network with most of them, first of those from which nobody has come
+ * in, so that a flood puts out its own, be it from many addresses. Who means well needs
+ * milliseconds. Safe for several threads.
+ *
+ * @param <C> a connection
  */
-final class PendingConnections {
-  private final Map<ClientSession, InetAddress> waiting = new LinkedHashMap<>(); // oldest first
+final class PendingConnections<C> {
+  private static final int NETWORKS_REMEMBERED = 1_024;
+
+  private final Map<C, String> waiting = new LinkedHashMap<>(); // oldest first
+  private final Map<String, Boolean> known = // as a set, the least lately seen first
+      new LinkedHashMap<>(16, 0.75f, true) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
+          return size() > NETWORKS_REMEMBERED;
+        }
+      };
 
   /** Adds one, and returns those to put out for it. */
-  synchronized List<ClientSession> add(ClientSession gate, InetAddress from) {
-    Map<InetAddress, List<ClientSession>> byAddress = new LinkedHashMap<>(); // oldest first
+  synchronized List<C> add(C connection, InetAddress from) {
+    String network = SourceNetwork.of(from);
+    Map<String, List<C>> byNetwork = new LinkedHashMap<>(); // oldest first
     waiting.forEach(
-        (other, address) ->
-            byAddress.computeIfAbsent(address, key -> new ArrayList<>()).add(other));
-    List<ClientSession> same = byAddress.getOrDefault(from, List.of());
-    List<ClientSession> out = new ArrayList<>();
+        (other, its) -> byNetwork.computeIfAbsent(its, key -> new ArrayList<>()).add(other));
+    List<C> same = byNetwork.getOrDefault(network, List.of());
+    List<C> out = new ArrayList<>();
     if (same.size() >= BrokerLimits.STRANGERS_PER_ADDRESS) {
       out.add(same.get(0));
     } else if (waiting.size() >= BrokerLimits.STRANGERS) {
       out.add(
-          byAddress.values().stream()
-              .max(Comparator.comparingInt(List::size)) // of equal ones the oldest
+          byNetwork.entrySet().stream()
+              .max( // of equal ones the oldest
+                  Comparator.<Map.Entry<String, List<C>>>comparingInt(
+                          entry -> known.containsKey(entry.getKey()) ? 0 : 1)
+                      .thenComparingInt(entry -> entry.getValue().size()))
               .orElseThrow()
+              .getValue()
               .get(0));
     }
     out.forEach(waiting::remove);
-    waiting.put(gate, from);
+    waiting.put(connection, network);
     return out;
   }
 
-  synchronized void remove(ClientSession gate) {
-    waiting.remove(gate);
+  /** One whose password was right: others of its network are put out last from now on. */
+  synchronized void proven(C connection) {
+    String network = waiting.remove(connection);
+    if (network != null) {
+      known.put(network, true);
+    }
+  }
+
+  synchronized void remove(C connection) {
+    waiting.remove(connection);
   }
 }

@@ -4,20 +4,29 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Map;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalToken;
+import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.contract.StopCommand;
 
 /** Who of a shared machine may command a vehicle that has no users. */
@@ -31,7 +40,7 @@ class LocalAccountTest {
   @BeforeEach
   void start() {
     broker = new TestManager(Map.of("LOCAL COMMANDS", "account"));
-    token = LocalToken.file(broker.port);
+    token = LocalToken.file("127.0.0.1", broker.port);
     broker.local("Local", inbox).subscribe(Channels.STOP);
   }
 
@@ -90,6 +99,31 @@ class LocalAccountTest {
         .isInstanceOf(CommunicationException.class);
 
     assertThat(Files.readString(token)).isEqualTo(first);
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX) // where all of 127.0.0.0/8 is there without being configured
+  void token_toAnotherLoopbackAddressWhereAnyAccountMayListen_isNotTold() throws Exception {
+    try (ServerSocket impostor = new ServerSocket()) {
+      impostor.bind(new InetSocketAddress("127.0.0.2", broker.port));
+      FutureTask<String> heard = new FutureTask<>(() -> firstPacket(impostor));
+      new Thread(heard).start();
+      MqttTransport transport =
+          new MqttTransport(
+                  "127.0.0.2", broker.port, "cessna", new MessageCodec(MessageTypes.standard()))
+              .waiting(0.1);
+      assertThatThrownBy(() -> transport.connect("Own", inbox))
+          .isInstanceOf(CommunicationException.class);
+      assertThat(heard.get()).contains("MQTT").doesNotContain(Files.readString(token).trim());
+    }
+  }
+
+  private static String firstPacket(ServerSocket impostor) throws IOException {
+    try (Socket victim = impostor.accept()) {
+      byte[] packet = new byte[1_024];
+      int length = victim.getInputStream().read(packet);
+      return new String(packet, 0, length, StandardCharsets.ISO_8859_1);
+    }
   }
 
   @Test

@@ -59,6 +59,19 @@ class OutsideBrokerTest {
     return service;
   }
 
+  @Test
+  void connected_clientId_cannotBeToldFromWhatIsPublished() throws IOException {
+    Connection service = service();
+    assertThat(service.publish(Channels.GOALS, frozen(new GoalList()))).isTrue();
+    soon().until(() -> !inbox.messages.isEmpty());
+
+    String clientId = server.listConnectedClients().iterator().next().getClientID();
+    String sender = inbox.messages.get(0).origin().orElseThrow().sender();
+    assertThat(clientId).startsWith("cessna/Service/").doesNotContain(sender);
+    assertThat(clientId).doesNotContain(service.instance());
+    service.close();
+  }
+
   private void awaitGoals(RawClient sender) throws IOException {
     GoalList last = frozen(new GoalList());
     sender.publish("u2sa/cessna/goals/GoalList", last.serialize(), 1);

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
@@ -19,21 +20,28 @@ public final class LocalToken {
   public static final String USER = "local";
 
   private static final int MOST_BYTES = 256;
+  private static final String USUAL = "127.0.0.1";
+  private static final Pattern IPV4 = Pattern.compile("127(\\.[0-9]{1,3}){3}");
 
   private LocalToken() {}
 
   /**
    * The file of a broker's token: in {@code $XDG_RUNTIME_DIR/u2sa}, or else in {@code ~/.u2sa/run}.
+   * Each loopback address has its own: where the broker does not listen, any account may, and would
+   * be told the token.
    *
+   * @param address at which the broker listens
    * @param port at which the broker listens
    */
-  public static Path file(int port) {
+  public static Path file(String address, int port) {
     String runtime = System.getenv("XDG_RUNTIME_DIR");
     Path folder =
         runtime != null && !runtime.isEmpty() && Files.isDirectory(Paths.get(runtime))
             ? Paths.get(runtime, "u2sa")
             : Paths.get(System.getProperty("user.home", ""), ".u2sa", "run");
-    return folder.resolve("broker-" + port + ".token");
+    String other = loopback(address).orElse(address);
+    String suffix = other.equals(USUAL) ? "" : "-" + other.replaceAll("[^0-9A-Za-z.-]", "_");
+    return folder.resolve("broker-" + port + suffix + ".token");
   }
 
   /**
@@ -41,8 +49,8 @@ public final class LocalToken {
    * that others could read or have put there is not used.
    */
   static Optional<char[]> read(String host, int port) {
-    Path file = file(port);
-    if (!isLoopback(host) || !Files.isRegularFile(file)) {
+    Path file = file(host, port);
+    if (loopback(host).isEmpty() || !Files.isRegularFile(file)) {
       return Optional.empty();
     }
     try {
@@ -57,10 +65,14 @@ public final class LocalToken {
     }
   }
 
-  private static boolean isLoopback(String host) {
-    return host.equalsIgnoreCase("localhost")
-        || host.startsWith("127.")
-        || host.equals("::1")
-        || host.equals("[::1]");
+  /** The loopback address that is meant; empty for any other host, and for names of one. */
+  private static Optional<String> loopback(String host) {
+    if (host.equalsIgnoreCase("localhost")) {
+      return Optional.of(USUAL);
+    }
+    if (host.equals("::1") || host.equals("[::1]")) {
+      return Optional.of("::1");
+    }
+    return IPV4.matcher(host).matches() ? Optional.of(host) : Optional.empty();
   }
 }

@@ -2,6 +2,7 @@ package org.u2sa.interfaces.communication;
 
 import java.util.Random;
 import java.util.Set;
+import java.util.UUID;
 import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
@@ -46,7 +47,9 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     subscriptions = new MqttSubscriptions(address, systemId, receiver::trouble);
     // Brokers drop the older of two clients with one ID. So a restarted service must not take its
     // predecessor's, while a connection that comes back takes its own from the broken session.
-    link = new MqttLink(address, systemId + "/" + serviceName + "/" + instance, this);
+    // Nor may it be guessed from what is published, as the instance is: a broker that lets any user
+    // take any ID, such as Mosquitto, would let a reader throw the service out.
+    link = new MqttLink(address, systemId + "/" + serviceName + "/" + UUID.randomUUID(), this);
   }
 
   /**

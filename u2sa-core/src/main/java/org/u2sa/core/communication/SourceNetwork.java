@@ -1,0 +1,18 @@
+package org.u2sa.core.communication;
+
+import java.net.Inet6Address;
+import java.net.InetAddress;
+import java.util.Arrays;
+
+/** Whom an address is counted as: itself, or for IPv6 its /64, of which one host has all. */
+final class SourceNetwork {
+  private static final int NETWORK_BYTES = 8;
+
+  private SourceNetwork() {}
+
+  static String of(InetAddress address) {
+    return address instanceof Inet6Address
+        ? Arrays.toString(Arrays.copyOf(address.getAddress(), NETWORK_BYTES))
+        : address.getHostAddress();
+  }
+}

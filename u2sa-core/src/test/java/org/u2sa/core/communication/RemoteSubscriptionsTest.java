@@ -1,0 +1,76 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.moquette.broker.subscriptions.Topic;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+
+/** What is wanted, and what it costs the services to know that. */
+class RemoteSubscriptionsTest {
+  private static final String TOPIC = "u2sa/cessna/state/StateInformation";
+
+  private final AtomicInteger compared = new AtomicInteger();
+  private final RemoteSubscriptions subscriptions =
+      new RemoteSubscriptions(
+          (topic, filter) -> {
+            compared.incrementAndGet();
+            return topic.match(filter);
+          });
+
+  @Test
+  void wants_asLongAsAnyConnectionListens() {
+    assertThat(subscriptions.wants(TOPIC)).isFalse();
+    subscriptions.add("1", "screen", "u2sa/cessna/state/#");
+    subscriptions.add("1", "screen", "u2sa/cessna/state/#");
+    subscriptions.add("2", "screen", "u2sa/cessna/state/#");
+    assertThat(subscriptions.wants(TOPIC)).isTrue();
+    subscriptions.remove("1");
+    assertThat(subscriptions.wants(TOPIC)).isTrue();
+    subscriptions.add("3", "screen", "u2sa/+/state/+");
+    subscriptions.remove("2", "u2sa/cessna/state/#");
+    assertThat(subscriptions.wants(TOPIC)).isTrue();
+    subscriptions.remove("3");
+    assertThat(subscriptions.wants(TOPIC)).isFalse();
+    assertThat(subscriptions.wants(TOPIC + "/AircraftState")).isFalse();
+  }
+
+  @Test
+  void wants_afterEachOfManyChanges_comparesNothingOnTheServicesThread() {
+    for (int i = 0; i < 5_000; i++) {
+      subscriptions.add("connection " + i / 200, "screen", "u2sa/cessna/state/Type" + i);
+    }
+    assertThat(subscriptions.wants(TOPIC)).isFalse();
+    int version = subscriptions.version();
+    int before = compared.get();
+    for (int i = 0; i < 100; i++) {
+      subscriptions.add("churn", "screen", "u2sa/cessna/goals/#");
+      int onTheClientsThread = compared.get();
+      assertThat(subscriptions.wants(TOPIC)).isFalse();
+      assertThat(compared.get()).isEqualTo(onTheClientsThread);
+      subscriptions.remove("churn", "u2sa/cessna/goals/#");
+    }
+    assertThat(subscriptions.version()).isGreaterThan(version);
+    assertThat(compared.get() - before).isEqualTo(2 * 100); // a topic, a change
+  }
+
+  @Test
+  void ofUser_countsAllConnections() {
+    subscriptions.add("1", "screen", "a/#");
+    subscriptions.add("2", "screen", "a/#");
+    subscriptions.add("3", "pilot", "b/#");
+    assertThat(subscriptions.ofUser("screen")).isEqualTo(2);
+    subscriptions.remove("2");
+    assertThat(subscriptions.ofUser("screen")).isEqualTo(1);
+    subscriptions.remove("1", "a/#");
+    subscriptions.remove("1", "a/#");
+    assertThat(subscriptions.ofUser("screen")).isZero();
+  }
+
+  @Test
+  void add_whatIsNoFilter_isLeftOut() {
+    subscriptions.add("1", "screen", "a/#/b");
+    assertThat(subscriptions.ofUser("screen")).isZero();
+    assertThat(new Topic("a/#/b").isValid()).isFalse();
+  }
+}
