@@ -80,7 +80,9 @@ class SwapOverMqttTest {
   void swap_overMqtt_eachMessageIsHandledOnce() throws Exception {
     int port = FreePort.find();
     XmlConfiguration manager =
-        XmlConfiguration.inMemory("test", Map.of("COMMUNICATION MANAGER PORT", port));
+        XmlConfiguration.inMemory(
+            "test",
+            Map.of("COMMUNICATION MANAGER PORT", port, "CLIENT ORDERS PER SECOND", 100_000));
     MqttTransport transport =
         new MqttTransport("127.0.0.1", port, "stress", new MessageCodec(MessageTypes.standard()));
     try (CommunicationManager communication =
