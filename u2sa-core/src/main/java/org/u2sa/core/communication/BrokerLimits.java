@@ -63,7 +63,7 @@ record BrokerLimits(
           .range(Range.of(1, 1_000_000))
           .ifAbsent(50)
           .describedAs(
-              "Changes of configuration, services and goals a second that the embedded broker takes from one client; more are refused.");
+              "Changes of configuration, services and goals a second that the embedded broker takes from one client; more are refused. One of more than 4 KiB counts as several.");
 
   static final Variable<Integer> RETAINED_TOPICS =
       Variable.integer("RETAINED TOPICS AT MOST")

@@ -22,6 +22,8 @@ import org.u2sa.messages.contract.EmergencyStop;
 
 /** What one client's packets may do. Belongs to its connection's thread. */
 final class PacketRules {
+  private static final double BYTES_OF_AN_ORDER = 4_096.0;
+
   private final ConnectionFilter door;
   private final User user; // null: everything within the limits
   private final String owner; // of what it has retained
@@ -56,10 +58,20 @@ final class PacketRules {
     if (verdict.refusal() != null) {
       return Optional.of(verdict.refusal());
     }
-    if (publish.content().readableBytes() > BrokerLimits.LONGEST_PAYLOAD) {
+    int bytes = publish.content().readableBytes();
+    if (bytes > BrokerLimits.LONGEST_PAYLOAD) {
       return Optional.of("its payload is too long");
     }
-    if (verdict.is(AccessRule.Kind.ORDER) && !mayOrder()) {
+    if (verdict.rule() != null && bytes > verdict.rule().longestPayload()) {
+      return Optional.of(
+          "its payload of "
+              + bytes
+              + " bytes is longer than the "
+              + verdict.rule().longestPayload()
+              + " of "
+              + verdict.rule().type().name());
+    }
+    if (verdict.is(AccessRule.Kind.ORDER) && !mayOrder(bytes)) {
       return Optional.of("too many orders of one client");
     }
     boolean retained = publish.fixedHeader().isRetain();
@@ -78,10 +90,11 @@ final class PacketRules {
     return refusal;
   }
 
-  private boolean mayOrder() {
+  /** A long order counts as several. */
+  private boolean mayOrder(int bytes) {
     boolean open = orders.isOpen(door.nowMicros());
     if (open) {
-      orders.take(1.0);
+      orders.take(1.0 + bytes / BYTES_OF_AN_ORDER);
     }
     return open;
   }

@@ -2,6 +2,7 @@ package org.u2sa.core.security;
 
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.MessageType;
 
 /**
@@ -28,6 +29,10 @@ public record AccessRule(
     URGENT
   }
 
+  private static final int LONGEST_QUESTION = 4 * 1_024; // names a service or none
+  private static final int LONGEST_URGENT = 16 * 1_024;
+  private static final int LONGEST_CHANGE = 64 * 1_024; // 256 variables, the most of one change
+
   public AccessRule {
     roles = Set.copyOf(roles);
   }
@@ -39,6 +44,23 @@ public record AccessRule(
   /** Whether a broker keeps the last one for late subscribers. */
   public boolean retained() {
     return channel.isRetained();
+  }
+
+  /**
+   * The longest payload [bytes]. Every service reads questions and changes of configuration, its
+   * own or not, between the states and commands that it lives on: long ones would hold them up.
+   */
+  public int longestPayload() {
+    switch (kind) {
+      case QUESTION:
+        return LONGEST_QUESTION;
+      case URGENT:
+        return LONGEST_URGENT;
+      case ORDER:
+        return channel.equals(Channels.CONFIGURATION) ? LONGEST_CHANGE : Integer.MAX_VALUE;
+      default:
+        return Integer.MAX_VALUE;
+    }
   }
 
   /** MQTT's quality of service: 1 where each message matters. */

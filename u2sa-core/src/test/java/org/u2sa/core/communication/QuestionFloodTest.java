@@ -5,6 +5,7 @@ import static org.u2sa.core.communication.BrokerTraffic.frozen;
 import static org.u2sa.core.communication.BrokerTraffic.soon;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -12,6 +13,9 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.messages.contract.ArmCommand;
+import org.u2sa.messages.contract.ConfigurationAssignment;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.contract.DiscoveryRequest;
 
@@ -72,5 +76,54 @@ class QuestionFloodTest {
     assertThat(broker.log).anyMatch(line -> line.contains("too many orders of one client"));
     assertThat(inbox.messages.stream().filter(ConfigurationUndo.class::isInstance))
         .hasSizeLessThan(200);
+  }
+
+  /** Every service reads them, so long ones would hold up what else it receives. */
+  @Test
+  void questionsAndChanges_longerThanAnyNeedsToBe_areRefusedAndTold() throws IOException {
+    local();
+    byte[] question =
+        frozen(new ConfigurationRequest().serviceName("x".repeat(50_000))).serialize();
+    byte[] change = frozen(change("x".repeat(50_000), "y".repeat(50_000))).serialize();
+    ArmCommand arm = frozen(new ArmCommand().arm(true).requestId("1").operator("pilot"));
+    try (RawClient pilot = new RawClient(broker.port).introduced("pilot")) {
+      pilot.publish("u2sa/cessna/configuration/ConfigurationRequest", question, 1);
+      pilot.publish("u2sa/cessna/configuration/ConfigurationTransaction", change, 1);
+      pilot.publish("u2sa/cessna/arming/ArmCommand", arm.serialize(), 1);
+      soon().until(() -> inbox.messages.contains(arm)); // behind them
+    }
+    assertThat(inbox.messages).containsExactly(arm);
+    assertThat(broker.log)
+        .anyMatch(line -> line.contains("longer than the 4096 of ConfigurationRequest"))
+        .anyMatch(line -> line.contains("longer than the 65536 of ConfigurationTransaction"));
+  }
+
+  @Test
+  void orders_long_countAsSeveral() throws IOException {
+    broker.replace(Map.of("CLIENT ORDERS PER SECOND", 16)); // the first four at once
+    local();
+    byte[] change = frozen(change("x".repeat(60_000))).serialize(); // as sixteen
+    ArmCommand arm = frozen(new ArmCommand().arm(true).requestId("1").operator("pilot"));
+    try (RawClient pilot = new RawClient(broker.port).introduced("pilot")) {
+      for (int i = 0; i < 4; i++) {
+        pilot.publish("u2sa/cessna/configuration/ConfigurationTransaction", change, 1);
+      }
+      pilot.publish("u2sa/cessna/arming/ArmCommand", arm.serialize(), 1);
+      soon().until(() -> inbox.messages.contains(arm));
+    }
+    assertThat(inbox.messages.stream().filter(ConfigurationTransaction.class::isInstance))
+        .isNotEmpty()
+        .hasSizeLessThan(4);
+  }
+
+  private static ConfigurationTransaction change(String... values) {
+    return new ConfigurationTransaction()
+        .requestId("1")
+        .serviceName("Control")
+        .author("pilot")
+        .assignments(
+            Arrays.stream(values)
+                .map(value -> new ConfigurationAssignment().variableName("NOTE").value(value))
+                .toList());
   }
 }

@@ -63,12 +63,12 @@ final class CessnaDemo implements Callable<Integer> {
     Path home = CessnaFiles.root();
     Path missionFile = options.mission().orElse(home.resolve("missions/cessna/mission.xml"));
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
+    changes.check(system);
     LaunchOptions changed = new LaunchOptions();
     changes.applyTo(changed);
     Mission mission = VehicleMission.load(system, changed, missionFile);
     EmbeddedStart.of(mission); // what is wrong is said before anything is made
     windOf(options.seed());
-    changes.check(system);
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(

@@ -17,7 +17,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "List the variables with value, type, what is allowed, and meaning.",
       "",
-      "Of all services it collects answers for as long as --timeout says."
+      "Ends when all services that are heard have answered, at the latest after --timeout."
     })
 final class ListCommand implements Callable<Integer> {
   @Mixin private RemoteSystem remote;

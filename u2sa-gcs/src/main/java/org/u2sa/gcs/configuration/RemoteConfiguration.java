@@ -7,6 +7,7 @@ import java.util.TreeSet;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.remote.HeardServices;
 import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
@@ -30,9 +31,9 @@ final class RemoteConfiguration {
     this.link = link;
   }
 
-  /** What every service answers within the link's time, by name. */
+  /** What every service answers, by name: of all that are heard, or within the link's time. */
   List<ConfigurationResponse> all() throws InterruptedException {
-    return sorted(link.ask(everybody()));
+    return answersOr(Set.of());
   }
 
   /**
@@ -42,7 +43,7 @@ final class RemoteConfiguration {
    * @throws RunFailedException if nobody answers
    */
   ConfigurationResponse of(String service) throws InterruptedException {
-    List<ConfigurationResponse> answers = sorted(link.ask(everybody().expecting(Set.of(service))));
+    List<ConfigurationResponse> answers = answersOr(Set.of(service));
     for (ConfigurationResponse answer : answers) {
       if (answer.serviceName().equals(service)) {
         return answer;
@@ -60,9 +61,7 @@ final class RemoteConfiguration {
             + service
             + "\" answered in system \""
             + link.systemId()
-            + "\" within "
-            + link.timeoutS()
-            + " s; there are "
+            + "\"; there are "
             + String.join(", ", there)
             + NearestNames.didYouMean(service, there));
   }
@@ -74,6 +73,11 @@ final class RemoteConfiguration {
             new ConfigurationRequest().serviceName(""),
             ConfigurationResponse.class)
         .oneOfEach(ConfigurationResponse::serviceName);
+  }
+
+  /** The answers of these, where they answer; else of everybody who is heard. */
+  private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
+    return sorted(link.ask(everybody().expectingAll(HeardServices.begin(link), these)));
   }
 
   private static List<ConfigurationResponse> sorted(List<ConfigurationResponse> answers) {

@@ -48,18 +48,36 @@ public final class RunChanges {
    *     does not have
    */
   public void check(SystemFile system) {
-    try {
-      Setting.parseAll(settings).forEach(setting -> setting.requireServiceOf(system));
-    } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
+    for (Setting setting : settings()) {
+      try {
+        setting.requireServiceOf(system);
+      } catch (IllegalArgumentException e) {
+        throw faulty(e);
+      }
     }
     swaps();
   }
 
-  /** Has a run take the variables asked for. */
+  /**
+   * Has a run take the variables asked for.
+   *
+   * @throws ParameterException if one is not of its form
+   */
   public void applyTo(LaunchOptions options) {
-    Setting.parseAll(settings)
+    settings()
         .forEach(
             setting -> options.override(setting.service(), setting.variable(), setting.value()));
+  }
+
+  private List<Setting> settings() {
+    try {
+      return Setting.parseAll(settings);
+    } catch (IllegalArgumentException e) {
+      throw faulty(e);
+    }
+  }
+
+  private ParameterException faulty(IllegalArgumentException why) {
+    return new ParameterException(command.commandLine(), "--set: " + why.getMessage());
   }
 }

@@ -82,6 +82,22 @@ public final class Question<T extends U2SAData> {
         channel, request, answerClass, counts, source, got -> got.sources().containsAll(sources));
   }
 
+  /**
+   * Waits no longer once every service that was heard has answered, or all of these; see {@link
+   * #oneOfEach}. An empty set stands for nobody in particular.
+   */
+  public Question<T> expectingAll(HeardServices heard, Set<String> orThese) {
+    return new Question<>(
+        channel,
+        request,
+        answerClass,
+        counts,
+        source,
+        got ->
+            !orThese.isEmpty() && got.sources().containsAll(orThese)
+                || heard.areAmong(got.sources()));
+  }
+
   /** Waits for one answer only. */
   public Question<T> first() {
     return until(answers -> !answers.isEmpty());

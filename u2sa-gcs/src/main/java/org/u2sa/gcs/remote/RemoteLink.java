@@ -18,6 +18,9 @@ import org.u2sa.messages.U2SAData;
  * several threads.
  */
 public final class RemoteLink implements AutoCloseable {
+  /** Whether answers are enough may change with what is heard besides them. */
+  private static final long LOOK_MICROS = 50_000;
+
   private final String systemId;
   private final Clock clock;
   private final double timeoutS;
@@ -123,7 +126,7 @@ public final class RemoteLink implements AutoCloseable {
       try {
         publish(question.channel(), question.request());
         while (!answers.areEnough() && clock.micros() < deadline) {
-          waiter.await(deadline);
+          waiter.await(Math.min(deadline, clock.micros() + LOOK_MICROS));
         }
       } finally {
         listenNoMore(question.channel(), listener);

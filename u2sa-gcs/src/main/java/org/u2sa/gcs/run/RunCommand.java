@@ -58,7 +58,7 @@ public final class RunCommand implements Callable<Integer> {
       names = "--set",
       paramLabel = "SERVICE:VARIABLE=VALUE",
       description =
-          "Set a configuration variable for this run, for example --set \"PathPlanner:RATE=50.0\". May be given several times.")
+          "Set a configuration variable for this run, for example --set \"PathPlanner:LOOK AHEAD=200.0\". May be given several times.")
   private List<String> settings = List.of();
 
   @Option(

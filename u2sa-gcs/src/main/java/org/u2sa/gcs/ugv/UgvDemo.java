@@ -87,6 +87,7 @@ final class UgvDemo implements Callable<Integer> {
   public Integer call() throws InterruptedException, IOException {
     Path root = UgvFiles.root();
     SystemFile system = SystemFile.read(root.resolve("config/ugv").resolve(systemFile()));
+    changes.check(system);
     LaunchOptions changed = new LaunchOptions();
     changes.applyTo(changed);
     Mission mission =
@@ -94,7 +95,6 @@ final class UgvDemo implements Callable<Integer> {
             system, changed, options.mission().orElse(root.resolve("missions/ugv/loop.xml")));
     // what is wrong is said before anything is made
     DriveConditions conditions = around.conditions(vehicle, UgvFiles.plan(mission));
-    changes.check(system);
     List<PlannedSwap> planned = changes.swaps();
     return new RunLoop(options, command.commandLine().getOut())
         .run(
