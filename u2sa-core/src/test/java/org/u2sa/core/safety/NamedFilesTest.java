@@ -49,7 +49,7 @@ class NamedFilesTest extends WatchedVehicle {
   }
 
   private MissionManager startMissionManager() throws IOException {
-    kit.withoutVariables().with("LAND MISSION", landing.toString());
+    kit.withoutVariables().with("LAND MISSION", landing.toString()).with("DEFAULT THRESHOLD", 1.0);
     kit.with("MISSION", write("mission.xml", String.format(MISSION, "1")).toString());
     return kit.start(MissionManager::new);
   }
@@ -77,7 +77,7 @@ class NamedFilesTest extends WatchedVehicle {
         .hasMessageContaining("none.xml");
 
     for (String variable : List.of("RETURN MISSION", "LAND MISSION")) {
-      kit.withoutVariables().with("MISSION", landing.toString());
+      kit.withoutVariables().with("MISSION", landing.toString()).with("DEFAULT THRESHOLD", 1.0);
       kit.with(variable, folder.resolve("none.xml").toString());
       ServiceContext context = kit.context();
       assertThatThrownBy(() -> new MissionManager(context))
