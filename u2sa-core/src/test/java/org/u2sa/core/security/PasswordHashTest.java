@@ -56,6 +56,14 @@ class PasswordHashTest {
   }
 
   @Test
+  void of_samePasswordTwice_saltsDiffer() {
+    PasswordHash one = PasswordHash.of("secret".toCharArray(), RANDOM, FEW);
+    PasswordHash other = PasswordHash.of("secret".toCharArray(), RANDOM, FEW);
+    assertThat(one.salt()).isNotEqualTo(other.salt());
+    assertThat(one.hash()).isNotEqualTo(other.hash());
+  }
+
+  @Test
   void of_unsaidIterations_areTheAdvised() {
     PasswordHash kept = PasswordHash.of("secret".toCharArray(), RANDOM);
     assertThat(kept.iterations()).isEqualTo(PasswordHash.ITERATIONS);

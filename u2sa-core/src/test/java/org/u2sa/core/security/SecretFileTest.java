@@ -5,11 +5,15 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.nio.file.attribute.UserPrincipal;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -98,6 +102,19 @@ class SecretFileTest {
     Path none = folder.resolve("none");
     assertThat(SecretFile.tooOpen(none)).get().asString().contains(none + ": its permissions");
     assertThat(SecretFile.tooOpenFolder(none)).get().asString().contains(none + ": its perm");
+  }
+
+  /** A file system without such permissions, as a zip's is, has nothing to say against a file. */
+  @Test
+  void tooOpen_whereThereAreNoSuchPermissions_isNot() throws IOException {
+    URI archive = URI.create("jar:" + folder.resolve("archive.zip").toUri());
+    try (FileSystem zip = FileSystems.newFileSystem(archive, Map.of("create", "true"))) {
+      Path file = zip.getPath("/users.txt");
+      SecretFile.write(file, bytes("x"));
+      assertThat(Files.readAllBytes(file)).isEqualTo(bytes("x"));
+      assertThat(SecretFile.tooOpen(file)).isEmpty();
+      assertThat(SecretFile.tooOpenFolder(zip.getPath("/"))).isEmpty();
+    }
   }
 
   private SecurityDirectory complete() {
