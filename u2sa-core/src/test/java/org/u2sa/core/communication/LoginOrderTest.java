@@ -29,8 +29,7 @@ class LoginOrderTest {
 
   private static LoginApplication by(String name, String address) {
     try {
-      return new LoginApplication(
-          name, new byte[0], InetAddress.getByName(address), verdict -> {});
+      return new LoginApplication(name, new byte[0], InetAddress.getByName(address), verdict -> {});
     } catch (UnknownHostException e) {
       throw new AssertionError(e);
     }

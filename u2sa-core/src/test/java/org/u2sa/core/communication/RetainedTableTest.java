@@ -87,8 +87,7 @@ class RetainedTableTest {
     for (int i = 0; i < 1_000; i++) {
       assertThat(table.enter("stop", "pilot", 16_384, true)).isEmpty();
     }
-    assertThat(table.enter("stop", "pilot", 16_385, true))
-        .hasValue("too much urgent is retained");
+    assertThat(table.enter("stop", "pilot", 16_385, true)).hasValue("too much urgent is retained");
     for (int i = 0; i < 255; i++) {
       assertThat(table.enter("stop" + i, "pilot", 1, true)).isEmpty();
     }

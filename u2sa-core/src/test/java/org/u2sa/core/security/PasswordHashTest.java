@@ -110,8 +110,14 @@ class PasswordHashTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"1, 64, true", "10000000, 64, true", "0, 64, false", "10000001, 64, false",
-    "1, 63, false", "1, 65, false"})
+  @CsvSource({
+    "1, 64, true",
+    "10000000, 64, true",
+    "0, 64, false",
+    "10000001, 64, false",
+    "1, 63, false",
+    "1, 65, false"
+  })
   void parse_iterationsAndLength_boundsAreTaken(int iterations, int hashBytes, boolean taken) {
     String line = line(iterations, 12, hashBytes);
     if (taken) {
@@ -124,7 +130,8 @@ class PasswordHashTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "md5$1$AA==$AA==", "pbkdf2-sha512$1$AA==", "pbkdf2-sha512$1$AA==$AA==$"})
+  @ValueSource(
+      strings = {"", "md5$1$AA==$AA==", "pbkdf2-sha512$1$AA==", "pbkdf2-sha512$1$AA==$AA==$"})
   void parse_anotherForm_saysWhichIsExpected(String text) {
     assertThatThrownBy(() -> PasswordHash.parse(text))
         .isInstanceOf(IllegalArgumentException.class)

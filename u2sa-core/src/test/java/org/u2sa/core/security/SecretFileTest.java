@@ -71,7 +71,10 @@ class SecretFileTest {
 
   @ParameterizedTest
   @CsvSource({
-    "rw-------, true", "r--------, true", "rw----r--, false", "rw--w----, false",
+    "rw-------, true",
+    "r--------, true",
+    "rw----r--, false",
+    "rw--w----, false",
     "rwx------, false"
   })
   void tooOpen_permissionsOfAFile_onlyTheOwnersReadingAndWritingPass(String permissions, boolean ok)
@@ -81,7 +84,10 @@ class SecretFileTest {
 
     assertThat(SecretFile.tooOpen(file).isEmpty()).isEqualTo(ok);
     if (!ok) {
-      assertThat(SecretFile.tooOpen(file)).get().asString().contains(file + ": others", "chmod 600");
+      assertThat(SecretFile.tooOpen(file))
+          .get()
+          .asString()
+          .contains(file + ": others", "chmod 600");
     }
   }
 
