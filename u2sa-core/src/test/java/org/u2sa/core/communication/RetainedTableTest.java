@@ -81,4 +81,33 @@ class RetainedTableTest {
     table.enterLocal("local1", 1);
     assertThat(enters("a", "ann", 40_000)).isTrue();
   }
+
+  @Test
+  void enter_urgentAgainAndDeleted_countsOnce() {
+    for (int i = 0; i < 1_000; i++) {
+      assertThat(table.enter("stop", "pilot", 16_384, true)).isEmpty();
+    }
+    assertThat(table.enter("stop", "pilot", 16_385, true)).hasValue("too much urgent is retained");
+    for (int i = 0; i < 255; i++) {
+      assertThat(table.enter("stop" + i, "pilot", 1, true)).isEmpty();
+    }
+    assertThat(table.enter("another", "pilot", 1, true)).isPresent();
+    assertThat(table.enter("stop7", "pilot", 0, true)).as("deleting").isEmpty();
+    assertThat(table.enter("another", "pilot", 1, true)).isEmpty();
+    assertThat(enters("report", "pilot", 40_000)).as("what is not urgent has its own").isTrue();
+  }
+
+  @Test
+  void enter_ofWhoHasDeletedAll_startsAnew() {
+    for (int round = 0; round < 3; round++) {
+      for (int i = 0; i < 8; i++) {
+        assertThat(enters("a" + i, "ann", 5_000)).isTrue();
+      }
+      assertThat(enters("a8", "ann", 1)).isFalse();
+      for (int i = 0; i < 8; i++) {
+        assertThat(enters("a" + i, "ann", 0)).isTrue();
+      }
+      assertThat(table.topics()).isEmpty();
+    }
+  }
 }

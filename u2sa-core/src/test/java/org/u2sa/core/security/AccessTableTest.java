@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.MessageType;
+import org.u2sa.messages.OpaqueMessage;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ConnectionLost;
@@ -93,6 +94,28 @@ class AccessTableTest {
             AccessTable.mayPublishOnOwnChannel(
                 EnumSet.of(AccessRole.OBSERVER, AccessRole.OPERATOR), StateInformation.TYPE))
         .isFalse();
+  }
+
+  /** A type that no standard channel carries: services may say it on channels of their own. */
+  @Test
+  void mayPublishOnOwnChannel_whatHasNoChannel_anyServiceMay() {
+    assertThat(
+            AccessTable.mayPublishOnOwnChannel(EnumSet.of(AccessRole.SERVICE), OpaqueMessage.TYPE))
+        .isTrue();
+    assertThat(
+            AccessTable.mayPublishOnOwnChannel(EnumSet.of(AccessRole.OPERATOR), OpaqueMessage.TYPE))
+        .isFalse();
+  }
+
+  /** What must arrive is delivered at least once; what is measured again soon is not repeated. */
+  @Test
+  void quality_whatMattersEachOrIsRetained_isAtLeastOnce() {
+    assertThat(AccessTable.rule("arming", ArmCommand.TYPE).orElseThrow().quality()).isEqualTo(1);
+    assertThat(AccessTable.rule("state", StateInformation.TYPE).orElseThrow().quality()).isZero();
+    assertThat(AccessTable.all())
+        .filteredOn(rule -> rule.retained() || rule.kind() == AccessRule.Kind.URGENT)
+        .isNotEmpty()
+        .allMatch(rule -> rule.quality() == 1);
   }
 
   /** -Du2sa.docs.write=true writes it. */

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.security.SecureRandom;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -100,6 +101,33 @@ class UserFileTest {
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("none.txt")
         .hasMessageContaining("u2sa security init");
+  }
+
+  @Test
+  void read_userTwice_isRefused() throws IOException {
+    Path file = folder.resolve("users.txt");
+    String line = user("pilot", AccessRole.OPERATOR, "cessna").line();
+    Files.writeString(file, line + "\n\n" + line + "\n");
+
+    assertThatThrownBy(() -> UserFile.read(file))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("users.txt, line 3: user \"pilot\" comes twice");
+  }
+
+  @Test
+  void read_whatIsNoUsersFile_isSaid() throws IOException {
+    Path file = folder.resolve("users.txt");
+    byte[] largest = new byte[1 << 20];
+    Arrays.fill(largest, (byte) '\n');
+    Files.write(file, largest);
+    assertThat(UserFile.read(file)).isEmpty();
+
+    Files.write(file, Arrays.copyOf(largest, largest.length + 1));
+    assertThatThrownBy(() -> UserFile.read(file))
+        .hasMessageContaining("users.txt: larger than 1048576 bytes");
+    assertThatThrownBy(() -> UserFile.read(folder))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining(folder + ": cannot be read");
   }
 
   @Test
