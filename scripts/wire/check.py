@@ -9,12 +9,16 @@ what it did not see. Exit code 1: something differs.
 """
 import argparse
 import collections
+import pathlib
 import sys
 import time
 import uuid
 
 import cbor2
 import paho.mqtt.client as mqtt
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "clients" / "python"))
+from u2sa.link import local_token, loopback
 
 from rules import CHANNELS, CHECKED, MESSAGES, STANDARD, WILL, Difference, check, split
 from talk import Talk
@@ -41,8 +45,19 @@ class Watch:
         self.client = mqtt.Client(version2.VERSION2, name) if version2 else mqtt.Client(name)
         self.client.on_connect = lambda client, *_rest: client.subscribe("u2sa/#", 2)
         self.client.on_message = self.message
-        self.client.connect(host, port)
+        self.client.connect(self._local(host, port), port)
         self.client.loop_start()
+
+    def _local(self, host, port):
+        """The address to connect to; over loopback with the token of this account, since it asks for changes that are refused."""
+        address = loopback(host)
+        if address is None:
+            return host
+        user, token = local_token(address, port)
+        if user is None:
+            return host
+        self.client.username_pw_set(user, token)
+        return address
 
     def message(self, _client, _data, packet):
         self.topics[packet.topic] += 1

@@ -55,7 +55,7 @@ class StoppedOnTheRunwayTest {
 
       assertThat(flight.witness().arming().reasons())
           .containsExactly(
-              "failsafe matrix: ON LOW BATTERY is LAND, but the Mission Manager has no LAND MISSION");
+              "failsafe matrix: ON LOW BATTERY is LAND, but the Mission Manager has loaded no LAND MISSION");
       requireStanding(flight);
     }
   }
