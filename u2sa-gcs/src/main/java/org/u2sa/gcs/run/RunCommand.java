@@ -239,7 +239,12 @@ public final class RunCommand implements Callable<Integer> {
               + " runs in processes: "
               + processes.names()
               + ". Ctrl-C ends it.");
-      return processes.awaitEnd().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+      boolean endedWell = processes.awaitEnd().isEmpty();
+      if (processes.isRefused()) {
+        say(terminal, "The system ends: a service refuses what it was started with (see above).");
+        return ExitCode.BAD_INPUT;
+      }
+      return endedWell ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 

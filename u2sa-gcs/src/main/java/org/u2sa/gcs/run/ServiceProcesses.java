@@ -24,6 +24,7 @@ final class ServiceProcesses implements AutoCloseable {
   private final Map<String, Process> processes = new LinkedHashMap<>(); // guarded by this
   private final Map<String, Integer> failed = new LinkedHashMap<>(); // last ends; guarded by this
   private volatile ObjIntConsumer<String> onFailure = (entry, exitCode) -> {};
+  private boolean refused; // a first process ended for bad input; guarded by this
   private volatile boolean closing;
 
   /**
@@ -66,17 +67,18 @@ final class ServiceProcesses implements AutoCloseable {
             .start();
     processes.put(entry, process);
     failed.remove(entry);
-    process.onExit().thenAccept(ended -> ended(entry, ended));
+    process.onExit().thenAccept(ended -> ended(entry, ended, again));
     return true;
   }
 
-  private void ended(String entry, Process process) {
+  private void ended(String entry, Process process, boolean again) {
     int code = process.exitValue();
     boolean badly;
     synchronized (this) {
       badly = !closing && code != ExitCode.DONE && processes.get(entry) == process;
       if (badly) {
         failed.put(entry, code);
+        refused |= !again && code == ExitCode.BAD_INPUT;
       }
       notifyAll();
     }
@@ -117,12 +119,20 @@ final class ServiceProcesses implements AutoCloseable {
     return String.join(", ", entries);
   }
 
-  /** Waits until no process is left, and returns the exit codes of those that did not end well. */
+  /**
+   * Waits until no process is left, or one refuses what it was first started with, so that the
+   * system never was whole. Returns the exit codes of those that did not end well.
+   */
   synchronized Map<String, Integer> awaitEnd() throws InterruptedException {
-    while (processes.values().stream().anyMatch(Process::isAlive)) {
+    while (!refused && processes.values().stream().anyMatch(Process::isAlive)) {
       wait();
     }
     return new LinkedHashMap<>(failed);
+  }
+
+  /** Whether {@link #awaitEnd} ended for bad input. */
+  synchronized boolean isRefused() {
+    return refused;
   }
 
   private synchronized List<Process> started() {

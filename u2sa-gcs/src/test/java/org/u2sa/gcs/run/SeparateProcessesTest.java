@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.BufferedReader;
 import java.io.File;
+import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -14,44 +15,71 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.health.HealthMonitor;
+import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.Main;
 import org.u2sa.gcs.services.Lidar;
 import org.u2sa.testkit.FreePort;
 
-/** What becomes of the services' processes when the one that started them is killed. */
+/**
+ * Processes of {@code --separate}: how they end with the one that started them, and it with them.
+ */
 @Timeout(240)
-class ParentDeathTest {
+class SeparateProcessesTest {
   @TempDir private Path folder;
 
-  private ProcessBuilder run(Path system) {
-    return new ProcessBuilder(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1",
-            "-cp",
-            System.getProperty("java.class.path"),
-            Main.class.getName(),
-            "run",
-            system.toString(),
-            "--separate",
-            "--logs",
-            folder.resolve("logs").toString())
+  private ProcessBuilder run(Path system, String... options) {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "run",
+                system.toString(),
+                "--separate",
+                "--logs",
+                folder.resolve("logs").toString()));
+    command.addAll(List.of(options));
+    return new ProcessBuilder(command)
         .redirectInput(new File("/dev/null"))
         .redirectErrorStream(true);
   }
 
-  @Test
-  void separate_supervisorKilled_servicesEndAndTheNextRunHasTheirNames() throws Exception {
+  private Path system(Class<?>... services) throws IOException {
     Files.writeString(
         folder.resolve("Manager.xml"),
         "<configuration><variable name=\"COMMUNICATION MANAGER PORT\" type=\"int\" value=\""
             + FreePort.find()
             + "\"/></configuration>");
-    Path system =
-        Files.writeString(
-            folder.resolve("system.xml"),
-            "<system id=\"boat\"><communication configuration=\"Manager.xml\"/><service class=\""
-                + Lidar.class.getName()
-                + "\"/></system>");
+    StringBuilder text =
+        new StringBuilder("<system id=\"boat\"><communication configuration=\"Manager.xml\"/>");
+    for (Class<?> service : services) {
+      text.append("<service class=\"").append(service.getName()).append("\"/>");
+    }
+    return Files.writeString(folder.resolve("system.xml"), text.append("</system>"));
+  }
+
+  @Test
+  void separate_valueThatAServiceRefuses_endsAllAsBadInput() throws Exception {
+    Path system = system(Lidar.class, HealthMonitor.class);
+    Process run = run(system, "--set", "HealthMonitor:NO SUCH VARIABLE=1").start();
+    try {
+      String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+      assertThat(run.waitFor()).as(said).isEqualTo(ExitCode.BAD_INPUT);
+      assertThat(said).contains("NO SUCH VARIABLE").contains("The system ends");
+    } finally {
+      run.descendants().forEach(ProcessHandle::destroyForcibly);
+      run.destroyForcibly();
+    }
+  }
+
+  @Test
+  void separate_supervisorKilled_servicesEndAndTheNextRunHasTheirNames() throws Exception {
+    Path system = system(Lidar.class);
     List<ProcessHandle> services = new ArrayList<>();
     Process supervisor = run(system).start();
     try {
