@@ -33,6 +33,8 @@ include("u2sa-sim")
 include("u2sa-drivers")
 include("u2sa-gcs")
 include("u2sa-flightgear")
+include("u2sa-scenarios")
+include("u2sa-system-tests")
 include("u2sa-bom")
 
 // The phone's application needs an Android SDK; without one, all others build nonetheless.

@@ -1,18 +1,19 @@
+import org.u2sa.messages.registry.StandardTypes;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ServiceContext;
 
 /** What the benchmarks share: the machine they state, the system they build, and the operator who commands it. */
@@ -63,12 +64,12 @@ final class Bench {
     return CommunicationManager.start(
         SYSTEM,
         XmlConfiguration.inMemory(SYSTEM, Map.of("COMMUNICATION MANAGER PORT", port)),
-        MessageTypes.standard(),
+        StandardTypes.registry(),
         System.out::println);
   }
 
   static Transport mqtt(int port) {
-    return new MqttTransport("127.0.0.1", port, SYSTEM, new MessageCodec(MessageTypes.standard()));
+    return new MqttTransport("127.0.0.1", port, SYSTEM, new MessageCodec(StandardTypes.registry()));
   }
 
   static ServiceContext context(Transport transport, Path logs, Map<String, Object> variables) {

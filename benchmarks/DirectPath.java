@@ -9,7 +9,7 @@ import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;

@@ -15,6 +15,7 @@ dependencies {
         api(project(":u2sa-drivers"))
         api(project(":u2sa-gcs"))
         api(project(":u2sa-flightgear"))
+        api(project(":u2sa-scenarios"))
     }
 }
 

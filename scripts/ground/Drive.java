@@ -5,7 +5,7 @@ import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
-import org.u2sa.sim.ground.Hazard;
+import org.u2sa.sim.ground.DrivingHazard;
 import org.u2sa.sim.sensor.CompassField;
 import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;

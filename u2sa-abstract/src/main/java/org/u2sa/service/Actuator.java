@@ -2,11 +2,11 @@ package org.u2sa.service;
 
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A service that moves something (thesis 3.2.2.5). In: actuation, of which it obeys what is

@@ -2,7 +2,7 @@ package org.u2sa.service;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * How often a service's configuration may be changed: some changes at once, then so many a second,

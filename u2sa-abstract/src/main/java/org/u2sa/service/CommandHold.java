@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.PercentageCommand;
 

@@ -6,16 +6,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * What stands between the actuation channel and the actuators of one service: commands that must

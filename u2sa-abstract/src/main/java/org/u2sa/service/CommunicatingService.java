@@ -3,15 +3,15 @@ package org.u2sa.service;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Communicator;
 import org.u2sa.interfaces.communication.Publisher;
 import org.u2sa.interfaces.communication.Subscriber;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
 
 /** The part of a service that registers, publishes and subscribes (thesis 3.2.1.2–3.2.1.4). */
 abstract class CommunicatingService extends ConfiguredService

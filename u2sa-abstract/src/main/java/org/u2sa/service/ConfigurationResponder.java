@@ -7,13 +7,12 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Supplier;
-import org.u2sa.interfaces.ChangeOrigin;
-import org.u2sa.interfaces.ConfigurationOutcome;
-import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.WrittenChange;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.ChangeOrigin;
+import org.u2sa.interfaces.configuration.ConfigurationOutcome;
+import org.u2sa.interfaces.configuration.WrittenChange;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationChangeResult;
@@ -22,6 +21,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Answers for a service what others ask and change of its configuration (thesis 3.2.1.1). Runs on

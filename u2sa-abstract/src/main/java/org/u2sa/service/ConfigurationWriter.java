@@ -4,8 +4,8 @@ import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Supplier;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.WrittenChange;
+import org.u2sa.interfaces.configuration.WrittenChange;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Checks and writes the changes that others ask for, one after the other, on a thread of its own

@@ -7,13 +7,13 @@ import java.util.Collections;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.u2sa.interfaces.ChangeOrigin;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LogFile;
-import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Logger;
-import org.u2sa.interfaces.Variable;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.ChangeOrigin;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.log.LogFile;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.log.Logger;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * The part of a service that has a name, a configuration file and a log file (thesis 3.2.1.1,

@@ -3,15 +3,15 @@ package org.u2sa.service;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Answers what the service contract says every service answers (thesis 3.2.2.1): discovery,

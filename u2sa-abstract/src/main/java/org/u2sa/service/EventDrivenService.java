@@ -1,6 +1,6 @@
 package org.u2sa.service;
 
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * A service that acts only when a message comes in: its author writes {@link #callback} and nothing

@@ -2,8 +2,8 @@ package org.u2sa.service;
 
 import java.util.Optional;
 import java.util.Set;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 

@@ -3,8 +3,8 @@ package org.u2sa.service;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
@@ -65,8 +65,8 @@ abstract class LivingService extends CommunicatingService {
   /**
    * Starts the thread. A service that was told to stop before ends without having run.
    *
-   * @throws org.u2sa.interfaces.ConfigurationException if the configuration holds a variable that
-   *     the service does not know
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if the configuration holds a
+   *     variable that the service does not know
    * @throws IllegalThreadStateException if it was started or killed before
    */
   @Override

@@ -1,6 +1,6 @@
 package org.u2sa.service;
 
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * How old a message is to one who received it. It ages from its timestamp on, but from its arrival

@@ -1,9 +1,9 @@
 package org.u2sa.service;
 
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A service that acts at a fixed rate: its author writes {@link #step}, and {@link #callback} if it

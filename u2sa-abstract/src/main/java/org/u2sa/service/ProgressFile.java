@@ -9,8 +9,8 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageCodec;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
 
 /**
  * What a service remembers for its restart: a text file beside its log, replaced as a whole, so

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * One value of a {@link HandOver} as a line of text: kind, name, and what there is of it, with tabs

@@ -3,9 +3,9 @@ package org.u2sa.service;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 
 /** Counts the data that a service publishes; what the service contract makes it say are no data. */
 final class PublishedData {

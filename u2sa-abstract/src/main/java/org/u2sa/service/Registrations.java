@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
 
 /** The channels that a service publishes on and asked for, whether it is connected or not. */
 final class Registrations {

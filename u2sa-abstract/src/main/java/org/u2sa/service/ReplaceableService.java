@@ -2,7 +2,7 @@ package org.u2sa.service;
 
 import java.io.IOException;
 import java.util.Optional;
-import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.log.LogLevelEnum;
 
 /**
  * The part of a service that goes on where another one was: a service of another class while it

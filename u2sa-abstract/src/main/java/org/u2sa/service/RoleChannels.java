@@ -3,7 +3,7 @@ package org.u2sa.service;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Finds the channel that is meant where an author names only a class of messages. */
 final class RoleChannels {

@@ -1,6 +1,6 @@
 package org.u2sa.service;
 
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Variable;
 
 /**
  * A service that reads a sensor at a fixed rate and publishes what it measured (thesis 3.2.2.2).

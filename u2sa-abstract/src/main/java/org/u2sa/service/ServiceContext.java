@@ -6,12 +6,12 @@ import java.util.Deque;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.schema.MessageTypes;
 
 /**
  * All that a service is given at its construction: whose it is, its configuration, its clock and

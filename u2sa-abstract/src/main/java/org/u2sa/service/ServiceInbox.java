@@ -4,10 +4,10 @@ import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.Map;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.FunctionalityRequest;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A service's bounded queue of messages. Any thread puts, the service's thread takes.

@@ -1,7 +1,7 @@
 package org.u2sa.service;
 
 import java.util.regex.Pattern;
-import org.u2sa.interfaces.ConfigurationException;
+import org.u2sa.interfaces.configuration.ConfigurationException;
 
 /** The form of a service's name, which also names its log file and its MQTT client. */
 final class ServiceName {

@@ -1,11 +1,11 @@
 package org.u2sa.service;
 
 import java.util.concurrent.atomic.AtomicLong;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Sorts what the transport brings: orders to stop are obeyed at once, what concerns the service

@@ -29,7 +29,7 @@ import static org.u2sa.interfaces.communication.Channels.STOP;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * What a service is for (thesis figure 3). The role decides the standard channel when a service

@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LogLevelEnum;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Puts one service in the place of another that runs (thesis 5.1, user story 8), so that no message

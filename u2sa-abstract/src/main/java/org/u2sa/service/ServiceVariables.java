@@ -1,8 +1,8 @@
 package org.u2sa.service;
 
-import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
 
 /** The configuration variables that every service has. */
 final class ServiceVariables {

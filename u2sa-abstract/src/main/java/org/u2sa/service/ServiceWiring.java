@@ -10,8 +10,8 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 
 /** A service's side of its communication: the connection and what was registered on it. */
 final class ServiceWiring {

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.CommunicationException;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A service: one thread that knows no other service and talks in messages (thesis 3.2.2.1, 4.6.1,
@@ -38,7 +38,7 @@ public abstract class U2SAService extends ReplaceableService {
    * Reads the common variables, opens the log file and connects to the Communication Manager.
    *
    * @param serviceName the name, unless the variable SERVICE NAME says another
-   * @throws org.u2sa.interfaces.ConfigurationException if a variable is wrong
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {

@@ -14,9 +14,9 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.Tuple;
 import net.jqwik.api.Tuple.Tuple3;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LockstepClock;
-import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.PercentageCommand;
 
 /** Whatever comes, in whatever order: an actuator moves by a valid command in time, or not. */

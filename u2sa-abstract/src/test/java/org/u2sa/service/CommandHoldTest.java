@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.LockstepClock;
-import org.u2sa.interfaces.Range;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.PercentageCommand;
 

@@ -23,18 +23,18 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.LockstepClock;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.Variable;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.schema.U2SAData;
 
 /** While others change its configuration, a control system goes on in time. */
 @Timeout(120)

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.LockstepClock;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.contract.EmergencyStop;
 
 class EmergencyLatchTest {

@@ -9,10 +9,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** What services say of themselves, and that a thread that just ends does not go unnoticed. */

@@ -9,8 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** What is answered when a role has no standard channel for a class (thesis 3.2.1.3, 3.2.1.4). */

@@ -13,13 +13,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.interfaces.LockstepClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What a service knows after it was started anew. */
 @Timeout(120)

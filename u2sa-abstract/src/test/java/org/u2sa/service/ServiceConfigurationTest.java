@@ -11,16 +11,16 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** Changes of several variables and undo, as every service answers them (thesis 3.2.1.1). */

@@ -9,13 +9,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationChangeResult;
 import org.u2sa.messages.contract.ConfigurationRequest;
@@ -26,6 +25,7 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** Thesis 3.2.2.1: what every service answers without a line in the subclass. */

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.interfaces.ConfigurationException;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.ConfigurationException;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 class ServiceNameTest {

@@ -11,14 +11,14 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Many swaps in real time: no message is lost, none handled twice, nothing is left behind. */
 @Timeout(120)

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalList;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.EmergencyStop;
@@ -19,6 +18,7 @@ import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** One service takes the place of another, or does not. */
@@ -230,7 +230,7 @@ class ServiceSwapTest {
     }
 
     @Override
-    public void callback(org.u2sa.messages.U2SAData data) {
+    public void callback(org.u2sa.messages.schema.U2SAData data) {
       unexpected(data);
     }
   }

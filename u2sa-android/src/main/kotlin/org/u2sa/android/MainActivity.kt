@@ -20,7 +20,7 @@ import org.u2sa.android.screen.Orders
 import org.u2sa.android.screen.Panel
 import org.u2sa.android.screen.Permissions
 import org.u2sa.android.screen.SettingsActivity
-import org.u2sa.android.screen.Text
+import org.u2sa.android.text.Text
 import org.u2sa.android.screen.VehicleConnection
 import org.u2sa.android.sensor.CameraHook
 import org.u2sa.android.vehicle.Settings

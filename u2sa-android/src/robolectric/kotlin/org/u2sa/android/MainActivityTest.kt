@@ -111,7 +111,7 @@ class MainActivityTest {
     @Config(sdk = [35])
     fun bluetoothDenied_boardBehindBluetooth_doesNotStart() {
         org.u2sa.android.vehicle.Settings(phone.application).board =
-            org.u2sa.android.board.BoardAddress.Bluetooth("00:11:22:33:44:55")
+            org.u2sa.android.board.BoardChoice.Bluetooth("00:11:22:33:44:55")
         open()
         activity.onRequestPermissionsResult(1, arrayOf(Manifest.permission.BLUETOOTH_CONNECT), intArrayOf(-1))
 

@@ -2,11 +2,11 @@ package org.u2sa.examples;
 
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.NumberField;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** The vehicle went below its lowest altitude, or is above it again. */
 public final class AltitudeWarning extends U2SAData {

@@ -2,12 +2,12 @@ package org.u2sa.examples;
 
 import java.util.Locale;
 import java.util.Set;
-import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.ConfigurationException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.ConfigurationException;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.testkit.ServiceKit;
 

@@ -9,10 +9,12 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.MessageField;
-import org.u2sa.messages.MessageType;
+import org.u2sa.core.control.fixedwing.AircraftState;
+import org.u2sa.core.control.fixedwing.ControlStatus;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MessageField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Holds the tables of the Cessna's own messages in docs/wire-protocol.md to their schemas. */
 class OwnMessagesDocTest {

@@ -4,6 +4,8 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.logging.Level;
 import java.util.logging.Logger;
+import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.gcs.command.ExitCode;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 

@@ -2,9 +2,11 @@ package org.u2sa.gcs;
 
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -33,14 +35,12 @@ final class GreetCommand implements Callable<Integer> {
   }
 
   @Spec private CommandSpec spec;
-  @Mixin private DemoOptions options = new DemoOptions();
 
   @Option(names = "--fail", description = "How to fail.")
   private String fail = "";
 
-  DemoOptions options() {
-    return options;
-  }
+  @Option(names = "--seed", paramLabel = "N", description = "Whom to greet.")
+  private long seed = 1;
 
   @Override
   public Integer call() {
@@ -49,7 +49,7 @@ final class GreetCommand implements Callable<Integer> {
           throw new BadInputException("mission.xml, line 3, <z>: \"high\" is not a number");
       case "run" -> throw new RunFailedException("FlightGear went away at 12.5 s");
       case "bug" -> throw new IllegalStateException("wing came off");
-      default -> spec.commandLine().getOut().println("hello " + options.seed());
+      default -> spec.commandLine().getOut().println("hello " + seed);
     }
     return ExitCode.DONE;
   }

@@ -6,6 +6,8 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.gcs.command.ExitCode;
 import picocli.CommandLine.Help;
 
 class MainTest {
@@ -61,16 +63,7 @@ class MainTest {
   @Test
   void run_helpOfContributedDemo_needsNothingFromItsAuthor() {
     assertThat(run("demo", "greet", "--help")).isEqualTo(ExitCode.DONE);
-    assertThat(out.toString())
-        .contains(
-            "--seed=N",
-            "--mission=FILE",
-            "--runs=N",
-            "--out=DIR",
-            "--json",
-            "--realtime",
-            "--help",
-            "--debug");
+    assertThat(out.toString()).contains("--seed=N", "--help", "--debug");
   }
 
   @Test

@@ -1,6 +1,11 @@
 package org.u2sa.messages;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** What one actuator is to do (thesis 3.2.3.9, figure 13); a subclass says what. */
 public class ActuatorCommand extends U2SAData {

@@ -2,6 +2,10 @@ package org.u2sa.messages;
 
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * A goal of the mission (thesis 3.2.3.3, figure 7): a subclass says what is to be reached and when

@@ -2,6 +2,10 @@ package org.u2sa.messages;
 
 import java.util.List;
 import java.util.OptionalLong;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * All current goals of the mission, of which the Path Planner chooses (thesis 3.2.3.2). A list

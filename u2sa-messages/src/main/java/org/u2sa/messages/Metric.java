@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * Metres around a centre, whatever frame that is written in: in GLOBAL east, north, up; else the
  * frame's own axes.
  */
-interface Metric {
+public interface Metric {
   /** A point of the frame as metres from the centre. */
   Point metres(Point point);
 

@@ -3,6 +3,11 @@ package org.u2sa.messages;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * Where a vehicle or a part of it is to go over the next time step: the error vector of the control

@@ -5,6 +5,13 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.Kind;
+import org.u2sa.messages.schema.MessageField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * Something in the environment (thesis 3.2.3.5, figure 9). This class itself is a single point, as
@@ -139,7 +146,7 @@ public class ObjectDescription extends U2SAData {
   }
 
   /** The same for many points. */
-  final Metric metric() {
+  protected final Metric metric() {
     return Metric.around(referenceFrame(), center());
   }
 
@@ -161,7 +168,7 @@ public class ObjectDescription extends U2SAData {
    * Moves the centre, and the points of every list of points; called while the frame is still the
    * old one.
    */
-  void move(PointConversion conversion) {
+  protected void move(PointConversion conversion) {
     for (MessageField<U2SAData> field : ownType().fields()) {
       if (field.kind() == Kind.POINT_LIST) {
         List<Point> points = new ArrayList<>();

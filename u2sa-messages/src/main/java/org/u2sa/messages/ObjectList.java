@@ -1,6 +1,10 @@
 package org.u2sa.messages;
 
 import java.util.List;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** The objects that matter to the mission (thesis 3.2.3.3). */
 public final class ObjectList extends U2SAData {

@@ -1,5 +1,9 @@
 package org.u2sa.messages;
 
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+
 /**
  * Moves an actuator to a share of its range (thesis 3.2.3.9): of place or speed, as the actuator
  * understands it.

@@ -5,13 +5,14 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.frame.UtmGrid;
+import org.u2sa.messages.schema.MessageType;
 
 /**
  * Takes points from one frame to another, given where the vehicle is and how it stands. Every point
  * goes through the frame that the vehicle's state is written in, GLOBAL or LOCAL_NED, or through
  * BODY_FRD if no place is needed.
  */
-final class PointConversion {
+public final class PointConversion {
   private final ReferenceFrame source;
   private final ReferenceFrame target;
   private final UtmGrid sourceGrid; // null unless the source is UTM
@@ -82,7 +83,7 @@ final class PointConversion {
    *
    * @param at where it is, in the source frame
    */
-  double heading(Point at, double psi) {
+  public double heading(Point at, double psi) {
     double along = source.isEarth() ? Math.PI / 2.0 - psi : psi;
     Metric before = Metric.around(source, at);
     Point end = before.point(Point.of(Math.cos(along), Math.sin(along), 0.0));

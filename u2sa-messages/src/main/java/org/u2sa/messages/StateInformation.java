@@ -5,6 +5,11 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * All or part of a vehicle's state, from a sensor or from the State Estimator (thesis 3.2.3.2,

@@ -1,6 +1,7 @@
 package org.u2sa.messages;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Position, velocity and acceleration over ground, with their standard deviations (figure 6, left

@@ -3,6 +3,10 @@ package org.u2sa.messages;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * A place to reach (thesis 3.2.3.4, figure 8): some of x, y, z, and if need be attitude, time and

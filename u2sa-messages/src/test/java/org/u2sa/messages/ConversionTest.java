@@ -11,6 +11,8 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.UtmGrid;
+import org.u2sa.messages.shape.PointCloud;
+import org.u2sa.messages.shape.Rectangle;
 
 class ConversionTest {
   private static final Offset<Double> EXACT = within(1e-12);

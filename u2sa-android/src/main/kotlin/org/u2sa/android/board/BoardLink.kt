@@ -2,7 +2,6 @@ package org.u2sa.android.board
 
 import ioio.lib.api.IOIOConnection
 import java.util.concurrent.atomic.AtomicReference
-import org.u2sa.android.vehicle.BoardCondition
 import org.u2sa.drivers.ioio.BoardConnection
 
 /**

@@ -1,5 +1,6 @@
 package org.u2sa.android.screen
 
+import org.u2sa.android.text.Text
 import android.app.Activity
 import android.app.AlertDialog
 import android.content.Intent

@@ -1,5 +1,6 @@
 package org.u2sa.android.screen
 
+import org.u2sa.android.text.Text
 import android.content.Context
 import android.content.res.ColorStateList
 import android.content.res.Configuration

@@ -1,10 +1,11 @@
 package org.u2sa.android.screen
 
+import org.u2sa.android.text.Text
 import android.Manifest
 import android.content.Context
 import android.content.pm.PackageManager
 import android.os.Build
-import org.u2sa.android.board.BoardAddress
+import org.u2sa.android.board.BoardChoice
 
 /** What this phone's Android must be asked to allow, and why. */
 internal class Permissions(private val context: Context) {
@@ -35,12 +36,12 @@ internal class Permissions(private val context: Context) {
      * @param board how it is reached
      * @param camera whether a service looks
      */
-    fun missing(board: BoardAddress, camera: Boolean): List<Need> = buildList {
+    fun missing(board: BoardChoice, camera: Boolean): List<Need> = buildList {
         add(Need.LOCATION)
         if (camera) {
             add(Need.CAMERA)
         }
-        if (board is BoardAddress.Bluetooth && Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
+        if (board is BoardChoice.Bluetooth && Build.VERSION.SDK_INT >= Build.VERSION_CODES.S) {
             add(Need.BLUETOOTH)
         }
         if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.TIRAMISU) {

@@ -1,5 +1,6 @@
 package org.u2sa.android.screen
 
+import org.u2sa.android.text.Text
 import android.Manifest
 import android.app.Activity
 import android.bluetooth.BluetoothManager
@@ -17,7 +18,7 @@ import android.widget.RadioButton
 import android.widget.RadioGroup
 import android.widget.ScrollView
 import android.widget.TextView
-import org.u2sa.android.board.BoardAddress
+import org.u2sa.android.board.BoardChoice
 import org.u2sa.android.vehicle.Settings
 import org.u2sa.interfaces.BadInputException
 
@@ -45,7 +46,7 @@ class SettingsActivity : Activity() {
             hint = Text.SETTINGS_TCP_HINT.of(context)
             inputType = InputType.TYPE_CLASS_TEXT or InputType.TYPE_TEXT_VARIATION_URI
             contentDescription = Text.SETTINGS_BOARD_TCP.of(context)
-            (settings.board as? BoardAddress.Tcp)?.let { setText(it.toString().removePrefix(TCP)) }
+            (settings.board as? BoardChoice.Tcp)?.let { setText(it.toString().removePrefix(TCP)) }
         }
         battery = EditText(this).apply {
             inputType = InputType.TYPE_CLASS_NUMBER
@@ -81,18 +82,18 @@ class SettingsActivity : Activity() {
     }
 
     private fun listBoards() {
-        board(BoardAddress.Configured.toString(), Text.SETTINGS_BOARD_CONFIGURED.of(this))
-        board(BoardAddress.Usb.toString(), Text.SETTINGS_BOARD_USB.of(this))
+        board(BoardChoice.Configured.toString(), Text.SETTINGS_BOARD_CONFIGURED.of(this))
+        board(BoardChoice.Usb.toString(), Text.SETTINGS_BOARD_USB.of(this))
         val known = pairedAdapters()
         known.forEach { (address, name) ->
-            board(BoardAddress.Bluetooth(address).toString(), Text.SETTINGS_BOARD_BLUETOOTH.of(this, "$name ($address)"))
+            board(BoardChoice.Bluetooth(address).toString(), Text.SETTINGS_BOARD_BLUETOOTH.of(this, "$name ($address)"))
         }
-        (settings.board as? BoardAddress.Bluetooth)?.takeIf { it.device !in known }?.let {
+        (settings.board as? BoardChoice.Bluetooth)?.takeIf { it.device !in known }?.let {
             board(it.toString(), Text.SETTINGS_BOARD_BLUETOOTH.of(this, it.device)) // chosen before, not paired now
         }
         board(TCP, Text.SETTINGS_BOARD_TCP.of(this))
         val chosen = settings.board
-        val tag = if (chosen is BoardAddress.Tcp) TCP else chosen.toString()
+        val tag = if (chosen is BoardChoice.Tcp) TCP else chosen.toString()
         boards.findViewWithTag<RadioButton>(tag)?.let { boards.check(it.id) }
     }
 
@@ -134,7 +135,7 @@ class SettingsActivity : Activity() {
     private fun save() {
         val tag = boards.findViewById<View>(boards.checkedRadioButtonId)?.tag as String? ?: return
         try {
-            settings.board = BoardAddress.parse(if (tag == TCP) TCP + tcp.text.toString().trim() else tag)
+            settings.board = BoardChoice.parse(if (tag == TCP) TCP + tcp.text.toString().trim() else tag)
         } catch (e: BadInputException) {
             trouble.text = Text.SETTINGS_WRONG.of(this, e.message.orEmpty())
             android.widget.Toast.makeText(this, trouble.text, android.widget.Toast.LENGTH_LONG).show()

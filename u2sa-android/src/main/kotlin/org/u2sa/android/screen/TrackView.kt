@@ -1,5 +1,6 @@
 package org.u2sa.android.screen
 
+import org.u2sa.android.text.Text
 import android.content.Context
 import android.graphics.Canvas
 import android.graphics.Paint

@@ -1,5 +1,6 @@
 package org.u2sa.android.screen
 
+import org.u2sa.android.text.Text
 import android.content.Context
 import org.u2sa.android.vehicle.VehicleSnapshot
 import org.u2sa.android.vehicle.hazardText

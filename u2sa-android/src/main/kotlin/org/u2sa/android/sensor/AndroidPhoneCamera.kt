@@ -15,7 +15,7 @@ import android.os.Handler
 import android.os.HandlerThread
 import android.os.SystemClock
 import java.nio.Buffer
-import org.u2sa.interfaces.Clock
+import org.u2sa.interfaces.time.Clock
 
 private const val WIDTH = 640
 private const val HEIGHT = 480

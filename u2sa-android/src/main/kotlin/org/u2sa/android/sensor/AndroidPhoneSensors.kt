@@ -14,7 +14,7 @@ import android.os.Handler
 import android.os.HandlerThread
 import android.os.SystemClock
 import org.u2sa.drivers.gps.GpsFix
-import org.u2sa.interfaces.Clock
+import org.u2sa.interfaces.time.Clock
 import org.u2sa.messages.frame.Point
 
 private const val SAMPLE_EVERY_MICROS = 20_000
@@ -32,7 +32,7 @@ class AndroidPhoneSensors(private val context: Context, private val clock: Clock
     private val locationManager = context.getSystemService(Context.LOCATION_SERVICE) as LocationManager
 
     @Volatile private var fix: GpsFix? = null
-    @Volatile private var orientation: Orientation? = null
+    @Volatile private var orientation: PhoneOrientation? = null
     @Volatile private var acceleration: PhoneSensors.Sample? = null
     @Volatile private var turnRate: PhoneSensors.Sample? = null
     @Volatile private var pressure: PhoneSensors.Pressure? = null
@@ -86,7 +86,7 @@ class AndroidPhoneSensors(private val context: Context, private val clock: Clock
     private fun take(event: SensorEvent) {
         val at = measuredAt(event.timestamp)
         when (event.sensor.type) {
-            Sensor.TYPE_ROTATION_VECTOR -> Orientation.of(at, event.values)?.let { orientation = it }
+            Sensor.TYPE_ROTATION_VECTOR -> PhoneOrientation.of(at, event.values)?.let { orientation = it }
             Sensor.TYPE_ACCELEROMETER -> sample(at, event.values)?.let { acceleration = it }
             Sensor.TYPE_GYROSCOPE -> sample(at, event.values)?.let { turnRate = it }
             Sensor.TYPE_PRESSURE ->

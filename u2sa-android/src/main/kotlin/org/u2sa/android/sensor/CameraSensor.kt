@@ -1,6 +1,6 @@
 package org.u2sa.android.sensor
 
-import org.u2sa.interfaces.LogLevelEnum
+import org.u2sa.interfaces.log.LogLevelEnum
 import org.u2sa.service.ExteroceptiveSensor
 import org.u2sa.service.ServiceContext
 

@@ -17,7 +17,7 @@ interface PhoneSensors : AutoCloseable {
      */
     class Reading(
         val fix: GpsFix? = null,
-        val orientation: Orientation? = null,
+        val orientation: PhoneOrientation? = null,
         val acceleration: Sample? = null,
         val turnRate: Sample? = null,
         val pressure: Pressure? = null,

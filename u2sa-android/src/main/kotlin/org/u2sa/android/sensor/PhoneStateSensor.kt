@@ -2,10 +2,10 @@ package org.u2sa.android.sensor
 
 import org.u2sa.drivers.compass.MagneticModel
 import org.u2sa.drivers.gps.GpsFix
-import org.u2sa.interfaces.Clock
-import org.u2sa.interfaces.LogLevelEnum
-import org.u2sa.interfaces.Range
-import org.u2sa.interfaces.Variable
+import org.u2sa.interfaces.time.Clock
+import org.u2sa.interfaces.log.LogLevelEnum
+import org.u2sa.interfaces.configuration.Range
+import org.u2sa.interfaces.configuration.Variable
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.messages.StateInformation
 import org.u2sa.messages.frame.Point
@@ -36,7 +36,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private val attitudeName = sensorName() + " attitude"
     private var said = ""
     private var lastFix: GpsFix? = null // published
-    private var lastOrientation: Orientation? = null // published
+    private var lastOrientation: PhoneOrientation? = null // published
 
     override fun step(nowS: Double) {
         val reading = sensors.read()
@@ -92,7 +92,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
         return state
     }
 
-    private fun attitude(orientation: Orientation, here: GpsFix, reading: PhoneSensors.Reading): StateInformation {
+    private fun attitude(orientation: PhoneOrientation, here: GpsFix, reading: PhoneSensors.Reading): StateInformation {
         val at = orientation.measuredAtMicros
         val declinationRad = MagneticModel.declinationRad(here.latitudeDeg(), here.longitudeDeg(), 0.0, year(at))
         val state = measured(attitudeName, at)
@@ -113,7 +113,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     }
 
     private fun movement(
-        orientation: Orientation,
+        orientation: PhoneOrientation,
         reading: PhoneSensors.Reading,
         declinationRad: Double,
         state: StateInformation,

@@ -2,7 +2,7 @@ package org.u2sa.android.vehicle
 
 import android.content.Context
 import android.speech.tts.TextToSpeech
-import org.u2sa.android.screen.Text
+import org.u2sa.android.text.Text
 
 /** Says aloud what goes wrong: whoever stands beside the vehicle looks at it, not at the screen. */
 internal class Announcer(private val context: Context) : AutoCloseable {

@@ -15,8 +15,3 @@ fun interface PhoneCondition {
     /** Returns at once. */
     fun read(): Reading
 }
-
-/** Whether the board's connection stands; null if there is none to be watched from here. */
-fun interface BoardCondition {
-    fun connected(): Boolean?
-}

@@ -1,6 +1,6 @@
 package org.u2sa.android.vehicle
 
-import org.u2sa.interfaces.Clock
+import org.u2sa.interfaces.time.Clock
 
 /**
  * What is wrong with the phone or its connections, and whether the vehicle may go on with it. It knows what the Safety Manager

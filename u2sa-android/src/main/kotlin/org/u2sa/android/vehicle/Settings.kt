@@ -2,7 +2,7 @@ package org.u2sa.android.vehicle
 
 import android.content.Context
 import android.content.SharedPreferences
-import org.u2sa.android.board.BoardAddress
+import org.u2sa.android.board.BoardChoice
 import org.u2sa.interfaces.BadInputException
 
 /** What the user chose. Kept by Android; each call reads or writes it at once. */
@@ -16,17 +16,17 @@ class Settings(context: Context) {
     var mission: String by text("mission", "")
 
     /** The way to the board; by the USB cable until another one is chosen, or if what is stored cannot be read. */
-    var board: BoardAddress
+    var board: BoardChoice
         get() = try {
-            BoardAddress.parse(boardText)
+            BoardChoice.parse(boardText)
         } catch (e: BadInputException) {
-            BoardAddress.Usb.also { boardText = it.toString() }
+            BoardChoice.Usb.also { boardText = it.toString() }
         }
         set(value) {
             boardText = value.toString()
         }
 
-    private var boardText: String by text("board", BoardAddress.Usb.toString())
+    private var boardText: String by text("board", BoardChoice.Usb.toString())
 
     /** Charge of the phone below which the vehicle is stopped [%]. */
     var lowBatteryPercent: Int

@@ -3,12 +3,12 @@ package org.u2sa.android.vehicle
 import java.util.OptionalDouble
 import java.util.TreeMap
 import kotlin.math.hypot
-import org.u2sa.interfaces.Clock
+import org.u2sa.interfaces.time.Clock
 import org.u2sa.messages.BatteryState
 import org.u2sa.messages.GoalInformation
 import org.u2sa.messages.GoalList
 import org.u2sa.messages.StateInformation
-import org.u2sa.messages.U2SAData
+import org.u2sa.messages.schema.U2SAData
 import org.u2sa.messages.Waypoint
 import org.u2sa.messages.contract.ArmingState
 import org.u2sa.messages.contract.Condition

@@ -1,7 +1,7 @@
 package org.u2sa.android.vehicle
 
 import android.content.Context
-import org.u2sa.android.screen.Text
+import org.u2sa.android.text.Text
 import org.u2sa.messages.contract.FailsafeAction
 
 /** How the vehicle is, in one sentence: for the notification and the top of the screen. */

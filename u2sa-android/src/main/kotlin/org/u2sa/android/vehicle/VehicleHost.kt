@@ -9,8 +9,8 @@ import org.u2sa.core.launch.LaunchOptions
 import org.u2sa.core.launch.RunningSystem
 import org.u2sa.core.launch.SystemFile
 import org.u2sa.interfaces.BadInputException
-import org.u2sa.interfaces.Clock
-import org.u2sa.interfaces.XmlConfiguration
+import org.u2sa.interfaces.time.Clock
+import org.u2sa.interfaces.configuration.XmlConfiguration
 import org.u2sa.interfaces.communication.CommunicationException
 import org.u2sa.service.ServiceContext
 

@@ -7,8 +7,7 @@ import android.app.PendingIntent
 import android.content.Context
 import android.content.Intent
 import android.graphics.drawable.Icon
-import org.u2sa.android.MainActivity
-import org.u2sa.android.screen.Text
+import org.u2sa.android.text.Text
 
 private const val CHANNEL = "vehicle"
 
@@ -45,7 +44,7 @@ internal class VehicleNotification(private val context: Context) {
     fun show(words: String, running: Boolean) = manager.notify(ID, of(words, running))
 
     private fun open() = PendingIntent.getActivity(
-        context, 0, Intent(context, MainActivity::class.java), PendingIntent.FLAG_IMMUTABLE,
+        context, 0, context.packageManager.getLaunchIntentForPackage(context.packageName), PendingIntent.FLAG_IMMUTABLE,
     )
 
     private fun emergencyStop() = PendingIntent.getService(

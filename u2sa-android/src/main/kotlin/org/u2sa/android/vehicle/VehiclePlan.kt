@@ -6,7 +6,7 @@ import android.hardware.usb.UsbManager
 import java.io.File
 import java.time.Instant
 import org.u2sa.android.board.BluetoothConnection
-import org.u2sa.android.board.BoardAddress
+import org.u2sa.android.board.BoardChoice
 import org.u2sa.android.board.BoardLink
 import org.u2sa.android.board.UsbConnection
 import org.u2sa.android.file.LogArchive
@@ -19,7 +19,7 @@ import org.u2sa.core.launch.LaunchOptions
 import org.u2sa.core.launch.SystemFile
 import org.u2sa.drivers.ioio.IoioService
 import org.u2sa.interfaces.BadInputException
-import org.u2sa.interfaces.Clock
+import org.u2sa.interfaces.time.Clock
 
 private const val RUNS_KEPT = 20
 private const val MICROS_PER_SECOND = 1_000_000L
@@ -57,11 +57,11 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
     private fun runName() = Instant.ofEpochSecond(clock.micros() / MICROS_PER_SECOND).toString().replace(':', '-')
 
     private fun boardLink(): BoardLink? = when (val board = settings.board) {
-        is BoardAddress.Bluetooth -> {
+        is BoardChoice.Bluetooth -> {
             val bluetooth = application.getSystemService(Context.BLUETOOTH_SERVICE) as? BluetoothManager
             BoardLink(board.toString()) { BluetoothConnection(bluetooth?.adapter, board.device, it) }
         }
-        BoardAddress.Usb -> {
+        BoardChoice.Usb -> {
             val usb = application.getSystemService(Context.USB_SERVICE) as UsbManager
             BoardLink(board.toString()) { UsbConnection(usb, it) }
         }
@@ -71,7 +71,7 @@ internal class VehiclePlan(context: Context, private val settings: Settings, pri
     private fun configure(options: LaunchOptions, mission: File?) {
         options.making(PhoneStateSensor::class.java) { PhoneStateSensor(it, AndroidPhoneSensors(application, clock)) }
         when (val board = settings.board) {
-            is BoardAddress.Tcp -> options.override("IoioService", "CONNECTION", board.toString())
+            is BoardChoice.Tcp -> options.override("IoioService", "CONNECTION", board.toString())
             else -> link?.let { way ->
                 options.making(IoioService::class.java) {
                     watched = way

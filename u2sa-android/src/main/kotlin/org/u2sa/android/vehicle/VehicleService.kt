@@ -17,8 +17,8 @@ import kotlin.concurrent.thread
 import org.u2sa.android.file.shippedFiles
 import org.u2sa.android.file.vehicleFiles
 import org.u2sa.interfaces.BadInputException
-import org.u2sa.interfaces.Clock
-import org.u2sa.interfaces.SystemClock
+import org.u2sa.interfaces.time.Clock
+import org.u2sa.interfaces.time.SystemClock
 
 private const val LOOK_EVERY_MS = 500L
 private const val TAG = "u2sa"

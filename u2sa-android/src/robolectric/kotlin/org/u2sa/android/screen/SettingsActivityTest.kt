@@ -17,7 +17,7 @@ import org.robolectric.Shadows.shadowOf
 import org.robolectric.annotation.Config
 import org.robolectric.shadows.ShadowToast
 import org.u2sa.android.OnPhone
-import org.u2sa.android.board.BoardAddress
+import org.u2sa.android.board.BoardChoice
 import org.u2sa.android.vehicle.Settings
 
 private const val DEVICE = "00:11:22:33:44:55"
@@ -48,7 +48,7 @@ class SettingsActivityTest {
     fun board_pairedAdapterChosen_isKept() {
         pair()
         change { it.choose("bluetooth:$DEVICE") }
-        assertThat(settings.board).isEqualTo(BoardAddress.Bluetooth(DEVICE))
+        assertThat(settings.board).isEqualTo(BoardChoice.Bluetooth(DEVICE))
     }
 
     @Test
@@ -57,7 +57,7 @@ class SettingsActivityTest {
             it.choose("tcp:")
             it.filterIsInstance<EditText>().first().setText("10.0.0.1:4545")
         }
-        assertThat(settings.board).isEqualTo(BoardAddress.Tcp("10.0.0.1", 4545))
+        assertThat(settings.board).isEqualTo(BoardChoice.Tcp("10.0.0.1", 4545))
     }
 
     @Test
@@ -67,7 +67,7 @@ class SettingsActivityTest {
             it.filterIsInstance<EditText>().first().setText("nowhere")
         }
         assertThat(ShadowToast.getTextOfLatestToast()).contains("tcp:nowhere").contains("expected")
-        assertThat(settings.board).isEqualTo(BoardAddress.Usb)
+        assertThat(settings.board).isEqualTo(BoardChoice.Usb)
     }
 
     @Test

@@ -11,7 +11,7 @@ import org.robolectric.RobolectricTestRunner
 import org.robolectric.Shadows.shadowOf
 import org.robolectric.shadows.ShadowCameraCharacteristics
 import org.u2sa.android.OnPhone
-import org.u2sa.interfaces.SystemClock
+import org.u2sa.interfaces.time.SystemClock
 
 @RunWith(RobolectricTestRunner::class)
 class AndroidPhoneCameraTest {

@@ -14,7 +14,7 @@ import org.robolectric.Shadows.shadowOf
 import org.robolectric.shadows.ShadowSensor
 import org.robolectric.shadows.SensorEventBuilder
 import org.u2sa.android.OnPhone
-import org.u2sa.interfaces.SystemClock
+import org.u2sa.interfaces.time.SystemClock
 
 @RunWith(RobolectricTestRunner::class)
 class AndroidPhoneSensorsTest {

@@ -10,7 +10,7 @@ class BoardAddressTest {
     @ParameterizedTest
     @ValueSource(strings = ["configured", "usb", "bluetooth:00:11:22:AA:BB:CC", "tcp:192.168.0.2:4545"])
     fun parse_whatWasWritten_isTheSame(text: String) {
-        assertThat(BoardAddress.parse(text).toString()).isEqualTo(text)
+        assertThat(BoardChoice.parse(text).toString()).isEqualTo(text)
     }
 
     @ParameterizedTest
@@ -19,7 +19,7 @@ class BoardAddressTest {
             "tcp:a:65536", "tcp:a:99999", "tcp:a b:1", "serial:/dev/ttyUSB0"],
     )
     fun parse_anythingElse_isRefusedByItsName(text: String) {
-        assertThatThrownBy { BoardAddress.parse(text) }
+        assertThatThrownBy { BoardChoice.parse(text) }
             .isInstanceOf(BadInputException::class.java)
             .hasMessageContaining("\"$text\"")
             .hasMessageContaining("expected")

@@ -81,10 +81,10 @@ class OrientationTest {
 
     @Test
     fun of_noNumbers_isRefused() {
-        assertThat(Orientation.of(0, floatArrayOf(Float.NaN, 0f, 0f, 1f))).isNull()
-        assertThat(Orientation.of(0, floatArrayOf(0f, 0f))).isNull()
-        assertThat(Orientation.of(0, floatArrayOf(0f, 0f, 0f, 0f))).isNull()
+        assertThat(PhoneOrientation.of(0, floatArrayOf(Float.NaN, 0f, 0f, 1f))).isNull()
+        assertThat(PhoneOrientation.of(0, floatArrayOf(0f, 0f))).isNull()
+        assertThat(PhoneOrientation.of(0, floatArrayOf(0f, 0f, 0f, 0f))).isNull()
     }
 
-    private fun orientation(values: FloatArray) = requireNotNull(Orientation.of(0, values))
+    private fun orientation(values: FloatArray) = requireNotNull(PhoneOrientation.of(0, values))
 }

@@ -40,9 +40,9 @@ class PhoneStateSensorTest {
     )
 
     /** Flat on its back, its top edge to the east of magnetic north by this. */
-    private fun heading(atS: Double, degrees: Double): Orientation {
+    private fun heading(atS: Double, degrees: Double): PhoneOrientation {
         val half = -Math.toRadians(degrees) / 2.0
-        return Orientation.of((atS * 1e6).toLong(), floatArrayOf(0f, 0f, sin(half).toFloat(), cos(half).toFloat()))!!
+        return PhoneOrientation.of((atS * 1e6).toLong(), floatArrayOf(0f, 0f, sin(half).toFloat(), cos(half).toFloat()))!!
     }
 
     private fun newest(): StateInformation = kit.latest(Channels.SENSED_STATE).orElseThrow()

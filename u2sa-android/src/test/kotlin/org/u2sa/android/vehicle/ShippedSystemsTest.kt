@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource
 import org.u2sa.android.sensor.PhoneSensors
 import org.u2sa.android.sensor.PhoneStateSensor
 import org.u2sa.android.vehicle.VehicleHost.Phase
-import org.u2sa.interfaces.SystemClock
+import org.u2sa.interfaces.time.SystemClock
 
 /** What is in the APK, copied as there, runs: all services, with a board that is not there. */
 @Timeout(180)

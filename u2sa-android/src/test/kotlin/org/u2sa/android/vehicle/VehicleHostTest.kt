@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
 import org.u2sa.android.vehicle.VehicleHost.Phase
-import org.u2sa.interfaces.SystemClock
+import org.u2sa.interfaces.time.SystemClock
 
 /** With the real services and the real time of a vehicle. */
 @Timeout(120)

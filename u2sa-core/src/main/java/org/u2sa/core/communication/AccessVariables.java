@@ -2,8 +2,8 @@ package org.u2sa.core.communication;
 
 import java.nio.file.Paths;
 import org.u2sa.core.security.SecurityDirectory;
-import org.u2sa.interfaces.Configurator;
 import org.u2sa.interfaces.communication.BrokerAccess;
+import org.u2sa.interfaces.configuration.Configurator;
 
 /** As whom and how the services of this process come to an external broker. */
 record AccessVariables(String user, String passwordFile, boolean tls, String caFile) {

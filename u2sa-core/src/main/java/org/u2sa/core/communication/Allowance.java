@@ -1,6 +1,6 @@
 package org.u2sa.core.communication;
 
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** So much a second, and up to a quarter of a second's worth at once. For one thread. */
 final class Allowance {

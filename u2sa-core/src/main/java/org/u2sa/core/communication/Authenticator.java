@@ -13,7 +13,7 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Checks passwords on a thread of its own, because one check takes a fifth of a second of a core.

@@ -1,9 +1,9 @@
 package org.u2sa.core.communication;
 
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * What one client, and all together, may ask of the broker.

@@ -15,8 +15,8 @@ import javax.jmdns.ServiceEvent;
 import javax.jmdns.ServiceInfo;
 import javax.jmdns.ServiceListener;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Looks for brokers on the local networks by multicast DNS: those that serve a U2SA system say so

@@ -12,8 +12,8 @@ import java.util.function.Supplier;
 import javax.net.ssl.SSLException;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Variable;
 
 /**
  * How the embedded broker is secured: by users and encryption, or by being heard on this host only.

@@ -5,10 +5,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
@@ -17,9 +13,13 @@ import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * The thesis's Communication Manager: what all services of a system talk through (4.5.1.1).
@@ -104,7 +104,7 @@ public final class CommunicationManager implements AutoCloseable {
    * @param types the message types that can come in from elsewhere
    * @param log takes what goes wrong later, a line each
    * @throws CommunicationException if the port is taken or the external broker does not answer
-   * @throws org.u2sa.interfaces.ConfigurationException if a variable is wrong
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
    */
   public static CommunicationManager start(
       String systemId, Configurator configuration, MessageTypes types, Consumer<String> log) {

@@ -16,8 +16,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.messages.MessageCodec;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.MessageCodec;
 
 /**
  * What stands between the network and Moquette: every connection passes here, is limited, says who

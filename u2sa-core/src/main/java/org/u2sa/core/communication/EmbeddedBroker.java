@@ -21,10 +21,10 @@ import java.util.Properties;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.messages.MessageCodec;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.schema.MessageCodec;
 
 /**
  * Moquette in this process, joined to the direct path: what comes from elsewhere goes onto the bus,

@@ -7,9 +7,9 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Gaps;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What remote clients publish, on its way to the bus. Counts what cannot be read or was lost. */
 final class IncomingCopies {

@@ -2,7 +2,7 @@ package org.u2sa.core.communication;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** Who gave wrong passwords, from where, and how often. Safe for several threads. */
 final class LoginFailures {

@@ -18,8 +18,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.OriginNumbers;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.Origin;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.Origin;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Copies of local messages on their way to subscribers elsewhere. Encoding and sending happen on a

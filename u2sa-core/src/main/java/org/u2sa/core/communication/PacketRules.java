@@ -16,9 +16,9 @@ import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What one client's packets may do. Belongs to its connection's thread. */
 final class PacketRules {

@@ -9,9 +9,9 @@ import org.u2sa.core.security.AccessTable;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypes;
 
 /**
  * What one client may publish, by topic alone: judged is the type that a reader will make of the

@@ -3,7 +3,7 @@ package org.u2sa.core.control;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.HandOver;
 
 /**

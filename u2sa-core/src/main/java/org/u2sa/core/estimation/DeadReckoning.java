@@ -1,7 +1,7 @@
 package org.u2sa.core.estimation;
 
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;

@@ -1,10 +1,10 @@
 package org.u2sa.core.estimation;
 
 import java.util.Optional;
-import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;

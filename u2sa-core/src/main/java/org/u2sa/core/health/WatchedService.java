@@ -3,7 +3,7 @@ package org.u2sa.core.health;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
@@ -23,10 +23,10 @@ final class WatchedService {
   private static final String GIVEN_UP = "given up";
 
   private final String name;
-  private final Observation observation;
+  private final HealthObservation observation;
   private final RestartCount restarts = new RestartCount();
-  private Observation.Finding finding =
-      new Observation.Finding(Condition.SILENT, "not heard yet", true);
+  private HealthObservation.Finding finding =
+      new HealthObservation.Finding(Condition.SILENT, "not heard yet", true);
   private double sinceS; // of the finding's condition
   private String action = "";
   private boolean toldToStop;
@@ -38,7 +38,7 @@ final class WatchedService {
 
   WatchedService(String name, double nowS) {
     this.name = name;
-    observation = new Observation(nowS);
+    observation = new HealthObservation(nowS);
     sinceS = nowS;
   }
 
@@ -103,9 +103,10 @@ final class WatchedService {
    * @return whether it is to be started anew now
    */
   boolean look(MonitorSettings settings, double nowS) {
-    Observation.Finding found = observation.judge(settings, settings.dataTimeoutS(name), nowS);
+    HealthObservation.Finding found =
+        observation.judge(settings, settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
-      found = new Observation.Finding(Condition.STOPPED, "it was told to", false);
+      found = new HealthObservation.Finding(Condition.STOPPED, "it was told to", false);
     }
     if (isPending()) {
       boolean shown = found.condition() == Condition.ALIVE;

@@ -2,7 +2,7 @@ package org.u2sa.core.launch;
 
 import java.util.Locale;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.service.ServiceSwap;

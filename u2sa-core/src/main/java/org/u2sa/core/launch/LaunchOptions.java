@@ -9,8 +9,8 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 

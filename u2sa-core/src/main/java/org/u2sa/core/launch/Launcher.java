@@ -1,11 +1,11 @@
 package org.u2sa.core.launch;
 
 import java.util.Optional;
-import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;

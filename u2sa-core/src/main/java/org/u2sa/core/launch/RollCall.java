@@ -3,16 +3,16 @@ package org.u2sa.core.launch;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Keeps a process from running a service that runs in another process of the same system: asks all

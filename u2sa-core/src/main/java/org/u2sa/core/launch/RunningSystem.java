@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 

@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 

@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.core.mission.MissionManager;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.XmlConfiguration;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.schema.MessageTypes;
 
 /**
  * A mission as the Mission Manager of a vehicle reads it, for whoever judges or shows what that

@@ -8,12 +8,12 @@ public final class Coordinates {
 
   /** Refuses what is no longitude. */
   public static void checkLongitude(XmlElement element, double longitudeDeg) {
-    Numbers.within(element, longitudeDeg, -180.0, 180.0, "deg of longitude");
+    MissionNumbers.within(element, longitudeDeg, -180.0, 180.0, "deg of longitude");
   }
 
   /** Refuses what is no latitude. */
   public static void checkLatitude(XmlElement element, double latitudeDeg) {
-    Numbers.within(
+    MissionNumbers.within(
         element, latitudeDeg, -90.0, 90.0, "deg of latitude (x is longitude, y is latitude)");
   }
 }

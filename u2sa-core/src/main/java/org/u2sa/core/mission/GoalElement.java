@@ -9,10 +9,10 @@ import java.util.Optional;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.Kind;
-import org.u2sa.messages.MessageField;
-import org.u2sa.messages.MessageType;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.Kind;
+import org.u2sa.messages.schema.MessageField;
+import org.u2sa.messages.schema.MessageType;
 
 /** A goal and the elements of the file that it was read from, so that errors can say where. */
 final class GoalElement {
@@ -97,7 +97,7 @@ final class GoalElement {
     try {
       if (field.kind() == Kind.DOUBLE) {
         String unit = field.unitIn(frame);
-        field.set(message, Numbers.converted(first, unit, unit));
+        field.set(message, MissionNumbers.converted(first, unit, unit));
       } else if (first.optionalAttribute("unit").isPresent()) {
         throw first.error("has a unit, but " + field.name() + " is not a number");
       } else {

@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.MessageField;
-import org.u2sa.messages.MessageType;
+import org.u2sa.messages.schema.MessageField;
+import org.u2sa.messages.schema.MessageType;
 import org.u2sa.service.HandOver;
 
 /**

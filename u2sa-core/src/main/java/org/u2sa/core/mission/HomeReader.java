@@ -55,7 +55,7 @@ final class HomeReader {
   private static Optional<Double> number(XmlElement home, String name, String ifUnset, String to) {
     Optional<XmlElement> element = home.child(name);
     element.ifPresent(each -> each.refuseUnknownAttributes("unit"));
-    return element.map(each -> Numbers.converted(each, ifUnset, to));
+    return element.map(each -> MissionNumbers.converted(each, ifUnset, to));
   }
 
   private static RuntimeException missing(XmlElement home, String name) {

@@ -10,7 +10,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.schema.MessageTypes;
 
 /**
  * A mission as its file has it (docs/missions.md): the goals in the file's order, and where the

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**

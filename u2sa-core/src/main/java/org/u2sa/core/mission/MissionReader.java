@@ -10,9 +10,9 @@ import java.util.OptionalDouble;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypes;
 
 /** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and refuses what contradicts itself. */
 final class MissionReader {

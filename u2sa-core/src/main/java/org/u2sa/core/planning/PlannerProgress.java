@@ -1,7 +1,7 @@
 package org.u2sa.core.planning;
 
 import java.util.Optional;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.service.HandOver;

@@ -1,7 +1,7 @@
 package org.u2sa.core.planning;
 
 import java.util.Collection;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
 
 /**
  * Brings an extension's planner states to every {@link PathPlanner}; found through {@link

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.GoalInformation;
 
 /** The states that a planner can be in, found by the class of the goal. */

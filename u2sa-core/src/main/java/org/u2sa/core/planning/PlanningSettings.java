@@ -1,7 +1,7 @@
 package org.u2sa.core.planning;
 
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * The planner's configuration at one moment.

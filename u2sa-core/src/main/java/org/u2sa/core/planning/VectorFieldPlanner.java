@@ -1,7 +1,7 @@
 package org.u2sa.core.planning;
 
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**

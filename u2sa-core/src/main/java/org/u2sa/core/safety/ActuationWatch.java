@@ -3,13 +3,13 @@ package org.u2sa.core.safety;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Whether actuators obey: by the health of the services that have them, which count the commands

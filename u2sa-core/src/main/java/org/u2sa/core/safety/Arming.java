@@ -2,9 +2,9 @@ package org.u2sa.core.safety;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.interfaces.LogLevelEnum;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Whether the vehicle may move: not before all checks have passed once, and somebody wants it. */
 final class Arming {

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.GoalList;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EmergencyLatch;
 
 /** What must be before the vehicle may move, and why not if it is not. */

@@ -4,11 +4,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Whether a battery has been below a level, by voltage or charge, for long enough to mean it. */
 final class BatteryWatch implements Watch {

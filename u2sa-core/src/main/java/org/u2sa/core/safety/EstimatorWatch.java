@@ -1,7 +1,7 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Whether the state estimator works: by the health monitor's word, and by the states that come. */
 final class EstimatorWatch implements Watch {

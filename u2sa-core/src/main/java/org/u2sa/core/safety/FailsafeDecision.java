@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /**

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.core.mission.LoadedFile;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 
 /** The file that the variable FENCE names, as it was loaded and as it is now. */
 final class FenceFile {

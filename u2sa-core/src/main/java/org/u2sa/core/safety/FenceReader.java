@@ -11,7 +11,7 @@ import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.operation.valid.IsValidOp;
 import org.locationtech.jts.operation.valid.TopologyValidationError;
 import org.u2sa.core.mission.Coordinates;
-import org.u2sa.core.mission.Numbers;
+import org.u2sa.core.mission.MissionNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.Geodetic;
@@ -76,7 +76,7 @@ final class FenceReader {
     Optional<XmlElement> element = root.child(name);
     element.ifPresent(each -> each.refuseUnknownAttributes("unit"));
     return element.isPresent()
-        ? OptionalDouble.of(Numbers.converted(element.get(), "m", "m"))
+        ? OptionalDouble.of(MissionNumbers.converted(element.get(), "m", "m"))
         : OptionalDouble.empty();
   }
 
@@ -109,7 +109,7 @@ final class FenceReader {
     XmlElement radius =
         area.child("radius").orElseThrow(() -> area.error("has a <centre> but no <radius>"));
     radius.refuseUnknownAttributes("unit");
-    double radiusM = Numbers.converted(radius, "m", "m");
+    double radiusM = MissionNumbers.converted(radius, "m", "m");
     if (!(radiusM > 0.0)) {
       throw radius.error(radiusM + " m: expected more than 0 m");
     }
@@ -146,6 +146,6 @@ final class FenceReader {
         element.child(name).orElseThrow(() -> element.error("lacks <" + name + ">"));
     number.refuseUnknownAttributes("unit");
     String unit = onEarth ? "deg" : "m";
-    return Numbers.converted(number, unit, unit);
+    return MissionNumbers.converted(number, unit, unit);
   }
 }

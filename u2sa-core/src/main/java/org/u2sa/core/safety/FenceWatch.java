@@ -1,10 +1,10 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Acts before the fence is reached, if there is one: when the vehicle could no longer stop or turn

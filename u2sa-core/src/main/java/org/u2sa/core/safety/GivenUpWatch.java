@@ -1,7 +1,7 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Whether the health monitor has given a service up, by its policy or after its restarts. */
 final class GivenUpWatch implements Watch {

@@ -1,6 +1,6 @@
 package org.u2sa.core.safety;
 
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /** What can be wrong with a vehicle on its way, each with its entry in the failsafe matrix. */

@@ -4,8 +4,8 @@ import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.messages.GoalList;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Whether a mission to land by is loaded, if the matrix says LAND anywhere. */
 final class LandMission {

@@ -1,11 +1,11 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Whether the health monitor is there: nobody else watches the watcher. */
 final class MonitorWatch implements Watch {

@@ -1,10 +1,10 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.schema.U2SAData;
 
 /** The link to whoever watches the vehicle: lost when no operator has been heard for a time. */
 final class OperatorWatch implements Watch {

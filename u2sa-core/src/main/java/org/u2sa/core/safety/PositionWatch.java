@@ -1,10 +1,10 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.MessageAge;
 
 /** Whether the vehicle knows where it is: lost with fresh states, their x and y, or certainty. */

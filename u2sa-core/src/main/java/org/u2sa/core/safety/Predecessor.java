@@ -1,11 +1,11 @@
 package org.u2sa.core.safety;
 
 import java.util.List;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * What a Safety Manager before this one said last, which is retained: one that is started anew in

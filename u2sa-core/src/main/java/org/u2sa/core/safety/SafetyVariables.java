@@ -1,7 +1,7 @@
 package org.u2sa.core.safety;
 
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 
 /** The configuration variables of the {@link SafetyManager}, those of the matrix aside. */
 final class SafetyVariables {

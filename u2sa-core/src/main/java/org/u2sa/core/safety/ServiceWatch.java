@@ -2,7 +2,7 @@ package org.u2sa.core.safety;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Whether services without which a vehicle is lame still work, by the health monitor's word. */
 final class ServiceWatch implements Watch {

@@ -1,7 +1,7 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Looks out for one hazard. Belongs to the Safety Manager's thread. */
 interface Watch {

@@ -2,7 +2,7 @@ package org.u2sa.core.safety;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
 
 /** Makes the watches that a configuration asks for. */
 final class Watches {

@@ -3,7 +3,7 @@ package org.u2sa.core.security;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.MessageType;
+import org.u2sa.messages.schema.MessageType;
 
 /**
  * One row of {@link AccessTable}: a type on the channel that carries it. Retained or not, QoS and

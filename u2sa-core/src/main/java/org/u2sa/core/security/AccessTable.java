@@ -21,7 +21,6 @@ import java.util.Set;
 import org.u2sa.core.security.AccessRule.Kind;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.MessageType;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationChangeResult;
 import org.u2sa.messages.contract.ConfigurationRequest;
@@ -35,6 +34,7 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.schema.MessageType;
 
 /**
  * Which message travels on which channel, and who may publish it: what is not in here, nobody may.
@@ -121,7 +121,7 @@ public final class AccessTable {
    *
    * @param channel a standard channel's name
    * @param known what the message will be read as, {@link
-   *     org.u2sa.messages.MessageTypes#nearest(List)}
+   *     org.u2sa.messages.schema.MessageTypes#nearest(List)}
    */
   public static Optional<AccessRule> rule(String channel, MessageType<?> known) {
     Map<String, AccessRule> ofChannel = BY_CHANNEL.getOrDefault(channel, Map.of());

@@ -21,7 +21,7 @@ import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;
 import org.u2sa.core.security.UserFile;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /** Who is checked, in which order, and who is told to come again. */
 @Timeout(120)

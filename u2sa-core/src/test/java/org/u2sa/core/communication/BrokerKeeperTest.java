@@ -15,11 +15,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.testkit.FreePort;
 
 /** What is done about an embedded broker that fails. */
@@ -45,7 +45,7 @@ class BrokerKeeperTest {
     died.add(whenDead);
     return EmbeddedBroker.start(
         new LocalBus("cessna"),
-        new MessageCodec(MessageTypes.standard()),
+        new MessageCodec(StandardTypes.registry()),
         address,
         new BrokerSecurity(null, null),
         BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),

@@ -12,18 +12,19 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.testkit.FreePort;
 
 /** Brokers that are found by multicast DNS, on loopback: no word of these leaves the host. */
 @Timeout(180)
 class BrokerSearchTest {
-  private static final MessageTypes TYPES = MessageTypes.standard();
+  private static final MessageTypes TYPES = StandardTypes.registry();
   private static final double LONG_S = 60.0; // ends as soon as one is found
 
   private final List<String> log = new CopyOnWriteArrayList<>();

@@ -17,10 +17,10 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.messages.GoalList;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.testkit.FreePort;
 
 /**
@@ -81,7 +81,7 @@ class CommunicationManagerTest extends TwoClients {
     local.subscribe(Channels.STATE);
     Connection other =
         new MqttTransport(
-                "127.0.0.1", broker.port, "boat", new MessageCodec(MessageTypes.standard()))
+                "127.0.0.1", broker.port, "boat", new MessageCodec(StandardTypes.registry()))
             .connect("Remote", new RecordingReceiver());
     StateInformation mine = frozen(new StateInformation().sensorName("a").x(1.0));
 

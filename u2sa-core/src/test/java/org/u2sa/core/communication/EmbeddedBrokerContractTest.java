@@ -1,9 +1,9 @@
 package org.u2sa.core.communication;
 
 import java.util.Map;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.testkit.FreePort;
 
 /** MQTT through the embedded broker. */
@@ -13,7 +13,7 @@ class EmbeddedBrokerContractTest extends TransportContract {
       CommunicationManager.start(
           "cessna",
           XmlConfiguration.inMemory("test", Map.of("COMMUNICATION MANAGER PORT", port)),
-          MessageTypes.standard(),
+          StandardTypes.registry(),
           line -> {
             throw new AssertionError(line);
           });

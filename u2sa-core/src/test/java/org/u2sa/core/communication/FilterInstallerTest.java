@@ -16,12 +16,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.testkit.FreePort;
 
 /**
@@ -30,7 +30,7 @@ import org.u2sa.testkit.FreePort;
  */
 @Timeout(60)
 class FilterInstallerTest {
-  private static final MessageCodec CODEC = new MessageCodec(MessageTypes.standard());
+  private static final MessageCodec CODEC = new MessageCodec(StandardTypes.registry());
 
   private final Server server = new Server();
   private int port;

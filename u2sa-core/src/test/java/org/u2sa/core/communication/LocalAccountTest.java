@@ -25,9 +25,9 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalToken;
 import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 
 /** Who of a shared machine may command a vehicle that has no users. */
 @Timeout(60)
@@ -110,7 +110,7 @@ class LocalAccountTest {
       new Thread(heard).start();
       MqttTransport transport =
           new MqttTransport(
-                  "127.0.0.2", broker.port, "cessna", new MessageCodec(MessageTypes.standard()))
+                  "127.0.0.2", broker.port, "cessna", new MessageCodec(StandardTypes.registry()))
               .waiting(0.1);
       assertThatThrownBy(() -> transport.connect("Own", inbox))
           .isInstanceOf(CommunicationException.class);

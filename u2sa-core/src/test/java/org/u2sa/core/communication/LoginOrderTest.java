@@ -6,7 +6,7 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** Whose password is checked next, and who must wait how long after a wrong one. */
 class LoginOrderTest {

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What does not get through a broken link is counted, by one side or the other. */
 @Timeout(90)

@@ -10,10 +10,10 @@ import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttQoS;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.XmlConfiguration;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 
 /** Who counts as too slow to be served. */
 class OutflowTest {
@@ -35,7 +35,7 @@ class OutflowTest {
   @Test
   void tooSlow_clientThatReadsAll_never() {
     BrokerLimits limits = BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of()));
-    MessageCodec codec = new MessageCodec(MessageTypes.standard());
+    MessageCodec codec = new MessageCodec(StandardTypes.registry());
     ConnectionFilter door = new ConnectionFilter(limits, codec, new TestClock(), null, line -> {});
     Outflow outflow = new Outflow(door);
     EmbeddedChannel channel = new EmbeddedChannel(MqttEncoder.INSTANCE, outflow);

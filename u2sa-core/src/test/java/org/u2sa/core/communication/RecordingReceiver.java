@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Keeps what it is handed. */
 final class RecordingReceiver implements Receiver {

@@ -15,11 +15,11 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.GoalList;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What a client does on a new session, step by step, with a broker that does as the test says. */
 @Timeout(120)
@@ -55,7 +55,7 @@ class RenewedSessionTest {
     try {
       return payload == null
           ? null
-          : new MessageCodec(MessageTypes.standard()).decode(topic.typeChain(), payload);
+          : new MessageCodec(StandardTypes.registry()).decode(topic.typeChain(), payload);
     } catch (MalformedMessageException e) {
       throw new AssertionError(e);
     }

@@ -16,8 +16,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 
 /** Tests of a manager whose broker asks for users and TLS, with a user of each role. */
 abstract class SecuredClients {
@@ -65,7 +65,7 @@ abstract class SecuredClients {
 
   MqttTransport transport(BrokerAccess access, String system) {
     return new MqttTransport(
-            "localhost", broker.port, system, new MessageCodec(MessageTypes.standard()), access)
+            "localhost", broker.port, system, new MessageCodec(StandardTypes.registry()), access)
         .waiting(TestManager.PATIENCE_S);
   }
 

@@ -19,9 +19,9 @@ import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.MqttTransport;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
 
 /** Whom the embedded broker lets in, and which broker a client trusts. */
 @Timeout(120)
@@ -122,7 +122,7 @@ class SecuredLoginTest extends SecuredClients {
             "127.0.0.2",
             broker.port,
             "cessna",
-            new MessageCodec(MessageTypes.standard()),
+            new MessageCodec(StandardTypes.registry()),
             accessOf("pilot"));
     broker.replace(Map.of("SECURITY DIRECTORY", folder.toString(), "BIND ADDRESS", "0.0.0.0"));
     awaitDistrust(otherName, "No subject alternative names matching IP address 127.0.0.2");

@@ -13,7 +13,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What is published just before the embedded broker ends. */
 @Timeout(120)

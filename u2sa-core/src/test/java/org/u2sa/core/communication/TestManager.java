@@ -6,12 +6,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.testkit.FreePort;
 
 /** A Communication Manager of system cessna on a free port, and clients that end with it. */
@@ -19,7 +20,7 @@ final class TestManager implements AutoCloseable {
   /** How long a client tries [s]: one attempt may take longer than it may where much else runs. */
   static final double PATIENCE_S = 30.0;
 
-  private static final MessageTypes TYPES = MessageTypes.standard();
+  private static final MessageTypes TYPES = StandardTypes.registry();
 
   final List<String> log = new CopyOnWriteArrayList<>();
   final int port = FreePort.find();

@@ -22,14 +22,15 @@ import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypes;
 
 /** Every role on every channel with every chain of types, true ones and made-up ones. */
 class TopicJudgeTest {
   private static final String OWN = "my-own-channel";
-  private static final MessageTypes TYPES = MessageTypes.standard();
+  private static final MessageTypes TYPES = StandardTypes.registry();
   private static final Set<AccessRole> OWN_CHANNELS =
       EnumSet.of(
           AccessRole.SERVICE,

@@ -18,8 +18,8 @@ import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * What every way to the Communication Manager does alike, so that a service cannot tell which it

@@ -4,7 +4,7 @@ import java.io.IOException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.u2sa.interfaces.communication.Connection;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Tests of a manager with two clients: one in its own process, one by TCP. */
 abstract class TwoClients {

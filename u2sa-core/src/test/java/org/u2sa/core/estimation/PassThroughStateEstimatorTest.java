@@ -6,12 +6,12 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.NumberField;
-import org.u2sa.messages.Schema;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
 import org.u2sa.testkit.ServiceKit;
 
 class PassThroughStateEstimatorTest {

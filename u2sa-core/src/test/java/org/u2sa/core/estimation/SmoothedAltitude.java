@@ -2,8 +2,8 @@ package org.u2sa.core.estimation;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;

@@ -12,12 +12,12 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Who commands the boat, and what was heard of it. */
 final class BoatOperator implements AutoCloseable {
@@ -38,7 +38,7 @@ final class BoatOperator implements AutoCloseable {
           }
         };
     connection =
-        new MqttTransport("127.0.0.1", port, "boat", new MessageCodec(MessageTypes.standard()))
+        new MqttTransport("127.0.0.1", port, "boat", new MessageCodec(StandardTypes.registry()))
             .connect("Operator", receiver);
     for (Channel<?> channel :
         List.of(

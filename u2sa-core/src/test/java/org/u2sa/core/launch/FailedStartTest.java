@@ -15,9 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.XmlConfiguration;
-import org.u2sa.messages.MessageTypes;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -59,7 +59,7 @@ class FailedStartTest {
     XmlConfiguration ofBroker =
         XmlConfiguration.inMemory("test", Map.of("COMMUNICATION MANAGER PORT", port));
     try (CommunicationManager broker =
-        CommunicationManager.start("test", ofBroker, MessageTypes.standard(), line -> {})) {
+        CommunicationManager.start("test", ofBroker, StandardTypes.registry(), line -> {})) {
       assertThat(broker.address()).isPresent();
 
       assertThatThrownBy(() -> RunningSystem.start(file, options)).hasMessage("no device");

@@ -1,9 +1,9 @@
 package org.u2sa.core.launch;
 
 import java.util.concurrent.atomic.AtomicReference;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;

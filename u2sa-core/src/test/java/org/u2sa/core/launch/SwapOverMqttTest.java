@@ -13,17 +13,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -84,9 +84,9 @@ class SwapOverMqttTest {
             "test",
             Map.of("COMMUNICATION MANAGER PORT", port, "CLIENT ORDERS PER SECOND", 100_000));
     MqttTransport transport =
-        new MqttTransport("127.0.0.1", port, "stress", new MessageCodec(MessageTypes.standard()));
+        new MqttTransport("127.0.0.1", port, "stress", new MessageCodec(StandardTypes.registry()));
     try (CommunicationManager communication =
-        CommunicationManager.start("stress", manager, MessageTypes.standard(), line -> {})) {
+        CommunicationManager.start("stress", manager, StandardTypes.registry(), line -> {})) {
       assertThat(communication).isNotNull();
       XmlConfiguration configuration =
           XmlConfiguration.inMemory("Numbers", Map.of("INBOX CAPACITY", MESSAGES));

@@ -11,16 +11,16 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
 
@@ -50,7 +50,7 @@ class TwoVehiclesTest {
         systemId,
         XmlConfiguration.inMemory(
             "test", Map.of("BROKER", broker, "COMMUNICATION MANAGER PORT", port)),
-        MessageTypes.standard(),
+        StandardTypes.registry(),
         line -> {});
   }
 

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.core.mission.MissionManager;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.Waypoint;
 
 /** The thesis's own snippets, which give no threshold, on every vehicle that is shipped. */

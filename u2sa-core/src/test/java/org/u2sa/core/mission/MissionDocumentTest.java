@@ -15,9 +15,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.MessageField;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageField;
 
 /** Holds docs/missions.md to what the reader does. */
 class MissionDocumentTest {
@@ -44,7 +44,7 @@ class MissionDocumentTest {
       Mission mission =
           Mission.parse(
               XmlReader.read(new ByteArrayInputStream(bytes), "docs/missions.md", "mission"),
-              MessageTypes.standard(),
+              StandardTypes.registry(),
               OptionalDouble.of(2.0));
       assertThat(mission.warnings()).isEmpty();
     }

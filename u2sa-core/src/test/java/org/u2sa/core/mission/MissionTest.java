@@ -13,9 +13,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.registry.StandardTypes;
 
 class MissionTest {
   /** Reads the goals and home of a mission given without its root element. */
@@ -24,7 +24,7 @@ class MissionTest {
     return Mission.parse(
         XmlReader.read(
             new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "m.xml", "mission"),
-        MessageTypes.standard(),
+        StandardTypes.registry(),
         OptionalDouble.of(80.0));
   }
 

@@ -1,8 +1,8 @@
 package org.u2sa.core.planning;
 
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
 
 /** A goal that no planner state knows. */
 final class Dance extends GoalInformation {

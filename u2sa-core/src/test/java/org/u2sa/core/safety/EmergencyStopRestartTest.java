@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.EmergencyStop;
 
 /** An emergency stop outlives actuator, Safety Manager and broker. */

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Point;
 
 /** Distances worked out by hand, and what a region covers. */

@@ -15,21 +15,21 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.PercentageCommand;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
@@ -122,12 +122,12 @@ abstract class StoppedBoat {
         CommunicationManager.start(
             SYSTEM,
             XmlConfiguration.inMemory("broker", Map.of("COMMUNICATION MANAGER PORT", port)),
-            MessageTypes.standard(),
+            StandardTypes.registry(),
             line -> {});
   }
 
   private MqttTransport transport() {
-    return new MqttTransport("127.0.0.1", port, SYSTEM, new MessageCodec(MessageTypes.standard()));
+    return new MqttTransport("127.0.0.1", port, SYSTEM, new MessageCodec(StandardTypes.registry()));
   }
 
   ServiceContext context(String name, Map<String, Object> variables) {

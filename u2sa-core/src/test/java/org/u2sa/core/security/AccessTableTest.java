@@ -14,12 +14,12 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.OpaqueMessage;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.OpaqueMessage;
 
 class AccessTableTest {
   private static final Path PAGE = Paths.get("../docs/security.md");

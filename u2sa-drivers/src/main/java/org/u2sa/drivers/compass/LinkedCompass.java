@@ -3,7 +3,7 @@ package org.u2sa.drivers.compass;
 import java.util.Optional;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ParsedLink;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** A compass at the other end of a link. */
 public final class LinkedCompass implements Compass {

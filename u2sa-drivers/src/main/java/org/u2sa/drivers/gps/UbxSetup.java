@@ -3,7 +3,7 @@ package org.u2sa.drivers.gps;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Sets a receiver of u-blox up after each connection: its port (CFG-PRT), rate (CFG-RATE) and

@@ -4,12 +4,12 @@ import java.util.Optional;
 import org.u2sa.drivers.compass.TrueNorth;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 

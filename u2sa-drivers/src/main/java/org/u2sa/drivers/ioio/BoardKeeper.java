@@ -1,7 +1,7 @@
 package org.u2sa.drivers.ioio;
 
 import java.util.Optional;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Keeps a connection to the board: makes it, notices its end or its silence, makes it anew. In real

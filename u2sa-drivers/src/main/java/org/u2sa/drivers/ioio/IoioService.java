@@ -15,7 +15,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;

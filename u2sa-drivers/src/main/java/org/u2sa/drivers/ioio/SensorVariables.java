@@ -11,9 +11,9 @@ import org.u2sa.drivers.gps.UbloxModel;
 import org.u2sa.drivers.gps.UbxGps;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 
 /** The configuration variables that say what the GPS and the compass are. */
 final class SensorVariables {

@@ -1,6 +1,6 @@
 package org.u2sa.drivers.ioio;
 
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** What the board's LED tells who stands beside the vehicle. */
 enum StatusLed {

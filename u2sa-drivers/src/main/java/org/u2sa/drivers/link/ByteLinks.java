@@ -5,7 +5,7 @@ import java.nio.file.Paths;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** Opens links from the addresses that users write in configuration files. */
 public final class ByteLinks {

@@ -1,8 +1,8 @@
 package org.u2sa.drivers.link;
 
 import java.io.IOException;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /**
  * A link to a device that may be unplugged: one thread looks for it and reads, another one writes,

@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Writes down all that passes a link, with times, for a {@link ReplayLink}. Text, a line for each

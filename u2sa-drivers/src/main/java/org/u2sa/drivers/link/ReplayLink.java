@@ -8,7 +8,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Plays a {@link RecordingLink}'s file in place of the device, at its pace, on the run's clock: in

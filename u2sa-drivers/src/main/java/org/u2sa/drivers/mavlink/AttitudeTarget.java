@@ -7,7 +7,7 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Commands as roll and pitch angles, rate of yaw and thrust: SET_ATTITUDE_TARGET. Neutral is level,

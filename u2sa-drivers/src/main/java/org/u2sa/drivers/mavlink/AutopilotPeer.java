@@ -13,7 +13,7 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * The conversation beside measurements and commands: who the autopilot is, heartbeats both ways,

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.drivers.motor.PulseWidth;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 
 /** The configuration variables of {@link MavlinkAutopilot}. */
 final class MavlinkVariables {

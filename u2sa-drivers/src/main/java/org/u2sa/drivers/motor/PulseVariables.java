@@ -1,9 +1,9 @@
 package org.u2sa.drivers.motor;
 
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 
 /** The configuration variables of a servo output; their names begin with the actuator's. */
 public final class PulseVariables {

@@ -2,7 +2,7 @@ package org.u2sa.drivers.motor;
 
 import java.util.OptionalDouble;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * A RoboClaw on a serial line, in packet serial mode (RoboClaw Series User Manual, Basicmicro). One

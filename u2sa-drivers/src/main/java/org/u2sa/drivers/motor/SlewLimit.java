@@ -1,7 +1,7 @@
 package org.u2sa.drivers.motor;
 
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Keeps a percentage from changing faster than gears and batteries like. It knows the last value,

@@ -1,7 +1,7 @@
 package org.u2sa.drivers.motor;
 
 import java.util.Optional;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 

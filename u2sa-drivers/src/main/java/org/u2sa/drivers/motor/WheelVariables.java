@@ -1,8 +1,8 @@
 package org.u2sa.drivers.motor;
 
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 
 /** The configuration variables of {@link WheelMotors}. */
 final class WheelVariables {

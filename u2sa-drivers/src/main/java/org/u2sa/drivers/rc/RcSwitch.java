@@ -1,7 +1,7 @@
 package org.u2sa.drivers.rc;
 
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * The switch on the radio between automatic and manual (thesis 4.6.3). A short pulse, one that no

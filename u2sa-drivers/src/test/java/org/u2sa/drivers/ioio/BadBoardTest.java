@@ -13,7 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** Boards over TCP that hang, stay silent, garble, or are none: given up, and connected anew. */
 class BadBoardTest {

@@ -3,8 +3,8 @@ package org.u2sa.drivers.ioio;
 import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.sim.ioio.IoioTcpServer;
 
 /** A bench whose board is served over TCP in real time. */

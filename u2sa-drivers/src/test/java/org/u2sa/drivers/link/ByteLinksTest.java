@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /** What a user mistypes is said in one line that quotes it. */
 class ByteLinksTest {

@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.LockstepClock;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /** A recorded link is as good as the link; its recording says what passed, and when. */
 class RecordingLinkTest extends ByteLinkContract {

@@ -1,7 +1,7 @@
 package org.u2sa.drivers.link;
 
 import java.nio.file.Path;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /** Records links in tests of other packages. */
 public final class Recordings {

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.LockstepClock;
+import org.u2sa.interfaces.time.LockstepClock;
 
 /** A replay is what the recorded link was, at the times at which it was, or faster. */
 class ReplayLinkTest {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 
 class PulseWidthTest {
   private static final double NEAR_S = 1.0e-9;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Point;
 
 /** Signs of the mounting pose in BODY: x forward, y left, z down. */

@@ -14,7 +14,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.XmlConfiguration;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 
 /** Manual unless the radio surely says otherwise. */
 class RcSwitchTest {

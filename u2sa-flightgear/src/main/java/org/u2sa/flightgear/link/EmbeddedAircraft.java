@@ -1,7 +1,7 @@
 package org.u2sa.flightgear.link;
 
-import org.u2sa.interfaces.Clock;
-import org.u2sa.sim.aircraft.AircraftState;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 
@@ -51,7 +51,7 @@ public final class EmbeddedAircraft implements AircraftLink {
   }
 
   /** The state as a reading. */
-  static AircraftReading reading(AircraftState state, long sequence, long measuredAtMicros) {
+  static AircraftReading reading(AircraftMotion state, long sequence, long measuredAtMicros) {
     double sinRoll = Math.sin(state.rollRad());
     double cosRoll = Math.cos(state.rollRad());
     // Euler rates from body rates (Stevens & Lewis, 2nd ed., eq. 1.3-22a).

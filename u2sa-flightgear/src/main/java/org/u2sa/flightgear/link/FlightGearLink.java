@@ -1,6 +1,6 @@
 package org.u2sa.flightgear.link;
 
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
@@ -29,7 +29,7 @@ public final class FlightGearLink implements AircraftLink {
   private static final long END_MS = 2_000;
 
   private final Troubles troubles;
-  private final LinkThread thread;
+  private final FlightGearThread thread;
 
   /**
    * Begins to listen.
@@ -40,7 +40,7 @@ public final class FlightGearLink implements AircraftLink {
    */
   public FlightGearLink(FlightGearAddress address, Clock clock) {
     troubles = new Troubles(clock);
-    thread = new LinkThread(address, clock, troubles);
+    thread = new FlightGearThread(address, clock, troubles);
     troubles.event("waiting for FlightGear on " + address.bindHost() + ":" + thread.port());
     thread.start();
   }
@@ -68,7 +68,7 @@ public final class FlightGearLink implements AircraftLink {
 
   @Override
   public AircraftReading read(long nowMicros) {
-    LinkThread.Seen seen = thread.seen();
+    FlightGearThread.Seen seen = thread.seen();
     boolean fresh = nowMicros - seen.lastLineMicros() <= OutChannel.SILENCE_MICROS;
     return seen.alive() && fresh ? seen.reading() : Readings.lost(seen.reading());
   }

@@ -9,7 +9,7 @@ import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import org.u2sa.flightgear.protocol.InLine;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**

@@ -1,6 +1,6 @@
 package org.u2sa.flightgear.link;
 
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * When a line was measured, by the run's clock: an anchor (arrival of one line) plus FlightGear's

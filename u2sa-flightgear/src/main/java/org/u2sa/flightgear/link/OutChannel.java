@@ -16,8 +16,8 @@ import org.u2sa.flightgear.protocol.LineSplitter;
 import org.u2sa.flightgear.protocol.MalformedLineException;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * Where FlightGear's lines come in. We listen; whoever sends the first good line while nobody else

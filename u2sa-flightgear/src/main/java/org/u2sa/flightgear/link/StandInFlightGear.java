@@ -8,7 +8,7 @@ import org.u2sa.flightgear.protocol.InLine;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 

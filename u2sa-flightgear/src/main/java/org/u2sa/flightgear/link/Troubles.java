@@ -2,7 +2,7 @@ package org.u2sa.flightgear.link;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 
 /**
  * What is to be said about the link: each event once, refused lines at most once in {@link

@@ -57,7 +57,7 @@ public record InLine(ControlInputs controls, long count) {
    *     never recover
    */
   public InLine after(String line) throws MalformedLineException {
-    List<String> parts = Numbers.split(line);
+    List<String> parts = PropertyNumbers.split(line);
     InField[] fields = InField.values();
     double[] values = new double[fields.length];
     for (InField field : fields) {
@@ -84,8 +84,8 @@ public record InLine(ControlInputs controls, long count) {
     String lower = text.trim().toLowerCase(Locale.ROOT);
     if (lower.contains("nan") || lower.contains("inf")) {
       throw new MalformedLineException(
-          field.node() + ": \"" + Numbers.shown(text) + "\" would poison the flight model");
+          field.node() + ": \"" + PropertyNumbers.shown(text) + "\" would poison the flight model");
     }
-    return Numbers.isNumber(lower) ? Double.parseDouble(lower) : 0.0;
+    return PropertyNumbers.isNumber(lower) ? Double.parseDouble(lower) : 0.0;
   }
 }

@@ -32,11 +32,11 @@ public final class OutLine {
    *     impossible; nothing is taken from such a line
    */
   public static OutLine parse(String line) throws MalformedLineException {
-    List<String> parts = Numbers.split(line);
+    List<String> parts = PropertyNumbers.split(line);
     if (parts.size() != FIELDS.length) {
       throw new MalformedLineException(
           "\""
-              + Numbers.shown(line)
+              + PropertyNumbers.shown(line)
               + "\" has "
               + parts.size()
               + " fields, expected "
@@ -44,7 +44,7 @@ public final class OutLine {
     }
     double[] values = new double[FIELDS.length];
     for (OutField field : FIELDS) {
-      values[field.ordinal()] = Numbers.parse(field.node(), parts.get(field.ordinal()));
+      values[field.ordinal()] = PropertyNumbers.parse(field.node(), parts.get(field.ordinal()));
     }
     OutLine read = new OutLine(values);
     if (!read.isBeforeFlight()) {

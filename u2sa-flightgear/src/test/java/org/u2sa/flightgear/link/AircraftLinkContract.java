@@ -8,7 +8,7 @@ import java.util.function.Predicate;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 import org.u2sa.sim.aircraft.RunwayStart;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.BufferedReader;
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /** What may happen to controls on their way, and that nothing of it reaches the service. */

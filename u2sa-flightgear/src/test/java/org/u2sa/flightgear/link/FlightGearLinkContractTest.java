@@ -2,8 +2,8 @@ package org.u2sa.flightgear.link;
 
 import java.io.IOException;
 import org.junit.jupiter.api.AfterEach;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 
 final class FlightGearLinkContractTest extends AircraftLinkContract {
   private final Clock clock = new SystemClock();

@@ -13,8 +13,8 @@ import org.awaitility.core.ConditionFactory;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.sim.aircraft.ControlInputs;
 import org.u2sa.testkit.FreePort;
 

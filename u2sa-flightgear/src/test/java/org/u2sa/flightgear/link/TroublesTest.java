@@ -3,7 +3,7 @@ package org.u2sa.flightgear.link;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.LockstepClock;
+import org.u2sa.interfaces.time.LockstepClock;
 
 final class TroublesTest {
   private final LockstepClock clock = new LockstepClock();

@@ -1,7 +1,7 @@
 package org.u2sa.gcs.configuration;
 
 import java.util.List;
-import org.u2sa.gcs.CommandProvider;
+import org.u2sa.gcs.command.CommandProvider;
 
 /** Adds {@code u2sa config} to the command line. */
 public final class ConfigurationCommands implements CommandProvider {

@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
 import java.util.stream.Collectors;
-import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.HeardServices;
 import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -14,7 +14,6 @@ import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
@@ -22,6 +21,7 @@ import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.contract.ConfigurationVariable;
+import org.u2sa.messages.schema.U2SAData;
 
 /** The configuration of a running system's services, asked for and changed over its line. */
 final class RemoteConfiguration {

@@ -3,7 +3,7 @@ package org.u2sa.gcs.configuration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.messages.contract.ConfigurationAssignment;

@@ -1,7 +1,7 @@
 package org.u2sa.gcs.configuration;
 
 import java.util.concurrent.Callable;
-import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.messages.contract.ConfigurationResponse;

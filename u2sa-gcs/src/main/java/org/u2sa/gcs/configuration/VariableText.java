@@ -3,7 +3,7 @@ package org.u2sa.gcs.configuration;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Units;
+import org.u2sa.interfaces.configuration.Units;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**

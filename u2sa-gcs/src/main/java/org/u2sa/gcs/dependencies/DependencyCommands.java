@@ -1,7 +1,7 @@
 package org.u2sa.gcs.dependencies;
 
 import java.util.List;
-import org.u2sa.gcs.CommandProvider;
+import org.u2sa.gcs.command.CommandProvider;
 
 /** Adds the command that lists libraries. */
 public final class DependencyCommands implements CommandProvider {

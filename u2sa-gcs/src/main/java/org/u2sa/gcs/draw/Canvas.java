@@ -22,13 +22,13 @@ public interface Canvas {
   void circle(double x, double y, double radius, Color fill, Stroke stroke);
 
   /** A rectangle. @param fill null: empty. @param stroke null: no edge */
-  void rectangle(Box box, Color fill, Stroke stroke);
+  void rectangle(PixelBox box, Color fill, Stroke stroke);
 
   /** One line of text on the base line y. */
   void text(double x, double y, String text, TextStyle style);
 
   /** Draws {@code content} cut off outside {@code box}. */
-  void clipped(Box box, Runnable content);
+  void clipped(PixelBox box, Runnable content);
 
   /** A straight line. */
   default void line(double x1, double y1, double x2, double y2, Stroke stroke) {
@@ -45,7 +45,7 @@ public interface Canvas {
           case END -> x - width;
         };
     rectangle(
-        new Box(left - 2.0, y - 0.8 * style.size(), width + 4.0, style.size() + 1.0),
+        new PixelBox(left - 2.0, y - 0.8 * style.size(), width + 4.0, style.size() + 1.0),
         background,
         null);
     text(x, y, text, style);

@@ -16,19 +16,19 @@ public final class LabelPlacer {
   private static final double LINE_COST = 40.0; // per covered point of a line
   private static final double DISTANCE_COST = 4.0; // per px from the point
 
-  private final Box frame;
-  private final List<Box> taken = new ArrayList<>();
+  private final PixelBox frame;
+  private final List<PixelBox> taken = new ArrayList<>();
   private final List<Canvas.Pixel> lines = new ArrayList<>();
 
   /**
    * @param frame where all labels must be
    */
-  public LabelPlacer(Box frame) {
+  public LabelPlacer(PixelBox frame) {
     this.frame = frame;
   }
 
   /** Keeps labels off {@code box}. */
-  public void avoid(Box box) {
+  public void avoid(PixelBox box) {
     taken.add(box);
   }
 
@@ -41,8 +41,8 @@ public final class LabelPlacer {
    * The best place for a label of {@code width} by {@code height} beside a mark of radius {@code
    * radius} at (x, y); it is taken from then on.
    */
-  public Box place(double x, double y, double radius, double width, double height) {
-    Box best = null;
+  public PixelBox place(double x, double y, double radius, double width, double height) {
+    PixelBox best = null;
     double bestCost = Double.POSITIVE_INFINITY;
     for (double distance : DISTANCES) {
       for (int i = 0; i < DIRECTIONS; i++) {
@@ -52,7 +52,7 @@ public final class LabelPlacer {
         // point
         double cx = x + reach * Math.cos(angle) + width / 2.0 * Math.cos(angle);
         double cy = y + reach * Math.sin(angle) + height / 2.0 * Math.sin(angle);
-        Box candidate = new Box(cx - width / 2.0, cy - height / 2.0, width, height);
+        PixelBox candidate = new PixelBox(cx - width / 2.0, cy - height / 2.0, width, height);
         double cost = cost(candidate) + DISTANCE_COST * distance;
         if (cost < bestCost) {
           bestCost = cost;
@@ -64,9 +64,9 @@ public final class LabelPlacer {
     return best;
   }
 
-  private double cost(Box candidate) {
+  private double cost(PixelBox candidate) {
     double cost = frame.contains(candidate) ? 0.0 : OUTSIDE_COST;
-    for (Box box : taken) {
+    for (PixelBox box : taken) {
       cost += BOX_COST * candidate.overlap(box);
     }
     for (Canvas.Pixel p : lines) {

@@ -100,7 +100,7 @@ public final class PngCanvas implements Canvas, AutoCloseable {
   }
 
   @Override
-  public void rectangle(Box box, Color fill, Stroke stroke) {
+  public void rectangle(PixelBox box, Color fill, Stroke stroke) {
     paint(new Rectangle2D.Double(box.x(), box.y(), box.width(), box.height()), fill, stroke);
   }
 
@@ -120,7 +120,7 @@ public final class PngCanvas implements Canvas, AutoCloseable {
   }
 
   @Override
-  public void clipped(Box box, Runnable content) {
+  public void clipped(PixelBox box, Runnable content) {
     Shape before = graphics.getClip();
     graphics.clip(new Rectangle2D.Double(box.x(), box.y(), box.width(), box.height()));
     try {

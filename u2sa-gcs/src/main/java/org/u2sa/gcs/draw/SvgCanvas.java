@@ -30,7 +30,7 @@ public final class SvgCanvas implements Canvas {
         " font-family=\""
             + FONTS
             + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\" fill=\"none\">\n");
-    svg.append("<title>").append(XmlText.escaped(title)).append("</title>\n");
+    svg.append("<title>").append(SvgEscapes.escaped(title)).append("</title>\n");
   }
 
   /** The whole file. */
@@ -69,7 +69,7 @@ public final class SvgCanvas implements Canvas {
   }
 
   @Override
-  public void rectangle(Box box, Color fill, Stroke stroke) {
+  public void rectangle(PixelBox box, Color fill, Stroke stroke) {
     svg.append(
         format(
             "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"%s/>\n",
@@ -89,12 +89,12 @@ public final class SvgCanvas implements Canvas {
     }
     svg.append(attributes(style.color(), null))
         .append('>')
-        .append(XmlText.escaped(text))
+        .append(SvgEscapes.escaped(text))
         .append("</text>\n");
   }
 
   @Override
-  public void clipped(Box box, Runnable content) {
+  public void clipped(PixelBox box, Runnable content) {
     clips++;
     svg.append(format("<clipPath id=\"clip%d\">", clips));
     svg.append(

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What came in on a question so far. Filled by the transport's thread, read by the asking one. */
 final class Answers<T extends U2SAData> {

@@ -2,8 +2,8 @@ package org.u2sa.gcs.remote;
 
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.directory.KnownService;
 import org.u2sa.service.directory.ServiceDirectory;
 

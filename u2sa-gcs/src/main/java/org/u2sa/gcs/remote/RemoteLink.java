@@ -5,13 +5,13 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A command's connection to a running system. Made by {@link RemoteSystem#connect}; safe for

@@ -3,13 +3,13 @@ package org.u2sa.gcs.remote;
 import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Finds the systems that talk over a broker by the health reports of their services. */
 final class SystemSearch implements Receiver {

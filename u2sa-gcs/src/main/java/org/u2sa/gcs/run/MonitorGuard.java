@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceRole;
 
 /**

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
-import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.command.ExitCode;
 
 /**
  * Ends this process when the one that started it has ended, however that ended: it holds the other

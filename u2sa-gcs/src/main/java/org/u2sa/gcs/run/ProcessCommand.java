@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.gcs.Main;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /**
  * How a process of one service is started: {@code u2sa run --only}, with this program's own Java.

@@ -12,7 +12,7 @@ import org.u2sa.core.communication.BrokerSearch;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.BrokerAddress;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.service.U2SAService;

@@ -6,18 +6,18 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Learns under which names the services of a system file speak: a name is a matter of the service

@@ -4,11 +4,11 @@ import java.io.PrintWriter;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
-import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ArmingState;
 

@@ -1,7 +1,7 @@
 package org.u2sa.gcs.safety;
 
 import java.util.List;
-import org.u2sa.gcs.CommandProvider;
+import org.u2sa.gcs.command.CommandProvider;
 
 /** Adds the commands of an operator who answers for a vehicle. */
 public final class SafetyCommands implements CommandProvider {

@@ -7,13 +7,13 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.u2sa.gcs.remote.RemoteLink;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * What the services of a vehicle say of emergency stops: who heeds them, and which hold where. A

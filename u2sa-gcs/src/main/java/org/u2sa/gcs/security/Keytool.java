@@ -5,7 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.command.RunFailedException;
 
 /** The JDK's tool for keys and certificates, run as a process. */
 final class Keytool {

@@ -7,8 +7,8 @@ import java.util.Optional;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.AccessTable;
 import org.u2sa.core.security.User;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypes;
 
 /** The embedded broker's users and roles in Mosquitto's files (mosquitto.conf(5)). */
 final class MosquittoFiles {

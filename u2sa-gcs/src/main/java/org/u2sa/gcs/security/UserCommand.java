@@ -15,7 +15,7 @@ import org.u2sa.core.security.SecretFile;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.User;
 import org.u2sa.core.security.UserFile;
-import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.interfaces.BadInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

@@ -4,11 +4,11 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import org.u2sa.gcs.ExitCode;
-import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
-import org.u2sa.gcs.report.ReportFile;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -44,7 +44,7 @@ public final class GraphCommand implements Callable<Integer> {
     PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect()) {
       SettledObservation settled = SettledObservation.made(link);
-      Observation observation = settled.observation();
+      DirectoryObservation observation = settled.observation();
       if (observation.names().isEmpty()) {
         throw new RunFailedException(
             "no service of system \""

@@ -4,9 +4,9 @@ import java.awt.Color;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.u2sa.gcs.draw.Box;
 import org.u2sa.gcs.draw.Canvas;
 import org.u2sa.gcs.draw.Canvas.Pixel;
+import org.u2sa.gcs.draw.PixelBox;
 import org.u2sa.gcs.draw.Stroke;
 import org.u2sa.gcs.draw.SvgCanvas;
 import org.u2sa.gcs.draw.TextStyle;
@@ -69,7 +69,7 @@ final class GraphPicture {
     double height = FIRST_LANE + picture.channels.size() * LANE_HEIGHT + FOOT;
     String title = "Who feeds whom in system " + systemId;
     SvgCanvas canvas = new SvgCanvas((int) Math.ceil(width), (int) Math.ceil(height), title);
-    canvas.rectangle(new Box(0.0, 0.0, width, height), PAPER, null);
+    canvas.rectangle(new PixelBox(0.0, 0.0, width, height), PAPER, null);
     canvas.text(MARGIN, 36.0, title, TITLE);
     picture.services(canvas, height - FOOT);
     for (int i = 0; i < picture.channels.size(); i++) {
@@ -89,7 +89,7 @@ final class GraphPicture {
       double width = columnWidth - BOX_GAP;
       canvas.line(x, BOX_TOP + BOX_HEIGHT, x, bottom, Stroke.solid(FAINT, 1.5));
       canvas.rectangle(
-          new Box(x - width / 2.0, BOX_TOP, width, BOX_HEIGHT), BOX, Stroke.solid(INK, 1.2));
+          new PixelBox(x - width / 2.0, BOX_TOP, width, BOX_HEIGHT), BOX, Stroke.solid(INK, 1.2));
       canvas.text(x, BOX_TOP + 20.0, service, NAME);
       canvas.text(x, BOX_TOP + 37.0, graph.roles().get(service), ROLE);
     }

@@ -3,8 +3,8 @@ package org.u2sa.gcs.services;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.UUID;
-import org.u2sa.gcs.ExitCode;
-import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
@@ -53,7 +53,7 @@ final class OrderToLauncher {
 
   private static String nobody(String what, String service, RemoteLink link)
       throws InterruptedException {
-    List<String> there = Observation.made(link).names();
+    List<String> there = DirectoryObservation.made(link).names();
     String within = what + ": no launcher answered within " + link.timeoutS() + " s";
     return there.contains(service)
         ? within + "; it may still be at it (--timeout waits longer)"

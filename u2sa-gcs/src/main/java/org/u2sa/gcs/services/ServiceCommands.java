@@ -1,7 +1,7 @@
 package org.u2sa.gcs.services;
 
 import java.util.List;
-import org.u2sa.gcs.CommandProvider;
+import org.u2sa.gcs.command.CommandProvider;
 
 /** Adds the commands that see and order the services of a running system. */
 public final class ServiceCommands implements CommandProvider {

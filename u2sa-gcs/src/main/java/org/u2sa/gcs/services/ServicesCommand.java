@@ -3,12 +3,12 @@ package org.u2sa.gcs.services;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.u2sa.gcs.ExitCode;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.gcs.terminal.TextTable;
-import org.u2sa.interfaces.Clock;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.directory.Found;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -58,7 +58,7 @@ public final class ServicesCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect()) {
-      Observation observation = Observation.made(link);
+      DirectoryObservation observation = DirectoryObservation.made(link);
       if (view.publishing != null) {
         List<String> chain = DataType.chain(view.publishing, observation.directory());
         return print(
@@ -101,7 +101,8 @@ public final class ServicesCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  private void watch(RemoteLink link, Observation observation) throws InterruptedException {
+  private void watch(RemoteLink link, DirectoryObservation observation)
+      throws InterruptedException {
     Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
     try (Clock.Waiter waiter = link.clock().newWaiter("watch")) {
       while (!Thread.currentThread().isInterrupted()) {

@@ -23,7 +23,7 @@ final class ServicesJson {
     this.json = json;
   }
 
-  static String text(String systemId, Observation observation) {
+  static String text(String systemId, DirectoryObservation observation) {
     StringWriter text = new StringWriter();
     try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
       json.setPrettyPrinter(new DefaultPrettyPrinter());

@@ -6,16 +6,16 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.gcs.remote.RemoteLink;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.directory.KnownService;
 
 /**
- * An {@link Observation} of a system that has come to rest: all services that are heard have
- * answered twice, the same both times, and none has just been made. A system that is starting
+ * An {@link DirectoryObservation} of a system that has come to rest: all services that are heard
+ * have answered twice, the same both times, and none has just been made. A system that is starting
  * answers service by service, and one answer alone would show a channel as published to nobody
  * whose subscriber is about to come.
  */
@@ -27,11 +27,11 @@ final class SettledObservation {
   private static final long LOOK_MICROS = 50_000;
 
   private final RemoteLink link;
-  private final Observation observation;
+  private final DirectoryObservation observation;
   private final Set<String> answered = ConcurrentHashMap.newKeySet(); // since the last question
   private boolean settled;
 
-  private SettledObservation(RemoteLink link, Observation observation) {
+  private SettledObservation(RemoteLink link, DirectoryObservation observation) {
     this.link = link;
     this.observation = observation;
   }
@@ -39,7 +39,7 @@ final class SettledObservation {
   /** Observes until the system has settled, or for the link's time. */
   static SettledObservation made(RemoteLink link) throws InterruptedException {
     long began = link.clock().micros();
-    SettledObservation made = new SettledObservation(link, Observation.made(link));
+    SettledObservation made = new SettledObservation(link, DirectoryObservation.made(link));
     link.listen(Channels.FUNCTIONALITY, made::note);
     made.settle(began + Clock.micros(link.timeoutS()));
     return made;
@@ -97,7 +97,7 @@ final class SettledObservation {
   }
 
   /** What was heard. */
-  Observation observation() {
+  DirectoryObservation observation() {
     return observation;
   }
 

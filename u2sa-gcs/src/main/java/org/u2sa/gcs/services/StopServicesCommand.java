@@ -7,17 +7,17 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
-import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.Suggestions;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.schema.U2SAData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -63,7 +63,7 @@ public final class StopServicesCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     try (RemoteLink link = remote.connect()) {
-      List<String> there = Observation.made(link).names();
+      List<String> there = DirectoryObservation.made(link).names();
       if (name != null && !there.contains(name)) {
         throw new BadInputException(unknown(name, there, link));
       }

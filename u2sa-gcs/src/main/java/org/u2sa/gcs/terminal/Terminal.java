@@ -54,17 +54,17 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
   }
 
   /** {@code text} in bold, where the terminal can. */
-  String bold(String text) {
+  public String bold(String text) {
     return sgr("1", text);
   }
 
   /** {@code text} in the colour of good news, where the terminal can. */
-  String good(String text) {
+  public String good(String text) {
     return sgr("32", text);
   }
 
   /** {@code text} in the colour of bad news, where the terminal can. */
-  String bad(String text) {
+  public String bad(String text) {
     return sgr("31", text);
   }
 
@@ -73,7 +73,7 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
   }
 
   /** {@code text} cut to the width of the terminal less one column, so that it never wraps. */
-  String fitted(String text) {
+  public String fitted(String text) {
     int most = columns - 1;
     return text.length() <= most ? text : text.substring(0, most);
   }

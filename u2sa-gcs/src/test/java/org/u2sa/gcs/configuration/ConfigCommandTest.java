@@ -12,8 +12,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.Main;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.ForeignSystem;
 
 /** {@code u2sa config} on a system of another process. */

@@ -40,8 +40,8 @@ class DrawTest {
 
   @Test
   void place_crowdedPoints_overlapNothing() {
-    LabelPlacer placer = new LabelPlacer(new Box(0.0, 0.0, 400.0, 300.0));
-    List<Box> labels = new ArrayList<>();
+    LabelPlacer placer = new LabelPlacer(new PixelBox(0.0, 0.0, 400.0, 300.0));
+    List<PixelBox> labels = new ArrayList<>();
     for (int i = 0; i < 8; i++) {
       labels.add(placer.place(200.0 + 6.0 * i, 150.0, 5.0, 60.0, 16.0));
     }
@@ -54,13 +54,13 @@ class DrawTest {
 
   @Test
   void place_pointInTheCorner_staysInTheFrame() {
-    Box frame = new Box(0.0, 0.0, 400.0, 300.0);
+    PixelBox frame = new PixelBox(0.0, 0.0, 400.0, 300.0);
     assertThat(frame.contains(new LabelPlacer(frame).place(399.0, 1.0, 5.0, 80.0, 16.0))).isTrue();
   }
 
   @Test
   void escaped_markupAndControls_isSafeXml() {
-    assertThat(XmlText.escaped("a<b>&\"c\"\u0000\ud83d\ude81"))
+    assertThat(SvgEscapes.escaped("a<b>&\"c\"\u0000\ud83d\ude81"))
         .isEqualTo("a&lt;b&gt;&amp;&quot;c&quot;\ufffd\ud83d\ude81");
   }
 }

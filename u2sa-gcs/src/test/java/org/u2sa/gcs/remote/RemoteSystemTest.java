@@ -15,24 +15,24 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.core.communication.CommunicationManager;
-import org.u2sa.gcs.RunFailedException;
+import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageTypes;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.FreePort;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -109,7 +109,7 @@ class RemoteSystemTest {
   void connect_severalSystems_listsThem() throws Exception {
     MqttTransport other =
         new MqttTransport(
-            "127.0.0.1", foreign.port(), "boat", new MessageCodec(MessageTypes.standard()));
+            "127.0.0.1", foreign.port(), "boat", new MessageCodec(StandardTypes.registry()));
     SystemClock clock = new SystemClock();
     try (Connection boat = other.connect("Engine", new Deaf());
         Clock.Waiter pause = clock.newWaiter("pause")) {
@@ -160,7 +160,7 @@ class RemoteSystemTest {
     XmlConfiguration configuration =
         XmlConfiguration.inMemory("test", java.util.Map.of("COMMUNICATION MANAGER PORT", port));
     CommunicationManager silent =
-        CommunicationManager.start("quiet", configuration, MessageTypes.standard(), line -> {});
+        CommunicationManager.start("quiet", configuration, StandardTypes.registry(), line -> {});
     try {
       RemoteSystem remote = remote("--broker", "127.0.0.1:" + port, "--timeout", "0.2");
 

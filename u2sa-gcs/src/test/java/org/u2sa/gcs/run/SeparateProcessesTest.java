@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.health.HealthMonitor;
-import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.Main;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.services.Lidar;
 import org.u2sa.testkit.FreePort;
 

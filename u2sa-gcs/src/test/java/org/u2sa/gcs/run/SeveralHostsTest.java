@@ -15,8 +15,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.Main;
+import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.ForeignSystem;
 import org.u2sa.testkit.FreePort;
 

@@ -16,12 +16,13 @@ import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.MessageTypes;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypes;
 
 /** What Mosquitto lets through by the rights that are written for it, as its manual reads them. */
 class MosquittoRightsTest {
-  private static final MessageTypes TYPES = MessageTypes.standard();
+  private static final MessageTypes TYPES = StandardTypes.registry();
 
   private final List<String> writable = new ArrayList<>();
   private final List<String> denied = new ArrayList<>();

@@ -24,8 +24,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.core.security.SecretFile;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.UserFile;
-import org.u2sa.gcs.ExitCode;
 import org.u2sa.gcs.Main;
+import org.u2sa.gcs.command.ExitCode;
 
 class SecurityCommandTest {
   @TempDir Path folder;

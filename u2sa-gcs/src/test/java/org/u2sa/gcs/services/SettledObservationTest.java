@@ -7,18 +7,18 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.gcs.remote.RemoteLink;
-import org.u2sa.interfaces.SystemClock;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Receiver;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ServiceRole;
 
 /** A system whose subscriber comes only after its publisher has answered. */

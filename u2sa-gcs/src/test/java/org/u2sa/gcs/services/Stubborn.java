@@ -1,7 +1,7 @@
 package org.u2sa.gcs.services;
 
 import java.util.concurrent.CountDownLatch;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;

@@ -1,8 +1,8 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.List;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Which subclasses of its type a channel carries.

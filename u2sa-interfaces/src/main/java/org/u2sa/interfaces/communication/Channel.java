@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
 import java.util.regex.Pattern;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A named stream of one type of message (thesis 8.2.3.1) and how it is delivered.

@@ -13,7 +13,6 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ArmingState;
@@ -37,6 +36,7 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * The standard channels: all that flows between the services of a vehicle (thesis figures 4 and

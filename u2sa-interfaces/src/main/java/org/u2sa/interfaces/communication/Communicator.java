@@ -1,6 +1,6 @@
 package org.u2sa.interfaces.communication;
 
-import org.u2sa.interfaces.Configurator;
+import org.u2sa.interfaces.configuration.Configurator;
 
 /** What opens a service's communication (thesis 3.2.1.2). */
 public interface Communicator extends Configurator {

@@ -2,7 +2,7 @@ package org.u2sa.interfaces.communication;
 
 import java.util.Collections;
 import java.util.Set;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** One service's connection to the Communication Manager. All calls are safe from any thread. */
 public interface Connection extends AutoCloseable {

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
-import org.u2sa.messages.Origin;
+import org.u2sa.messages.schema.Origin;
 
 /**
  * Counts the messages that were lost on their way over MQTT: those between two numbers of one

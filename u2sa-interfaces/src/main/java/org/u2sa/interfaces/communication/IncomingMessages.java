@@ -1,9 +1,9 @@
 package org.u2sa.interfaces.communication;
 
 import java.util.concurrent.atomic.AtomicLong;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * The way of messages from an MQTT connection to its receiver, and the count of those that did not

@@ -6,12 +6,12 @@ import java.util.UUID;
 import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
-import org.u2sa.interfaces.Clock;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.Origin;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.Origin;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * One service's MQTT connection: what it sends, and what it is subscribed to. When the broker or

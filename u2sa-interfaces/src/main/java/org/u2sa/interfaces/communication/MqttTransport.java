@@ -3,8 +3,8 @@ package org.u2sa.interfaces.communication;
 import java.util.Objects;
 import java.util.Random;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
-import org.u2sa.interfaces.SystemClock;
-import org.u2sa.messages.MessageCodec;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.schema.MessageCodec;
 
 /**
  * The way to a Communication Manager in another process, or to any other MQTT broker, with Eclipse

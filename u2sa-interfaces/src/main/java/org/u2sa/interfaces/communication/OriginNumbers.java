@@ -3,7 +3,7 @@ package org.u2sa.interfaces.communication;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
-import org.u2sa.messages.Origin;
+import org.u2sa.messages.schema.Origin;
 
 /** Numbers what one sender sends over MQTT, topic by topic. Safe for all threads. */
 public final class OriginNumbers {

@@ -1,6 +1,6 @@
 package org.u2sa.interfaces.communication;
 
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * What a service hands the transport to be called. Calls come on the publisher's or the transport's

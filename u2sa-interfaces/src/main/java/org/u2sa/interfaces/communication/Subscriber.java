@@ -1,7 +1,7 @@
 package org.u2sa.interfaces.communication;
 
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What receives messages that others broadcast (thesis 3.2.1.4). */
 public interface Subscriber extends Configurator {

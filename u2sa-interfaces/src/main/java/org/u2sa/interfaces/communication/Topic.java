@@ -3,8 +3,8 @@ package org.u2sa.interfaces.communication;
 import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Where a message stands on the broker: {@code u2sa/<systemId>/<channel>/<TypeChain…>}, for example

@@ -3,7 +3,7 @@ package org.u2sa.interfaces.communication;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 /** The topics of what one system sends, composed once for each channel and type. */
 final class TopicNames {

@@ -5,17 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.MalformedMessageException;
-import org.u2sa.messages.MessageCodec;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.MessageTypes;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Which types travel on which channels. */
 class CarriedTypesTest {
@@ -25,7 +25,7 @@ class CarriedTypesTest {
   void carries_standardChannels_eachTypeOfTheContractTravelsOnOneOnly() {
     List<MessageType<?>> parts = List.of(ConfigurationVariable.TYPE, ConfigurationAssignment.TYPE);
     List<String> wrong = new ArrayList<>();
-    for (MessageType<?> type : MessageTypes.standard().all()) {
+    for (MessageType<?> type : StandardTypes.registry().all()) {
       long channels = Channels.all().stream().filter(channel -> channel.carries(type)).count();
       if (CarriedTypes.isOfContract(type) && channels != (parts.contains(type) ? 0 : 1)) {
         wrong.add(type + " on " + channels);
@@ -69,7 +69,7 @@ class CarriedTypesTest {
 
   private static U2SAData unknown(String... chain) throws MalformedMessageException {
     byte[] empty = {(byte) 0xa0}; // CBOR: a map without entries
-    return new MessageCodec(MessageTypes.standard()).decode(List.of(chain), empty);
+    return new MessageCodec(StandardTypes.registry()).decode(List.of(chain), empty);
   }
 
   private static Receiver receiver(List<U2SAData> received) {

@@ -9,9 +9,9 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Holds the table of channels in docs/wire-protocol.md, from which foreign clients are made. */
 class ChannelTableTest {

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.Origin;
+import org.u2sa.messages.schema.Origin;
 
 class GapsTest {
   private static final String TOPIC = "u2sa/cessna/state/StateInformation";

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.U2SAData;
 
 class LocalBusTest {
   private final LocalBus bus = new LocalBus("cessna");

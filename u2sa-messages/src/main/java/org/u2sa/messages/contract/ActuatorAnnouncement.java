@@ -1,10 +1,10 @@
 package org.u2sa.messages.contract;
 
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.NumberField;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** An actuator says what it can do (thesis 3.2.3.5, 5.1). */
 public final class ActuatorAnnouncement extends U2SAData {

@@ -1,9 +1,9 @@
 package org.u2sa.messages.contract;
 
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** Asks to let the vehicle move, or to let it no longer move. */
 public final class ArmCommand extends U2SAData {

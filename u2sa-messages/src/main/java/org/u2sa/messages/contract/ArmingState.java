@@ -2,10 +2,10 @@ package org.u2sa.messages.contract;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** Whether the vehicle may move, and if not, why not. */
 public final class ArmingState extends U2SAData {

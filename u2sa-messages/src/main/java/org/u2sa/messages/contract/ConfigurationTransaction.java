@@ -2,10 +2,10 @@ package org.u2sa.messages.contract;
 
 import java.util.List;
 import java.util.OptionalLong;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to change several variables at once: all of them or none (thesis 3.2.1.1). */
 public final class ConfigurationTransaction extends U2SAData {

@@ -1,9 +1,9 @@
 package org.u2sa.messages.contract;
 
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to take its last configuration change back. */
 public final class ConfigurationUndo extends U2SAData {

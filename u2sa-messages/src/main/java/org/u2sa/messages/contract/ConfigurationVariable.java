@@ -2,11 +2,11 @@ package org.u2sa.messages.contract;
 
 import java.util.List;
 import java.util.OptionalDouble;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.NumberField;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** One variable of a service's configuration. */
 public final class ConfigurationVariable extends U2SAData {

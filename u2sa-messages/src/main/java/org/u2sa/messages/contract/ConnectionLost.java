@@ -1,7 +1,7 @@
 package org.u2sa.messages.contract;
 
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
 
 /**
  * The last word of a connection that broke: the broker says it in the place of a service that can

@@ -1,8 +1,8 @@
 package org.u2sa.messages.contract;
 
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
 
 /** Asks every service of a system to say that it is there (thesis 3.2.2.1). */
 public final class DiscoveryRequest extends U2SAData {

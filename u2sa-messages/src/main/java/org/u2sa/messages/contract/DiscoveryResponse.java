@@ -1,11 +1,11 @@
 package org.u2sa.messages.contract;
 
 import java.util.Optional;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.NumberField;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** A service says that it is there (thesis 3.2.2.1). */
 public final class DiscoveryResponse extends U2SAData {

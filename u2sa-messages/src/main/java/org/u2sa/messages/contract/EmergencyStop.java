@@ -3,10 +3,10 @@ package org.u2sa.messages.contract;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * Stops everything that moves at once, and keeps it stopped until an operator clears it. Retained,

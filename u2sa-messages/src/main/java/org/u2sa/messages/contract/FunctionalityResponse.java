@@ -1,10 +1,10 @@
 package org.u2sa.messages.contract;
 
 import java.util.List;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** What a service publishes and subscribes to (thesis 3.2.2.1). */
 public final class FunctionalityResponse extends U2SAData {

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.NumberField;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** A service's heartbeat (thesis 3.5.3). Counts are since the service started. */
 public class HealthReport extends U2SAData {

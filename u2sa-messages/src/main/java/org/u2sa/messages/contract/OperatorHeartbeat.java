@@ -1,11 +1,11 @@
 package org.u2sa.messages.contract;
 
 import java.util.OptionalDouble;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.NumberField;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /** Says that an operator watches. When it stops coming the operator's link is lost. */
 public final class OperatorHeartbeat extends U2SAData {

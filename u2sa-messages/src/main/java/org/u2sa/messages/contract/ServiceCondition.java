@@ -2,10 +2,10 @@ package org.u2sa.messages.contract;
 
 import java.util.Optional;
 import java.util.OptionalLong;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * How a service is, as the health monitor sees it from outside (thesis 3.5.3), and what is being

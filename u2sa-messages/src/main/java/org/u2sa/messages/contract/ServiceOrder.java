@@ -1,10 +1,10 @@
 package org.u2sa.messages.contract;
 
 import java.util.Optional;
-import org.u2sa.messages.MessageType;
-import org.u2sa.messages.Schema;
-import org.u2sa.messages.U2SAData;
-import org.u2sa.messages.ValueField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
 
 /**
  * Tells the launcher that runs a service to start it again or to put another class in its place

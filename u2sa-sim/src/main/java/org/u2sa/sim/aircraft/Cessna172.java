@@ -35,7 +35,7 @@ public final class Cessna172 {
   private static final double STALL_MIDDLE = 0.5;
   private static final double HALTS_RAD_PER_S = 2.0; // a dead engine turning slower stands
 
-  private final Terrain terrain;
+  private final TerrainHeight terrain;
   private final WindField wind;
   private final FlightDynamics dynamics;
   private final RungeKutta integrator = new RungeKutta(FlightDynamics.SIZE);
@@ -47,7 +47,7 @@ public final class Cessna172 {
   private boolean crashed;
 
   private Cessna172(
-      double[] start, Terrain terrain, Wind wind, boolean engineRunning, double flaps) {
+      double[] start, TerrainHeight terrain, Wind wind, boolean engineRunning, double flaps) {
     this.s = start;
     this.terrain = Objects.requireNonNull(terrain, "terrain");
     this.wind = new WindField(Objects.requireNonNull(wind, "wind"), Airframe.SPAN_M);
@@ -60,23 +60,23 @@ public final class Cessna172 {
 
   /** An aircraft standing on its wheels, on level ground of the start's elevation. */
   public static Cessna172 onRunway(RunwayStart start, Wind wind, boolean engineRunning) {
-    return onRunway(start, Terrain.plane(start.elevationM()), wind, engineRunning);
+    return onRunway(start, TerrainHeight.plane(start.elevationM()), wind, engineRunning);
   }
 
   /** An aircraft standing on its wheels at the start's elevation, with other ground elsewhere. */
   public static Cessna172 onRunway(
-      RunwayStart start, Terrain terrain, Wind wind, boolean engineRunning) {
+      RunwayStart start, TerrainHeight terrain, Wind wind, boolean engineRunning) {
     double[] s = InitialState.standing(start, engineRunning);
     return new Cessna172(s, terrain, wind, engineRunning, 0.0);
   }
 
   /** An aircraft in the air; the airspeed is against the steady wind that blows there. */
   public static Cessna172 inFlight(FlightStart start, Wind wind) {
-    return inFlight(start, Terrain.plane(start.groundElevationM()), wind);
+    return inFlight(start, TerrainHeight.plane(start.groundElevationM()), wind);
   }
 
   /** An aircraft in the air above other than level ground. */
-  public static Cessna172 inFlight(FlightStart start, Terrain terrain, Wind wind) {
+  public static Cessna172 inFlight(FlightStart start, TerrainHeight terrain, Wind wind) {
     double[] s = InitialState.flying(start, wind);
     return new Cessna172(s, terrain, wind, start.engineRpm() > 0.0, start.flaps());
   }
@@ -211,8 +211,8 @@ public final class Cessna172 {
   }
 
   /** The aircraft as it is now. */
-  public AircraftState state() {
-    Attitude attitude = dynamics.attitude;
+  public AircraftMotion state() {
+    AircraftAttitude attitude = dynamics.attitude;
     double airspeed = crashed ? 0.0 : airspeedMps();
     Air air = StandardAtmosphere.at(s[ALT]);
     double alpha = airspeed < 1.0 ? 0.0 : StrictMath.atan2(dynamics.airW, dynamics.airU);
@@ -220,7 +220,7 @@ public final class Cessna172 {
     boolean onWheels = dynamics.gear.weightOnWheels();
     boolean stalled =
         !onWheels && airspeed > FLYING_MPS && Aerodynamics.stallFraction(alpha) > STALL_MIDDLE;
-    return new AircraftState(
+    return new AircraftMotion(
         (double) ticks / TICKS_PER_SECOND,
         Math.toDegrees(s[LON]),
         Math.toDegrees(s[LAT]),

@@ -38,7 +38,7 @@ final class FlightDynamics implements Motion {
   final Propeller propeller = new Propeller();
   final PistonEngine engine;
   final LandingGear gear = new LandingGear();
-  final Attitude attitude = new Attitude();
+  final AircraftAttitude attitude = new AircraftAttitude();
 
   // what surrounds the aircraft during one step
   double densityKgPerM3 = StandardAtmosphere.SEA_LEVEL_DENSITY_KG_PER_M3;

@@ -1,5 +1,7 @@
 package org.u2sa.sim.aircraft;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * Where and how an aircraft starts in the air, without rotation and in balance with nothing: {@link
  * Trim} finds balanced ones.

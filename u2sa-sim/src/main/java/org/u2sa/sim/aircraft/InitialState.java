@@ -20,7 +20,7 @@ final class InitialState {
   static double[] standing(RunwayStart start, boolean engineRunning) {
     double[] s = at(start.longitudeDeg(), start.latitudeDeg());
     s[ALT] = start.elevationM() + LandingGear.STANDING_M;
-    Attitude.write(s, Q0, 0.0, LandingGear.STANDING_PITCH_RAD, start.headingRad());
+    AircraftAttitude.write(s, Q0, 0.0, LandingGear.STANDING_PITCH_RAD, start.headingRad());
     s[SHAFT] = engineRunning ? PistonEngine.IDLE_RPM * PistonEngine.RADPERS_PER_RPM : 0.0;
     return s;
   }
@@ -29,8 +29,8 @@ final class InitialState {
   static double[] flying(FlightStart start, Wind wind) {
     double[] s = at(start.longitudeDeg(), start.latitudeDeg());
     s[ALT] = start.altitudeM();
-    Attitude.write(s, Q0, start.rollRad(), start.pitchRad(), start.headingRad());
-    Attitude attitude = new Attitude();
+    AircraftAttitude.write(s, Q0, start.rollRad(), start.pitchRad(), start.headingRad());
+    AircraftAttitude attitude = new AircraftAttitude();
     attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
     double cosBeta = StrictMath.cos(start.sideslipRad());
     double u = start.trueAirspeedMps() * StrictMath.cos(start.angleOfAttackRad()) * cosBeta;

@@ -73,7 +73,7 @@ final class LandingGear {
   }
 
   /** Whether this moment broke the aircraft; call once a step, after the wheels were computed. */
-  boolean broken(Attitude attitude, double heightM) {
+  boolean broken(AircraftAttitude attitude, double heightM) {
     boolean broken = false;
     for (int i = 0; i < WHEELS; i++) {
       boolean down = wheels[i].compressionM() > 0.0;

@@ -72,7 +72,7 @@ public final class PerformanceTable {
     swinging.step(held.withSurfaces(held.aileron(), held.elevator() - 0.06, held.rudder()), 2.0);
     Oscillation phugoid = new Oscillation();
     while (swinging.state().timeS() < 122.0) {
-      AircraftState state = swinging.state();
+      AircraftMotion state = swinging.state();
       if (state.timeS() > 7.0) {
         phugoid.add(state.timeS(), state.trueAirspeedMps());
       }
@@ -132,7 +132,7 @@ public final class PerformanceTable {
     double lowest = Double.MAX_VALUE;
     double stick = trim.controls().elevator();
     while (stick > -1.0) {
-      AircraftState state = aircraft.state();
+      AircraftMotion state = aircraft.state();
       if (state.pitchRateRadPerS() < NOSE_DROPS_RAD_PER_S) {
         break;
       }
@@ -152,7 +152,7 @@ public final class PerformanceTable {
   private static double flownTurn(Trim trim) {
     Cessna172 aircraft = Cessna172.inFlight(trim.start(0.0, 0.0, 0.0, 0.0), Wind.calm());
     double turned = 0.0;
-    AircraftState before = aircraft.state();
+    AircraftMotion before = aircraft.state();
     for (int tick = 0; tick < 40 * Cessna172.TICKS_PER_SECOND; tick++) {
       double climb = -before.velocityDownMps();
       double height = before.altitudeM() - trim.altitudeM();
@@ -166,7 +166,7 @@ public final class PerformanceTable {
           ControlInputs.limited(
               aileron, elevator, rudder, trim.controls().throttle(), 1.0, 0.0, 0.0, 0.0),
           TICK_S);
-      AircraftState after = aircraft.state();
+      AircraftMotion after = aircraft.state();
       if (before.timeS() >= 20.0) {
         turned += StrictMath.IEEEremainder(after.headingRad() - before.headingRad(), 2.0 * Math.PI);
       }

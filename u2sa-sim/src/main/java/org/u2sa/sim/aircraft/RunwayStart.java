@@ -1,5 +1,7 @@
 package org.u2sa.sim.aircraft;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * Where an aircraft stands on its wheels.
  *

@@ -9,6 +9,7 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VE;
 import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
+import org.u2sa.sim.motion.Arguments;
 
 /**
  * Finds {@link Trim}s: Newton's method on the six accelerations (Stevens and Lewis, 2nd ed.,
@@ -156,8 +157,8 @@ final class TrimSolver {
     double p = -turn * StrictMath.sin(theta);
     double q = turn * StrictMath.sin(rollRad) * StrictMath.cos(theta);
     double r = turn * StrictMath.cos(rollRad) * StrictMath.cos(theta);
-    Attitude.write(state, Q0, rollRad, theta, 0.0);
-    Attitude a = dynamics.attitude;
+    AircraftAttitude.write(state, Q0, rollRad, theta, 0.0);
+    AircraftAttitude a = dynamics.attitude;
     a.set(state[Q0], state[Q0 + 1], state[Q0 + 2], state[Q0 + 3]);
     state[VN] = a.north(u, v, w);
     state[VE] = a.east(u, v, w);

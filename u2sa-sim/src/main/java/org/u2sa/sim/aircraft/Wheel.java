@@ -86,7 +86,7 @@ final class Wheel {
    * @param deflectionAlong of the tyre [m]
    */
   void compute(
-      Attitude attitude,
+      AircraftAttitude attitude,
       double heightM,
       double velN,
       double velE,

@@ -1,5 +1,7 @@
 package org.u2sa.sim.ground;
 
+import org.u2sa.sim.motion.Arguments;
+
 /** A battery that sags under load and runs empty. */
 final class Battery {
   private static final double S_PER_H = 3600.0;

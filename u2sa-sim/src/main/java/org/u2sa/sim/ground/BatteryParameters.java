@@ -1,5 +1,7 @@
 package org.u2sa.sim.ground;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * A battery: an ideal voltage that falls evenly with the charge, behind a resistance.
  *

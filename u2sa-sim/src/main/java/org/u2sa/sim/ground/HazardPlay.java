@@ -7,28 +7,28 @@ import org.u2sa.sim.sensor.CompassField;
 /** Plays the hazards of a run upon a vehicle. */
 final class HazardPlay {
   private final GroundVehicle vehicle;
-  private final List<Hazard> all;
-  private final List<Hazard.GpsOutage> outages;
-  private final List<Hazard.Manual> manuals;
-  private final List<Hazard.RadioSilence> silences;
-  private final List<Hazard.BatteryAt> batteries;
-  private final List<Hazard.Push> pushes;
-  private final List<Hazard.Magnetic> magnets;
+  private final List<DrivingHazard> all;
+  private final List<DrivingHazard.GpsOutage> outages;
+  private final List<DrivingHazard.Manual> manuals;
+  private final List<DrivingHazard.RadioSilence> silences;
+  private final List<DrivingHazard.BatteryAt> batteries;
+  private final List<DrivingHazard.Push> pushes;
+  private final List<DrivingHazard.Magnetic> magnets;
   private double lastS = -1.0;
 
   HazardPlay(Hazards hazards, GroundVehicle vehicle, Surface surface) {
     this.vehicle = vehicle;
     all = hazards.all();
-    outages = hazards.of(Hazard.GpsOutage.class);
-    manuals = hazards.of(Hazard.Manual.class);
-    silences = hazards.of(Hazard.RadioSilence.class);
-    batteries = hazards.of(Hazard.BatteryAt.class);
-    pushes = hazards.of(Hazard.Push.class);
-    magnets = hazards.of(Hazard.Magnetic.class);
+    outages = hazards.of(DrivingHazard.GpsOutage.class);
+    manuals = hazards.of(DrivingHazard.Manual.class);
+    silences = hazards.of(DrivingHazard.RadioSilence.class);
+    batteries = hazards.of(DrivingHazard.BatteryAt.class);
+    pushes = hazards.of(DrivingHazard.Push.class);
+    magnets = hazards.of(DrivingHazard.Magnetic.class);
     vehicle.ground(hazards.on(surface));
   }
 
-  List<Hazard> all() {
+  List<DrivingHazard> all() {
     return all;
   }
 
@@ -38,7 +38,7 @@ final class HazardPlay {
       double east = 0.0;
       double north = 0.0;
       double turn = 0.0;
-      for (Hazard.Push push : pushes) {
+      for (DrivingHazard.Push push : pushes) {
         if (push.lasts(timeS)) {
           east += push.eastN();
           north += push.northN();
@@ -47,7 +47,7 @@ final class HazardPlay {
       }
       vehicle.push(east, north, turn);
     }
-    for (Hazard.BatteryAt battery : batteries) {
+    for (DrivingHazard.BatteryAt battery : batteries) {
       if (battery.atS() > lastS && battery.atS() <= timeS) {
         vehicle.charge(battery.charge());
       }
@@ -67,7 +67,7 @@ final class HazardPlay {
   }
 
   Optional<DriveCommand> sticks(double timeS) {
-    for (Hazard.Manual manual : manuals) {
+    for (DrivingHazard.Manual manual : manuals) {
       if (manual.lasts(timeS)) {
         return Optional.of(manual.sticks());
       }
@@ -76,7 +76,7 @@ final class HazardPlay {
   }
 
   boolean radioSilent(double timeS) {
-    for (Hazard.RadioSilence silence : silences) {
+    for (DrivingHazard.RadioSilence silence : silences) {
       if (silence.lasts(timeS)) {
         return true;
       }
@@ -85,7 +85,7 @@ final class HazardPlay {
   }
 
   boolean gpsBlocked(double timeS) {
-    for (Hazard.GpsOutage outage : outages) {
+    for (DrivingHazard.GpsOutage outage : outages) {
       if (outage.lasts(timeS)) {
         return true;
       }
@@ -96,7 +96,7 @@ final class HazardPlay {
   CompassField field(double eastM, double northM, double leftA, double rightA) {
     double east = 0.0;
     double north = 0.0;
-    for (Hazard.Magnetic magnet : magnets) {
+    for (DrivingHazard.Magnetic magnet : magnets) {
       double share = magnet.share(eastM, northM);
       east += share * magnet.eastUt();
       north += share * magnet.northUt();

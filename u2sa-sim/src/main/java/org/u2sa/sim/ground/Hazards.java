@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Random;
+import org.u2sa.sim.motion.Arguments;
 
 /**
  * What goes wrong in a run, by time and place: the script of a test. Immutable; times are simulated
@@ -12,9 +13,9 @@ import java.util.Random;
 public final class Hazards {
   private static final Hazards NONE = new Hazards(List.of());
 
-  private final List<Hazard> all;
+  private final List<DrivingHazard> all;
 
-  private Hazards(List<Hazard> all) {
+  private Hazards(List<DrivingHazard> all) {
     this.all = List.copyOf(all);
   }
 
@@ -24,8 +25,8 @@ public final class Hazards {
   }
 
   /** These hazards and one more. */
-  public Hazards with(Hazard hazard) {
-    List<Hazard> more = new ArrayList<>(all);
+  public Hazards with(DrivingHazard hazard) {
+    List<DrivingHazard> more = new ArrayList<>(all);
     more.add(Objects.requireNonNull(hazard, "hazard"));
     return new Hazards(more);
   }
@@ -41,42 +42,42 @@ public final class Hazards {
     Arguments.requirePositive("radius of the hazards", radiusM);
     Arguments.requirePositive("duration of the hazards", durationS);
     Random random = new Random(seed);
-    List<Hazard> all = new ArrayList<>();
+    List<DrivingHazard> all = new ArrayList<>();
     for (int minute = 0; minute < durationS / 60.0; minute++) {
       double outage = 60.0 * (minute + random.nextDouble());
-      all.add(new Hazard.GpsOutage(outage, outage + 1.0 + 4.0 * random.nextDouble()));
+      all.add(new DrivingHazard.GpsOutage(outage, outage + 1.0 + 4.0 * random.nextDouble()));
       double push = 60.0 * (minute + random.nextDouble());
       double force = 40.0 * random.nextDouble();
       double turn = 20.0 * random.nextDouble() - 10.0;
-      all.add(new Hazard.Push(push, push + 0.5, force, -force, turn));
+      all.add(new DrivingHazard.Push(push, push + 0.5, force, -force, turn));
     }
     for (double area = 0.0; area < 4.0 * radiusM * radiusM; area += 200.0) {
       double east = radiusM * (2.0 * random.nextDouble() - 1.0);
       double north = radiusM * (2.0 * random.nextDouble() - 1.0);
       double size = 0.5 + 1.5 * random.nextDouble();
       if (random.nextBoolean()) {
-        all.add(new Hazard.Slippery(east, north, size, 0.05 + 0.2 * random.nextDouble()));
+        all.add(new DrivingHazard.Slippery(east, north, size, 0.05 + 0.2 * random.nextDouble()));
       } else {
         double field = 20.0 * random.nextDouble() - 10.0;
-        all.add(new Hazard.Magnetic(east, north, size, field, -field));
+        all.add(new DrivingHazard.Magnetic(east, north, size, field, -field));
       }
     }
     return new Hazards(all);
   }
 
   /** All of them, in the order in which they were added. */
-  public List<Hazard> all() {
+  public List<DrivingHazard> all() {
     return all;
   }
 
   /** Those of one kind. */
-  <T extends Hazard> List<T> of(Class<T> kind) {
+  <T extends DrivingHazard> List<T> of(Class<T> kind) {
     return all.stream().filter(kind::isInstance).map(kind::cast).toList();
   }
 
   /** The ground with its slippery patches; where they overlap the most slippery counts. */
   Surface on(Surface ground) {
-    List<Hazard.Slippery> patches = of(Hazard.Slippery.class);
+    List<DrivingHazard.Slippery> patches = of(DrivingHazard.Slippery.class);
     if (patches.isEmpty()) {
       return ground;
     }
@@ -84,7 +85,7 @@ public final class Hazards {
       @Override
       public double grip(double eastM, double northM) {
         double grip = ground.grip(eastM, northM);
-        for (Hazard.Slippery patch : patches) {
+        for (DrivingHazard.Slippery patch : patches) {
           if (patch.covers(eastM, northM)) {
             grip = Math.min(grip, patch.grip());
           }

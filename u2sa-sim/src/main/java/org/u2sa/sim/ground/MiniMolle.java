@@ -183,7 +183,7 @@ public final class MiniMolle implements Pins {
   }
 
   /** What the run has in store. */
-  public List<Hazard> hazards() {
+  public List<DrivingHazard> hazards() {
     return hazards.all();
   }
 }

@@ -1,5 +1,7 @@
 package org.u2sa.sim.ground;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * A brushed gear motor by its data sheet, all at the output shaft, and what its controller makes of
  * a command.

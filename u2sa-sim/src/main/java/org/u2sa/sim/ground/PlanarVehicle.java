@@ -1,6 +1,7 @@
 package org.u2sa.sim.ground;
 
 import java.util.Objects;
+import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.motion.Motion;
 import org.u2sa.sim.motion.RungeKutta;
 

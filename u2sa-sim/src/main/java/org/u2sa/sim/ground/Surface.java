@@ -1,5 +1,7 @@
 package org.u2sa.sim.ground;
 
+import org.u2sa.sim.motion.Arguments;
+
 /** Ground to drive on: how slippery and how soft it is at each place of the local plane. */
 public interface Surface {
   /** Coefficient of friction between tyre and ground at a place, above 0. */

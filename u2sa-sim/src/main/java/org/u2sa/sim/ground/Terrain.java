@@ -1,5 +1,7 @@
 package org.u2sa.sim.ground;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * How high the ground is at each place of the local plane. Slopes are gentle: ways along them are
  * taken as long as on the map, which is 1.5 % too short at 10°.

@@ -1,5 +1,7 @@
 package org.u2sa.sim.ground;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * A tyre on the ground as the single contact point model has it (Pacejka, Tire and Vehicle
  * Dynamics, chapter 7), alike in both directions.

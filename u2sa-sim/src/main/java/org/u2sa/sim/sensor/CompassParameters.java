@@ -1,5 +1,7 @@
 package org.u2sa.sim.sensor;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * A two-axis magnetometer on a level vehicle, with what its calibration left over.
  *

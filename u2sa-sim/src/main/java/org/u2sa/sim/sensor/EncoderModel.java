@@ -1,6 +1,7 @@
 package org.u2sa.sim.sensor;
 
 import java.util.Random;
+import org.u2sa.sim.motion.Arguments;
 
 /** Counts of a wheel encoder: whole ones, and some are missed. */
 public final class EncoderModel {

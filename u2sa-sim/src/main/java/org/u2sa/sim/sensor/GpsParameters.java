@@ -1,5 +1,7 @@
 package org.u2sa.sim.sensor;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * How good a satellite receiver is. Standard deviations are those of each axis.
  *

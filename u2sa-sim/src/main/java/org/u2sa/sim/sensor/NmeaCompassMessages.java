@@ -8,17 +8,17 @@ final class NmeaCompassMessages {
 
   /** True heading. */
   static byte[] hdt(double headingRad) {
-    return new NmeaSentence("HCHDT").number(degrees(headingRad), 1, 1).text("T").bytes();
+    return new NmeaOutput("HCHDT").number(degrees(headingRad), 1, 1).text("T").bytes();
   }
 
   /** Magnetic heading. */
   static byte[] hdm(double headingRad) {
-    return new NmeaSentence("HCHDM").number(degrees(headingRad), 1, 1).text("M").bytes();
+    return new NmeaOutput("HCHDM").number(degrees(headingRad), 1, 1).text("M").bytes();
   }
 
   /** Magnetic heading with the declination, which the compass was told. */
   static byte[] hdg(double headingRad, double declinationRad) {
-    return new NmeaSentence("HCHDG")
+    return new NmeaOutput("HCHDG")
         .number(degrees(headingRad), 1, 1)
         .blank(2)
         .number(Math.abs(Math.toDegrees(declinationRad)), 1, 1)

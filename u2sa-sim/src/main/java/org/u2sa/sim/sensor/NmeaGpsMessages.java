@@ -25,7 +25,7 @@ final class NmeaGpsMessages {
 
   /** Position, quality and altitude. */
   byte[] gga(GpsSample s) {
-    NmeaSentence sentence = new NmeaSentence("GPGGA").timeOfDay(utc.at(s.timeS()));
+    NmeaOutput sentence = new NmeaOutput("GPGGA").timeOfDay(utc.at(s.timeS()));
     if (!s.valid()) {
       return sentence.blank(4).text("0").text("00").text("99.99").blank(6).bytes();
     }
@@ -44,7 +44,7 @@ final class NmeaGpsMessages {
   /** Position, speed, course and date. */
   byte[] rmc(GpsSample s) {
     LocalDateTime time = utc.at(s.timeS());
-    NmeaSentence sentence = new NmeaSentence("GPRMC").timeOfDay(time);
+    NmeaOutput sentence = new NmeaOutput("GPRMC").timeOfDay(time);
     if (!s.valid()) {
       return sentence.text("V").blank(6).date(time).blank(2).text("N").bytes();
     }
@@ -59,7 +59,7 @@ final class NmeaGpsMessages {
 
   /** Course and speed. */
   byte[] vtg(GpsSample s) {
-    NmeaSentence sentence = new NmeaSentence("GPVTG");
+    NmeaOutput sentence = new NmeaOutput("GPVTG");
     if (!s.valid()) {
       return sentence.blank(8).text("N").bytes();
     }
@@ -78,7 +78,7 @@ final class NmeaGpsMessages {
 
   /** Standard deviations of latitude, longitude and altitude. */
   byte[] gst(GpsSample s) {
-    NmeaSentence sentence = new NmeaSentence("GPGST").timeOfDay(utc.at(s.timeS()));
+    NmeaOutput sentence = new NmeaOutput("GPGST").timeOfDay(utc.at(s.timeS()));
     if (!s.valid()) {
       return sentence.blank(7).bytes();
     }
@@ -91,7 +91,7 @@ final class NmeaGpsMessages {
         .bytes();
   }
 
-  private NmeaSentence place(NmeaSentence sentence, GpsSample s) {
+  private NmeaOutput place(NmeaOutput sentence, GpsSample s) {
     return sentence
         .angle(s.latitudeDeg(), 2, minuteDecimals, "N", "S")
         .angle(s.longitudeDeg(), 3, minuteDecimals, "E", "W");

@@ -1,6 +1,7 @@
 package org.u2sa.sim.sensor;
 
 import java.util.ArrayDeque;
+import org.u2sa.sim.motion.Arguments;
 
 /**
  * A device's transmit line: bytes leave one after the other at the line's rate, eight bits with a

@@ -2,6 +2,7 @@ package org.u2sa.sim.sensor;
 
 import java.util.EnumSet;
 import java.util.Set;
+import org.u2sa.sim.motion.Arguments;
 
 /**
  * What a receiver does after power-up, until it is told otherwise.

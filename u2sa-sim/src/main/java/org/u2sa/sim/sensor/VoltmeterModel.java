@@ -1,6 +1,7 @@
 package org.u2sa.sim.sensor;
 
 import java.util.Random;
+import org.u2sa.sim.motion.Arguments;
 
 /**
  * A battery's voltage behind a divider, as an analog input gets it: resistors that are not what is

@@ -45,7 +45,7 @@ class Cessna172Properties {
               pilot.nextDouble(),
               pilot.nextDouble());
       aircraft.step(inputs, 0.5);
-      AircraftState s = aircraft.state();
+      AircraftMotion s = aircraft.state();
       assertThat(
               DoubleStream.of(
                       s.timeS(),

@@ -40,13 +40,13 @@ class CrashTest {
   void step_intoTheGround_crashesAndStaysForEver() {
     Cessna172 aircraft = above(100.0, 55.0, 0.0, -0.5);
     aircraft.step(HANDS_OFF.withThrottle(1.0).withSurfaces(0.0, 0.5, 0.0), 30.0);
-    AircraftState wreck = aircraft.state();
+    AircraftMotion wreck = aircraft.state();
     assertThat(wreck.crashed()).isTrue();
     assertThat(wreck.trueAirspeedMps()).isZero();
     assertThat(wreck.engineRpm()).isZero();
     aircraft.startEngine();
     aircraft.step(HANDS_OFF.withThrottle(1.0).withSurfaces(1.0, -1.0, 1.0), 10.0);
-    AircraftState later = aircraft.state();
+    AircraftMotion later = aircraft.state();
     assertThat(later.timeS()).isEqualTo(wreck.timeS() + 10.0);
     assertThat(later).usingRecursiveComparison().ignoringFields("timeS").isEqualTo(wreck);
   }
@@ -55,7 +55,7 @@ class CrashTest {
   void step_gentleFlare_landsAndIsWhole() {
     Cessna172 aircraft = above(0.5, 30.0, 0.0, 0.12);
     for (int i = 0; i < 400; i++) {
-      AircraftState state = aircraft.state();
+      AircraftMotion state = aircraft.state();
       double wanted = state.weightOnWheels() ? 0.04 : 0.12;
       aircraft.step(HandPilot.hold(state, HANDS_OFF, wanted, 0.0, -0.15), 0.025);
     }
@@ -66,7 +66,7 @@ class CrashTest {
   @Test
   void step_terrainRises_crashesIntoTheHill() {
     Trim trim = Trim.level(300.0, 50.0, 0.0);
-    Terrain hill = (lon, lat) -> lat > 0.01 ? 320.0 : 0.0;
+    TerrainHeight hill = (lon, lat) -> lat > 0.01 ? 320.0 : 0.0;
     Cessna172 aircraft = Cessna172.inFlight(trim.start(0, 0, 0, 0), hill, Wind.calm());
     aircraft.step(trim.controls(), 15.0);
     assertThat(aircraft.state().crashed()).isFalse();

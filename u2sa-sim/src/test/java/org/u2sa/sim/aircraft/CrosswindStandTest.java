@@ -23,7 +23,7 @@ class CrosswindStandTest {
     ControlInputs braked = new ControlInputs(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0);
     for (double t = 0.0; t < HELD_S; t += 0.5) {
       aircraft.step(braked, 0.5);
-      AircraftState state = aircraft.state();
+      AircraftMotion state = aircraft.state();
       assertThat(state.crashed()).as("at %.1f s", t).isFalse();
       assertThat(Math.toDegrees(state.rollRad())).isBetween(-6.0, 6.0);
       assertThat(Math.toDegrees(state.pitchRad())).isBetween(-2.0, 6.0);

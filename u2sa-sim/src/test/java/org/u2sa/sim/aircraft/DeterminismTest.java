@@ -41,7 +41,7 @@ class DeterminismTest {
     assertThat(aircraft.state().timeS()).isEqualTo(30.0);
   }
 
-  private static AircraftState fly(long seed) {
+  private static AircraftMotion fly(long seed) {
     Cessna172 aircraft = Cessna172.onRunway(RUNWAY, Wind.turbulent(1.0, 8.0, seed), true);
     Random pilot = new Random(5L);
     for (int i = 0; i < 400; i++) {

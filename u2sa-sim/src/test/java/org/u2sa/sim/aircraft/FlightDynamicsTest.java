@@ -123,7 +123,7 @@ class FlightDynamicsTest {
     }
   }
 
-  private static double energy(AircraftState s) {
+  private static double energy(AircraftMotion s) {
     double v2 =
         s.velocityNorthMps() * s.velocityNorthMps()
             + s.velocityEastMps() * s.velocityEastMps()
@@ -133,7 +133,7 @@ class FlightDynamicsTest {
 
   private void derive(double roll, double pitch, double heading) {
     dynamics.groundM = -10_000.0;
-    Attitude.write(state, FlightDynamics.Q0, roll, pitch, heading);
+    AircraftAttitude.write(state, FlightDynamics.Q0, roll, pitch, heading);
     dynamics.derivatives(state, rate);
   }
 }

@@ -15,9 +15,9 @@ class GroundTest {
   void step_idleWithBrakes_standsStill() {
     Cessna172 aircraft = Cessna172.onRunway(RUNWAY, Wind.calm(), true);
     aircraft.step(PARKED, 5.0);
-    AircraftState settled = aircraft.state();
+    AircraftMotion settled = aircraft.state();
     aircraft.step(PARKED, 60.0);
-    AircraftState later = aircraft.state();
+    AircraftMotion later = aircraft.state();
     assertThat(later.latitudeDeg()).isCloseTo(settled.latitudeDeg(), within(1e-4 * METRE_DEG));
     assertThat(later.longitudeDeg()).isCloseTo(settled.longitudeDeg(), within(1e-4 * METRE_DEG));
     assertThat(later.headingRad()).isCloseTo(settled.headingRad(), within(1e-6));

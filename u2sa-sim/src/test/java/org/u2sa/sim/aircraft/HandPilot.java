@@ -6,7 +6,7 @@ final class HandPilot {
 
   /** Surfaces that hold a pitch and a bank; rudder against the sideslip. */
   static ControlInputs hold(
-      AircraftState state, ControlInputs base, double pitchRad, double rollRad, double trim) {
+      AircraftMotion state, ControlInputs base, double pitchRad, double rollRad, double trim) {
     double elevator = trim - 2.0 * (pitchRad - state.pitchRad()) + 0.5 * state.pitchRateRadPerS();
     double aileron = 2.0 * (rollRad - state.rollRad()) - 0.5 * state.rollRateRadPerS();
     double rudder = 1.5 * state.sideslipRad();
@@ -23,7 +23,7 @@ final class HandPilot {
 
   /** Surfaces that keep a heading on the ground roll. */
   static ControlInputs steer(
-      AircraftState state, ControlInputs base, double headingRad, double elevator) {
+      AircraftMotion state, ControlInputs base, double headingRad, double elevator) {
     double error = StrictMath.IEEEremainder(headingRad - state.headingRad(), 2.0 * Math.PI);
     return ControlInputs.limited(
         -state.rollRad(),

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class LandingGearTest {
   private final LandingGear gear = new LandingGear();
-  private final Attitude attitude = new Attitude();
+  private final AircraftAttitude attitude = new AircraftAttitude();
 
   // wing tip 5.48 m out and 2 m above ground: 21.5°; tail ring: 14.5° about the main wheels
   @ParameterizedTest
@@ -74,7 +74,7 @@ class LandingGearTest {
 
   private void set(double rollDeg, double pitchDeg) {
     double[] q = new double[4];
-    Attitude.write(q, 0, Math.toRadians(rollDeg), Math.toRadians(pitchDeg), 0.0);
+    AircraftAttitude.write(q, 0, Math.toRadians(rollDeg), Math.toRadians(pitchDeg), 0.0);
     attitude.set(q[0], q[1], q[2], q[3]);
   }
 }

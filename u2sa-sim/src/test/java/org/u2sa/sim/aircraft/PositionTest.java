@@ -27,7 +27,7 @@ class PositionTest {
     Cessna172 aircraft =
         Cessna172.inFlight(trim.start(lon, lat, 0.0, Math.toRadians(headingDeg)), Wind.calm());
     double flownM = 0.0;
-    AircraftState state = aircraft.state();
+    AircraftMotion state = aircraft.state();
     while (flownM < 100_000.0) {
       double course =
           Geodesic.WGS84.Inverse(lat, lon, state.latitudeDeg(), state.longitudeDeg()).azi2;
@@ -40,7 +40,7 @@ class PositionTest {
           trim.controls()
               .withSurfaces(aileron, trim.controls().elevator(), trim.controls().rudder()),
           DT_S);
-      AircraftState next = aircraft.state();
+      AircraftMotion next = aircraft.state();
       flownM += DT_S * 0.5 * (groundSpeed(state) + groundSpeed(next));
       state = next;
     }
@@ -51,7 +51,7 @@ class PositionTest {
     assertThat(courseError).isCloseTo(0.0, within(1.0));
   }
 
-  private static double groundSpeed(AircraftState state) {
+  private static double groundSpeed(AircraftMotion state) {
     return Math.hypot(state.velocityNorthMps(), state.velocityEastMps());
   }
 }

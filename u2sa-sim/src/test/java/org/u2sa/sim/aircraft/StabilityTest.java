@@ -107,7 +107,7 @@ class StabilityTest {
     double turned = 0.0;
     double expected = 0.0;
     while (turning.state().timeS() < 40.0) {
-      AircraftState before = turning.state();
+      AircraftMotion before = turning.state();
       double elevator =
           turn.controls().elevator()
               - 0.02 * before.velocityDownMps()
@@ -125,7 +125,7 @@ class StabilityTest {
               0.0,
               0.0),
           0.025);
-      AircraftState after = turning.state();
+      AircraftMotion after = turning.state();
       if (after.timeS() > 15.0) {
         turned += Math.IEEEremainder(after.headingRad() - before.headingRad(), 2.0 * Math.PI);
         expected +=

@@ -69,7 +69,7 @@ class StallTest {
   }
 
   private static void hold(Cessna172 aircraft, double stick, double flaps) {
-    AircraftState state = aircraft.state();
+    AircraftMotion state = aircraft.state();
     aircraft.step(
         ControlInputs.limited(
             -2.0 * state.rollRad() - 0.5 * state.rollRateRadPerS(),

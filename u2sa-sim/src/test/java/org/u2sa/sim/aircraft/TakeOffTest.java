@@ -17,7 +17,7 @@ class TakeOffTest {
   @Test
   void step_fullThrottleAndRotation_liftsOffNear55KnotsInTime() {
     takeOff();
-    AircraftState state = aircraft.state();
+    AircraftMotion state = aircraft.state();
     assertThat(state.crashed()).isFalse();
     assertThat(state.calibratedAirspeedMps() / KNOT).isBetween(50.0, 62.0);
     assertThat(state.timeS()).isBetween(13.0, 25.0);
@@ -31,7 +31,7 @@ class TakeOffTest {
     takeOff();
     double climb = 0.0;
     for (int i = 0; i < 20 * 40; i++) {
-      AircraftState state = aircraft.state();
+      AircraftMotion state = aircraft.state();
       double pitch = Math.toRadians(8.5) + 0.02 * (state.calibratedAirspeedMps() - 76.0 * KNOT);
       aircraft.step(HandPilot.hold(state, full, pitch, 0.0, -0.1), 0.05);
       climb = -aircraft.state().velocityDownMps();
@@ -43,7 +43,7 @@ class TakeOffTest {
 
   private void takeOff() {
     while (aircraft.state().weightOnWheels() && aircraft.state().timeS() < 60.0) {
-      AircraftState state = aircraft.state();
+      AircraftMotion state = aircraft.state();
       boolean rotate = state.calibratedAirspeedMps() > 50.0 * KNOT;
       double elevator =
           rotate ? 4.0 * (state.pitchRad() - ROTATION) + state.pitchRateRadPerS() - 0.2 : 0.0;

@@ -19,7 +19,7 @@ class ThroughputTest {
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     long begun = threads.getCurrentThreadCpuTime();
     while (aircraft.state().timeS() < FLOWN_S) {
-      AircraftState state = aircraft.state();
+      AircraftMotion state = aircraft.state();
       aircraft.step(
           HandPilot.hold(state, trim.controls(), trim.pitchRad(), 0.0, trim.controls().elevator()),
           0.05);

@@ -19,7 +19,7 @@ class TrimTest {
     Trim trim = Trim.level(600.0, speedMps, 0.0);
     Cessna172 aircraft = Cessna172.inFlight(trim.start(10.0, 47.0, 0.0, 1.0), Wind.calm());
     aircraft.step(trim.controls(), 30.0);
-    AircraftState state = aircraft.state();
+    AircraftMotion state = aircraft.state();
     assertThat(state.altitudeM()).isCloseTo(600.0, within(0.5));
     assertThat(state.trueAirspeedMps()).isCloseTo(speedMps, within(0.05));
     assertThat(state.rollRad()).isCloseTo(0.0, within(0.01));

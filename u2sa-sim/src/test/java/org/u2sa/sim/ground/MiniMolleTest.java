@@ -100,7 +100,9 @@ class MiniMolleTest {
   void hazards_manual_sticksDriveAndTheSwitchSaysSo() {
     DriveCommand sticks = new DriveCommand(0.3, 0.2);
     MiniMolle molle =
-        MiniMolle.on(PLANE).hazards(Hazards.none().with(new Hazard.Manual(1, 2, sticks))).build();
+        MiniMolle.on(PLANE)
+            .hazards(Hazards.none().with(new DrivingHazard.Manual(1, 2, sticks)))
+            .build();
     drive(molle, 1_900, 1_900);
     run(molle, 0.9);
     assertThat(molle.pulses(RADIO).widthS()).isGreaterThan(1.7e-3);
@@ -114,7 +116,9 @@ class MiniMolleTest {
   @Test
   void hazards_radioSilence_nobodyDrives() {
     MiniMolle molle =
-        MiniMolle.on(PLANE).hazards(Hazards.none().with(new Hazard.RadioSilence(1, 2))).build();
+        MiniMolle.on(PLANE)
+            .hazards(Hazards.none().with(new DrivingHazard.RadioSilence(1, 2)))
+            .build();
     drive(molle, 1_900, 1_900);
     run(molle, 1.5);
     assertThat(molle.command()).isEqualTo(DriveCommand.none());
@@ -126,7 +130,7 @@ class MiniMolleTest {
     MiniMolle molle =
         MiniMolle.on(PLANE)
             .gps(GpsParameters.survey(), UbloxSettings.factory())
-            .hazards(Hazards.none().with(new Hazard.GpsOutage(1.5, 2.5)))
+            .hazards(Hazards.none().with(new DrivingHazard.GpsOutage(1.5, 2.5)))
             .build();
     run(molle, 4.0);
     assertThat(heard).contains("$GPRMC,120001.00,A,").contains("$GPRMC,120002.00,V,");
@@ -139,8 +143,8 @@ class MiniMolleTest {
         MiniMolle.on(PLANE)
             .hazards(
                 Hazards.none()
-                    .with(new Hazard.BatteryAt(1.0, 0.1))
-                    .with(new Hazard.Push(2.0, 3.0, 150.0, 0.0, 0.0)))
+                    .with(new DrivingHazard.BatteryAt(1.0, 0.1))
+                    .with(new DrivingHazard.Push(2.0, 3.0, 150.0, 0.0, 0.0)))
             .build();
     run(molle, 1.5);
     assertThat(molle.state().batteryV()).isLessThan(12.0);
@@ -153,7 +157,7 @@ class MiniMolleTest {
   void hazards_slipperyUnderOneWheel_turnsTheVehicleThatWay() {
     MiniMolle molle =
         MiniMolle.on(PLANE)
-            .hazards(Hazards.none().with(new Hazard.Slippery(2.22, 0.0, 2.1, 0.05)))
+            .hazards(Hazards.none().with(new DrivingHazard.Slippery(2.22, 0.0, 2.1, 0.05)))
             .build();
     drive(molle, 2_000, 2_000);
     run(molle, 0.5);
@@ -171,7 +175,7 @@ class MiniMolleTest {
         MiniMolle.on(PLANE)
             .vehicle(new DifferentialVehicle(DifferentialParameters.miniMolle(), start))
             .compass(CompassParameters.perfect(0.0), 9_600)
-            .hazards(Hazards.none().with(new Hazard.Magnetic(5.0, 5.0, 1.0, -10.0, 0.0)))
+            .hazards(Hazards.none().with(new DrivingHazard.Magnetic(5.0, 5.0, 1.0, -10.0, 0.0)))
             .build();
     run(molle, 0.1);
     byte[] request = {(byte) 0xA4, 0x09, (byte) 0xA0};

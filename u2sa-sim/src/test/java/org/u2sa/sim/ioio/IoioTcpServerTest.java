@@ -8,7 +8,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.SystemClock;
+import org.u2sa.interfaces.time.SystemClock;
 
 class IoioTcpServerTest {
   private static final int PATIENCE_MS = 20_000;

@@ -4,7 +4,7 @@ import static org.u2sa.core.control.ground.PursuitVariables.number;
 
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 

@@ -1,7 +1,7 @@
 package org.u2sa.core.control.ground;
 
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Variable;
 
 /**
  * Which share of all that it can a motor must be commanded for a speed over ground: nothing moves

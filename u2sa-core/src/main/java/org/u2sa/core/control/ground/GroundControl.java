@@ -3,13 +3,13 @@ package org.u2sa.core.control.ground;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.core.control.ControlSystem;
-import org.u2sa.interfaces.LogLevelEnum;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.U2SAData;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ServiceContext;
 
 /**

@@ -1,8 +1,8 @@
 package org.u2sa.core.control.ground;
 
 import java.util.Map;
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Variable;
 
 /** The names of the two motors of a differential vehicle. */
 final class Motors {

@@ -10,7 +10,7 @@ import org.u2sa.service.ServiceContext;
 abstract class PursuitControl extends GroundControl {
   private final PursuitLaw law;
   private final Reference reference = new Reference();
-  private final Trim speedTrim = new Trim("SPEED TRIM");
+  private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
   private final MotionWatch watch = new MotionWatch();
   private boolean atFullPower;
 

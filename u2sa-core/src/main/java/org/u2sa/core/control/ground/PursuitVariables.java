@@ -1,8 +1,8 @@
 package org.u2sa.core.control.ground;
 
-import org.u2sa.interfaces.Configurator;
-import org.u2sa.interfaces.Range;
-import org.u2sa.interfaces.Variable;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
 
 /** The variables of regulated pure pursuit, for every kind of ground vehicle. */
 final class PursuitVariables {

@@ -11,7 +11,7 @@ class TrimTest {
   private static final Drive DRIVES = new Drive(1.0, 0.0);
   private static final Drive TURNS = new Drive(0.0, 0.5);
 
-  private final Trim trim = new Trim("SPEED TRIM");
+  private final TurnTrim trim = new TurnTrim("SPEED TRIM");
 
   private double after(double seconds, Drive demanded, OptionalDouble errorMps) {
     double answer = 0.0;

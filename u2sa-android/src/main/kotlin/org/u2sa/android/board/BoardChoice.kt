@@ -1,0 +1,53 @@
+package org.u2sa.android.board
+
+import org.u2sa.interfaces.BadInputException
+
+/** How the phone reaches the IOIO board. */
+sealed class BoardChoice {
+    /** As the system's own configuration file says, for example tcp:192.168.0.2:4545 with a simulator. */
+    object Configured : BoardChoice() {
+        override fun toString() = "configured"
+    }
+
+    /** The IOIO is the host of the USB cable, the phone its accessory's other end. */
+    object Usb : BoardChoice() {
+        override fun toString() = "usb"
+    }
+
+    /** A Bluetooth adapter that was paired in Android's settings. */
+    data class Bluetooth(val device: String) : BoardChoice() {
+        override fun toString() = "bluetooth:$device"
+    }
+
+    /** A board, or a simulated one, behind a TCP port. */
+    data class Tcp(val host: String, val port: Int) : BoardChoice() {
+        override fun toString() = "tcp:$host:$port"
+    }
+
+    companion object {
+        private val MAC = Regex("([0-9A-F]{2}:){5}[0-9A-F]{2}")
+        private val TCP = Regex("tcp:([^\\s:]+):(\\d{1,5})")
+        private const val BLUETOOTH = "bluetooth:"
+        private const val HIGHEST_PORT = 65_535
+
+        /**
+         * Reads what [toString] wrote.
+         *
+         * @throws BadInputException naming the text and what was expected
+         */
+        fun parse(text: String): BoardChoice {
+            val tcp = TCP.matchEntire(text)
+            return when {
+                text == Configured.toString() -> Configured
+                text == Usb.toString() -> Usb
+                text.startsWith(BLUETOOTH) && MAC.matches(text.removePrefix(BLUETOOTH)) ->
+                    Bluetooth(text.removePrefix(BLUETOOTH))
+                tcp != null && tcp.groupValues[2].toInt() in 1..HIGHEST_PORT ->
+                    Tcp(tcp.groupValues[1], tcp.groupValues[2].toInt())
+                else -> throw BadInputException(
+                    "board \"$text\": expected \"configured\", \"usb\", \"bluetooth:00:11:22:33:44:55\" or \"tcp:host:port\"",
+                )
+            }
+        }
+    }
+}

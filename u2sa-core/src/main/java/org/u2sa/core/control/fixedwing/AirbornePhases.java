@@ -1,0 +1,158 @@
+package org.u2sa.core.control.fixedwing;
+
+import java.util.Optional;
+import org.u2sa.service.HandOver;
+
+/** The phases in which the wings carry: climb-out, cruise, holding and going around. */
+final class AirbornePhases {
+  private static final double NEAR_GROUND_M = 10.0;
+
+  private final Tuning tuning;
+  private final GroundSteering steering;
+  private final InnerLoops loops;
+  private final LateralGuidance lateral;
+  private final StallGuard stall;
+  private final EnergyLaw energy;
+
+  private final WindEstimate wind;
+  private final TakeOffRotation rotation;
+
+  private double holdAltitudeM;
+  private double altitudeDemandM;
+  private double speedDemandMps; // calibrated
+
+  AirbornePhases(
+      Tuning tuning,
+      GroundSteering steering,
+      InnerLoops loops,
+      WindEstimate wind,
+      TakeOffRotation rotation) {
+    this.tuning = tuning;
+    this.steering = steering;
+    this.loops = loops;
+    this.wind = wind;
+    this.rotation = rotation;
+    lateral = new LateralGuidance(tuning.shortestL1M());
+    stall = new StallGuard(tuning.stall());
+    energy = new EnergyLaw(tuning.energy());
+    speedDemandMps = tuning.cruiseMps();
+  }
+
+  /** The altitude to hold without navigation is the present one, or a safe one above it. */
+  void holdHere(FlightState state) {
+    holdAltitudeM = Math.max(state.altitudeM(), safeAltitudeM(state));
+  }
+
+  private double safeAltitudeM(FlightState state) {
+    return state.altitudeM() - state.heightM() + tuning.takeOff().safeHeightM();
+  }
+
+  /** Begins to balance energy at a pitch, with the throttle where it is. */
+  void restartEnergy(FlightState state, double pitchRad) {
+    energy.restart(state, pitchRad, loops.throttle());
+  }
+
+  Surfaces climbOut(FlightState state, double dtS) {
+    Tuning.ClimbOut climb = tuning.climbOut();
+    double look = climb.lookAheadM();
+    double bank =
+        lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
+    altitudeDemandM = safeAltitudeM(state);
+    speedDemandMps = climb.speedMps();
+    // Near the ground the nose stays where it was raised to, whatever the airspeed asks for.
+    double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
+    double least =
+        climb.leastPitchRad() + low * Math.max(0.0, rotation.pitchRad() - climb.leastPitchRad());
+    return surfaces(state, bank, climb.bankLimitRad(), true, least, dtS);
+  }
+
+  /**
+   * @param circles whether to turn where there is nothing to follow
+   */
+  Surfaces fly(FlightState state, Optional<GuidanceTarget> target, boolean circles, double dtS) {
+    double bank = circles ? tuning.hold().bankRad() : 0.0;
+    altitudeDemandM = holdAltitudeM;
+    speedDemandMps = tuning.cruiseMps();
+    if (target.isPresent()) {
+      GuidanceTarget ahead = target.get();
+      bank = lateral.bankRad(state, ahead.northM(), ahead.eastM());
+      altitudeDemandM = ahead.altitudeM();
+      speedDemandMps =
+          ahead.speedMps().orElse(speedDemandMps * state.trueOverCalibrated())
+              / state.trueOverCalibrated();
+      holdAltitudeM = altitudeDemandM;
+    }
+    return surfaces(state, bank, tuning.bankLimitRad(), false, tuning.leastPitchRad(), dtS);
+  }
+
+  /** Follows navigation sideways, and down to the safe height. */
+  Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
+    GuidanceTarget above =
+        new GuidanceTarget(
+            target.northM(),
+            target.eastM(),
+            Math.max(target.altitudeM(), safeAltitudeM(state)),
+            target.speedMps());
+    return fly(state, Optional.of(above), false, dtS);
+  }
+
+  private Surfaces surfaces(
+      FlightState state,
+      double bank,
+      double bankLimit,
+      boolean speedOnly,
+      double leastPitch,
+      double dtS) {
+    double limit = Math.min(bankLimit, stall.bankLimitRad(state));
+    loops.bankTowards(Limit.symmetric(bank, limit), dtS);
+    double slowest =
+        stall.leastSpeedMps(loops.bankRad())
+            + 0.5 * tuning.stall().bandMps()
+            + tuning.gustShare() * wind.speedMps();
+    speedDemandMps = Limit.within(slowest, speedDemandMps, tuning.fastestMps());
+    double most = Math.min(tuning.mostPitchRad(), stall.pitchLimitRad(state));
+    EnergyLaw.Command command =
+        energy.step(
+            state,
+            new EnergyLaw.Demand(
+                altitudeDemandM,
+                speedDemandMps * state.trueOverCalibrated(),
+                speedOnly,
+                Math.min(leastPitch, most),
+                most),
+            stall.urgency(state),
+            dtS);
+    loops.throttle(command.throttle());
+    double load = 1.0 / Math.max(0.5, StrictMath.cos(state.rollRad()));
+    loops.pitch(Math.min(most, command.pitchRad() + tuning.turnPitch() * (load - 1.0)));
+    double aileron = loops.aileron(state, dtS);
+    double elevator = loops.elevator(state, dtS);
+    loops.coordinate(state, aileron, dtS);
+    return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
+  }
+
+  /** Altitude demanded, above mean sea level [m]. */
+  double altitudeDemandM() {
+    return altitudeDemandM;
+  }
+
+  /** Calibrated airspeed demanded [m/s]. */
+  double speedDemandMps() {
+    return speedDemandMps;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("HOLD ALTITUDE", holdAltitudeM)
+        .number("ALTITUDE DEMAND", altitudeDemandM)
+        .number("SPEED DEMAND", speedDemandMps);
+    energy.handOver(state);
+  }
+
+  void takeOver(HandOver state) {
+    holdAltitudeM = state.number("HOLD ALTITUDE").orElse(0.0);
+    altitudeDemandM = state.number("ALTITUDE DEMAND").orElse(0.0);
+    speedDemandMps = state.number("SPEED DEMAND").orElse(tuning.cruiseMps());
+    energy.takeOver(state);
+  }
+}

@@ -1,0 +1,184 @@
+package org.u2sa.core.control.fixedwing;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.core.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Flies a Cessna 172 by itself from the runway along its mission. In: state, navigation. Out:
+ * actuation (aileron, elevator, rudder, throttle, mixture, flaps, brakes, once for each state),
+ * control-status. Without fresh navigation it keeps the wings level and the altitude, then circles,
+ * or stands on the brakes. Where navigation leads to the ground, it lands.
+ */
+public final class CessnaControl extends ControlSystem {
+  private static final double STATUS_INTERVAL_S = 1.0;
+  private static final double FULL_PERCENT = 100.0;
+
+  private static final Variable<Double> POWER_EXPIRY =
+      Variable.number("POWER EXPIRY", "s")
+          .range(Range.of(0.02, 60.0))
+          .ifAbsent(10.0)
+          .describedAs("How long throttle, mixture and flaps obey a command that is not renewed.");
+
+  private final FlightStateReader reader = new FlightStateReader();
+  private Autopilot autopilot;
+  private FlightPhase loggedPhase;
+  private boolean loggedNavigating;
+  private double statusDueS = Double.NEGATIVE_INFINITY;
+  private List<String> loggedMissing = List.of();
+
+  /** Called by the launcher. */
+  public CessnaControl(ServiceContext context) {
+    super(context, "Control");
+    getVariable(POWER_EXPIRY); // a wrong value must fail before the flight
+    autopilot = new Autopilot(GuidanceVariables.tuning(this));
+    registerPublisher(ControlStatus.CHANNEL);
+  }
+
+  @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return GuidanceVariables.refusal(values);
+  }
+
+  /** Flies on with other gains and limits, from where it is. */
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    HandOver state = new HandOver(getClass().getName());
+    autopilot.handOver(state);
+    autopilot = new Autopilot(GuidanceVariables.tuning(this));
+    autopilot.takeOver(state);
+  }
+
+  @Override
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<FlightState> seen = reader.read(state);
+    if (seen.isEmpty()) {
+      lacking(reader.missing(state));
+      return;
+    }
+    loggedMissing = List.of();
+    FlightState now = seen.get();
+    Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
+    Surfaces surfaces = autopilot.step(now, target);
+    for (CessnaActuator actuator : CessnaActuator.values()) {
+      double percentage = FULL_PERCENT * actuator.of(surfaces);
+      if (actuator.holdsThroughSilence()) {
+        command(actuator.actuatorName(), percentage, getVariable(POWER_EXPIRY));
+      } else {
+        command(actuator.actuatorName(), percentage);
+      }
+    }
+    report(now, target.isPresent());
+  }
+
+  /**
+   * The point as it lies from the aircraft now; turned by the attitude that it was computed from.
+   */
+  private Optional<GuidanceTarget> target(NavigationPoint point, FlightState now) {
+    Optional<FlightState> then = stateOf(point).flatMap(reader::read);
+    Optional<Point> ned = nedOf(point);
+    if (then.isEmpty() || ned.isEmpty()) {
+      return Optional.empty();
+    }
+    FlightState from = then.get();
+    return Optional.of(
+        new GuidanceTarget(
+            ned.get().x() + from.northM() - now.northM(),
+            ned.get().y() + from.eastM() - now.eastM(),
+            from.altitudeM() - ned.get().z(),
+            point.speed()));
+  }
+
+  private void report(FlightState state, boolean navigating) {
+    FlightPhase phase = autopilot.phase();
+    boolean news = phase != loggedPhase || navigating != loggedNavigating;
+    if (news) {
+      log(
+          LogLevelEnum.INFO,
+          "phase " + phase + (navigating ? "" : ", no navigation: " + without(phase)));
+      if (phase == FlightPhase.GO_AROUND && phase != loggedPhase) {
+        log(LogLevelEnum.ERROR, autopilot.refusalWords());
+      }
+      loggedPhase = phase;
+      loggedNavigating = navigating;
+    }
+    if (news || state.timeS() >= statusDueS) {
+      publish(ControlStatus.CHANNEL, status(navigating));
+      statusDueS = state.timeS() + STATUS_INTERVAL_S;
+    }
+  }
+
+  private static String without(FlightPhase phase) {
+    return switch (phase) {
+      case RUN_UP -> "waits on the brakes";
+      case STOPPED -> "stands on the brakes";
+      case HOLD -> "wings level, later a circle, altitude held";
+      case FLARE -> "touches down";
+      case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "goes on to the safe height";
+    };
+  }
+
+  private ControlStatus status(boolean navigating) {
+    ControlStatus status = new ControlStatus().phase(autopilot.phase()).navigating(navigating);
+    boolean flying =
+        switch (autopilot.phase()) {
+          case CLIMB_OUT, CRUISE, HOLD, GO_AROUND -> true;
+          case RUN_UP, ROLL, ROTATE, STOPPED, FLARE -> false;
+        };
+    return flying
+        ? status
+            .bank(autopilot.bankDemandRad())
+            .pitch(autopilot.pitchDemandRad())
+            .altitude(autopilot.altitudeDemandM())
+            .airspeed(autopilot.speedDemandMps())
+        : status;
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    reader.handOver(state);
+    autopilot.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    if (state.className().equals(getClass().getName())) {
+      reader.takeOver(state);
+      autopilot.takeOver(state);
+    } else if (lastCommand(CessnaActuator.THROTTLE.actuatorName()).isPresent()) {
+      autopilot.takeOver(
+          lastShare(CessnaActuator.AILERON),
+          lastShare(CessnaActuator.ELEVATOR),
+          lastShare(CessnaActuator.RUDDER),
+          lastShare(CessnaActuator.THROTTLE));
+    }
+  }
+
+  private double lastShare(CessnaActuator actuator) {
+    return lastCommand(actuator.actuatorName()).orElse(0.0) / FULL_PERCENT;
+  }
+
+  private void lacking(List<String> missing) {
+    if (!missing.equals(loggedMissing)) {
+      loggedMissing = missing;
+      log(LogLevelEnum.WARN, "state lacks " + missing + ": no commands until it has them");
+    }
+  }
+
+  @Override
+  protected Map<String, Double> neutral() {
+    return CessnaActuator.neutral();
+  }
+}

@@ -1,0 +1,158 @@
+package org.u2sa.core.control.fixedwing;
+
+import org.u2sa.service.HandOver;
+
+/**
+ * Altitude and airspeed together: the throttle answers for the total energy rate γ + V̇/g, the
+ * pitch for how it is shared, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control
+ * Autopilot Design Using Total Energy Principles, AIAA 83-2239). Short of speed, the pitch serves
+ * the airspeed alone.
+ */
+final class EnergyLaw {
+  /** What the two levers shall do: pitch [rad] and throttle, 0…1. */
+  record Command(double pitchRad, double throttle) {}
+
+  /**
+   * What is wanted.
+   *
+   * @param altitudeM above mean sea level [m]
+   * @param airspeedMps true airspeed [m/s]
+   * @param speedOnly whether pitch serves the airspeed alone, at full throttle: climb-out
+   * @param least pitch [rad]
+   * @param most pitch [rad]
+   */
+  record Demand(
+      double altitudeM, double airspeedMps, boolean speedOnly, double least, double most) {}
+
+  private final EnergyParameters parameters;
+  private double filteredAirspeed = Double.NaN;
+  private double climbDemand;
+  private double pitchIntegral;
+  private double throttleIntegral;
+  private double throttle;
+  private double pitch;
+
+  EnergyLaw(EnergyParameters parameters) {
+    this.parameters = parameters;
+  }
+
+  /** Begins from a pitch and a throttle, without a bump. */
+  void restart(FlightState state, double newPitch, double newThrottle) {
+    filteredAirspeed = state.trueAirspeedMps();
+    climbDemand = state.climbMps();
+    pitch = newPitch;
+    throttle = newThrottle;
+    pitchIntegral = newPitch - flightPath(state);
+    throttleIntegral = newThrottle;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("FILTERED AIRSPEED", filteredAirspeed)
+        .number("CLIMB DEMAND", climbDemand)
+        .number("PITCH INTEGRAL OF ENERGY", pitchIntegral)
+        .number("THROTTLE INTEGRAL", throttleIntegral)
+        .number("THROTTLE OF ENERGY", throttle)
+        .number("PITCH OF ENERGY", pitch);
+  }
+
+  void takeOver(HandOver state) {
+    filteredAirspeed = state.number("FILTERED AIRSPEED").orElse(Double.NaN);
+    climbDemand = state.number("CLIMB DEMAND").orElse(0.0);
+    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY").orElse(0.0);
+    throttleIntegral = state.number("THROTTLE INTEGRAL").orElse(0.0);
+    throttle = state.number("THROTTLE OF ENERGY").orElse(0.0);
+    pitch = state.number("PITCH OF ENERGY").orElse(0.0);
+  }
+
+  /**
+   * @param urgency 0 with speed to spare … 1 at the least airspeed, by {@link StallGuard}
+   */
+  Command step(FlightState state, Demand demand, double urgency, double dtS) {
+    if (Double.isNaN(filteredAirspeed)) {
+      restart(state, state.pitchRad(), parameters.throttleTrim());
+    }
+    double speed = Math.max(parameters.slowestMps(), state.trueAirspeedMps());
+    double acceleration = acceleration(state, dtS);
+    double path = flightPath(state);
+
+    double climb =
+        Limit.within(
+            -parameters.sinkLimitMps(),
+            (demand.altitudeM() - state.altitudeM()) / parameters.altitudeTimeConstantS(),
+            parameters.climbLimitMps());
+    climbDemand = Limit.approach(climbDemand, climb, parameters.verticalAccelerationMps2() * dtS);
+    double pathDemand = climbDemand / speed;
+    double accelerationDemand =
+        Limit.symmetric(
+                (demand.airspeedMps() - filteredAirspeed) / parameters.speedTimeConstantS(),
+                parameters.accelerationLimitMps2())
+            / LateralGuidance.GRAVITY;
+
+    double speedShare = demand.speedOnly() ? 2.0 : 1.0 + urgency; // of the two that are shared out
+    double heightShare = 2.0 - speedShare;
+    throttle =
+        throttle(
+            state,
+            pathDemand + accelerationDemand,
+            path + acceleration,
+            demand.speedOnly() ? 1.0 : urgency,
+            dtS);
+    pitch =
+        pitch(
+            demand,
+            heightShare * pathDemand - speedShare * accelerationDemand,
+            heightShare * path - speedShare * acceleration,
+            dtS);
+    return new Command(pitch, throttle);
+  }
+
+  private double throttle(
+      FlightState state, double demanded, double measured, double urgency, double dtS) {
+    double cosine = Math.max(0.3, StrictMath.cos(state.rollRad()));
+    double turning = parameters.turnDrag() * (1.0 / (cosine * cosine) - 1.0);
+    double error = demanded - measured;
+    double direct =
+        parameters.throttleForward() * (demanded + turning) + parameters.throttleDamping() * error;
+    double next = throttleIntegral + parameters.throttleIntegral() * error * dtS;
+    double raw = direct + next;
+    boolean deeper =
+        (raw > parameters.throttleMost() && error > 0.0)
+            || (raw < parameters.throttleLeast() && error < 0.0);
+    if (!deeper && urgency < 1.0) {
+      throttleIntegral = Limit.within(0.0, next, 1.0);
+    }
+    double wanted =
+        Limit.within(
+            parameters.throttleLeast(), direct + throttleIntegral, parameters.throttleMost());
+    double urgent = wanted + urgency * (parameters.throttleMost() - wanted);
+    return Limit.approach(throttle, urgent, parameters.throttleRate() * dtS);
+  }
+
+  private double pitch(Demand demand, double demanded, double measured, double dtS) {
+    // A change of the flight path moves the balance by twice as much, whatever the shares.
+    double error = 0.5 * (demanded - measured);
+    double direct = 0.5 * demanded + parameters.pitchDamping() * error;
+    double next = pitchIntegral + parameters.pitchIntegral() * error * dtS;
+    double raw = direct + next;
+    boolean deeper = (raw > demand.most() && error > 0.0) || (raw < demand.least() && error < 0.0);
+    if (!deeper) {
+      pitchIntegral = Limit.within(demand.least() - 0.2, next, demand.most() + 0.2);
+    }
+    double wanted = Limit.within(demand.least(), direct + pitchIntegral, demand.most());
+    return Limit.approach(pitch, wanted, parameters.pitchRate() * dtS);
+  }
+
+  /** V̇/g of a low-passed airspeed: gusts come and go faster than the aircraft can answer. */
+  private double acceleration(FlightState state, double dtS) {
+    double difference = state.trueAirspeedMps() - filteredAirspeed;
+    double share = dtS / (parameters.airspeedFilterS() + dtS);
+    double change = share * difference;
+    filteredAirspeed += change;
+    return change / dtS / LateralGuidance.GRAVITY;
+  }
+
+  private double flightPath(FlightState state) {
+    return state.climbMps() / Math.max(parameters.slowestMps(), state.trueAirspeedMps());
+  }
+}

@@ -1,0 +1,146 @@
+package org.u2sa.core.control.fixedwing;
+
+import org.u2sa.service.HandOver;
+
+/**
+ * What is held at the moment, and the loops that hold it: a bank by the ailerons, a pitch by the
+ * elevator, a coordinated turn by the rudder; and where rudder and throttle are.
+ */
+final class InnerLoops {
+  private static final double LEAST_SCALE = 0.6;
+  private static final double MOST_SCALE = 1.6;
+  private static final double RUDDER_RATE =
+      2.0; // full travel a second is half a second stop to stop
+
+  private final Tuning tuning;
+  private final RollLaw roll;
+  private final PitchLaw pitch;
+  private final YawLaw yaw;
+  private double bankRad;
+  private double pitchRad;
+  private double rudder;
+  private double throttle;
+
+  InnerLoops(Tuning tuning) {
+    this.tuning = tuning;
+    roll = new RollLaw(tuning.roll());
+    pitch = new PitchLaw(tuning.pitch());
+    yaw = new YawLaw(tuning.yaw());
+  }
+
+  /** Surface gains hold at one speed: at others the same surface does more or less. */
+  private double scale(FlightState state) {
+    double speed = Math.max(1.0, state.calibratedAirspeedMps());
+    return Limit.within(LEAST_SCALE, tuning.referenceSpeedMps() / speed, MOST_SCALE);
+  }
+
+  /** Bank held [rad]. */
+  double bankRad() {
+    return bankRad;
+  }
+
+  /** Holds another bank at once [rad]. */
+  void hold(double newBankRad) {
+    bankRad = newBankRad;
+  }
+
+  /** Moves the bank held towards another [rad] at the pace of the tuning. */
+  void bankTowards(double wantedRad, double dtS) {
+    bankRad = Limit.approach(bankRad, wantedRad, tuning.bankRate() * dtS);
+  }
+
+  /** Pitch held [rad]. */
+  double pitchRad() {
+    return pitchRad;
+  }
+
+  /** Holds another pitch [rad]. */
+  void pitch(double newPitchRad) {
+    pitchRad = newPitchRad;
+  }
+
+  /** Throttle, 0…1. */
+  double throttle() {
+    return throttle;
+  }
+
+  void throttle(double newThrottle) {
+    throttle = newThrottle;
+  }
+
+  /** Moves the throttle at the pace of a hand. */
+  void throttleTowards(double wanted, double dtS) {
+    throttle = Limit.approach(throttle, wanted, tuning.climbOut().throttleRate() * dtS);
+  }
+
+  /** Rudder, −1…1, positive yaws right. */
+  double rudder() {
+    return rudder;
+  }
+
+  void rudder(double newRudder) {
+    rudder = newRudder;
+  }
+
+  /** Aileron that holds the bank, −1…1, positive rolls right. */
+  double aileron(FlightState state, double dtS) {
+    return roll.aileron(state, bankRad, scale(state), dtS);
+  }
+
+  /** Aileron that keeps the wings level, whatever bank is held otherwise. */
+  double levelAileron(FlightState state, double dtS) {
+    return roll.aileron(state, 0.0, scale(state), dtS);
+  }
+
+  /** Elevator that holds the pitch, −1…1, positive lowers the nose. */
+  double elevator(FlightState state, double dtS) {
+    return pitch.elevator(state, pitchRad, scale(state), dtS);
+  }
+
+  /** Moves the rudder so that the turn is coordinated. */
+  void coordinate(FlightState state, double aileron, double dtS) {
+    double wanted = yaw.rudder(state, aileron, scale(state), dtS);
+    rudder = Limit.approach(rudder, wanted, RUDDER_RATE * dtS);
+  }
+
+  /** The loops of roll and pitch begin anew. */
+  void restart() {
+    pitch.restart();
+    roll.restart();
+  }
+
+  /** The loop of yaw begins from where the rudder is. */
+  void restartYaw() {
+    yaw.restart(rudder);
+  }
+
+  /** Begins from what another control law commanded, shares of full as in Surfaces. */
+  void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
+    roll.restart(aileron);
+    pitch.restart(elevator);
+    yaw.restart(lastRudder);
+    rudder = lastRudder;
+    throttle = lastThrottle;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("THROTTLE", throttle)
+        .number("RUDDER", rudder)
+        .number("BANK DEMAND", bankRad)
+        .number("PITCH DEMAND", pitchRad);
+    roll.handOver(state);
+    pitch.handOver(state);
+    yaw.handOver(state);
+  }
+
+  void takeOver(HandOver state) {
+    throttle = state.number("THROTTLE").orElse(0.0);
+    rudder = state.number("RUDDER").orElse(0.0);
+    bankRad = state.number("BANK DEMAND").orElse(0.0);
+    pitchRad = state.number("PITCH DEMAND").orElse(0.0);
+    roll.takeOver(state);
+    pitch.takeOver(state);
+    yaw.takeOver(state);
+  }
+}

@@ -1,0 +1,70 @@
+package org.u2sa.core.control.fixedwing;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.u2sa.service.HandOver;
+
+/**
+ * Refuses to land across more wind than the configuration allows. Once refused, the aircraft stays
+ * up until navigation leads up again: a new approach is somebody's decision.
+ */
+final class LandingRefusal {
+  /** Who is led below this above ground is to land: nobody cruises so low [m]. */
+  static final double LEADS_DOWN_M = 15.0;
+
+  private final double maxCrosswindMps;
+  private final double safeHeightM;
+  private final double committedHeightM;
+  private boolean refused;
+  private double crosswindMps; // when it was refused, to the right of the course positive
+
+  /**
+   * @param safeHeightM to which it climbs instead, above ground [m]
+   * @param committedHeightM below which a landing goes on in any case, above ground [m]
+   */
+  LandingRefusal(double maxCrosswindMps, double safeHeightM, double committedHeightM) {
+    this.maxCrosswindMps = maxCrosswindMps;
+    this.safeHeightM = safeHeightM;
+    this.committedHeightM = committedHeightM;
+  }
+
+  /** Whether the aircraft may not come down now. */
+  boolean step(
+      FlightState state,
+      Optional<GuidanceTarget> target,
+      WindEstimate wind,
+      FinalApproach approach) {
+    if (target.isEmpty()) {
+      return refused;
+    }
+    double ledToM = target.get().altitudeM() - (state.altitudeM() - state.heightM());
+    if (refused) {
+      refused = ledToM < safeHeightM;
+    } else if (ledToM < LEADS_DOWN_M && state.heightM() > committedHeightM && approach.isKnown()) {
+      crosswindMps = wind.acrossMps(approach.courseRad());
+      refused = Math.abs(crosswindMps) > maxCrosswindMps;
+    }
+    return refused;
+  }
+
+  /** Why, and what is done instead. */
+  String words() {
+    return String.format(
+        Locale.ROOT,
+        "does not land: %.1f m/s of wind from the %s across the approach, MAX CROSSWIND is %.1f m/s;"
+            + " keeps %.0f m above ground until navigation leads higher",
+        Math.abs(crosswindMps),
+        crosswindMps > 0.0 ? "left" : "right",
+        maxCrosswindMps,
+        safeHeightM);
+  }
+
+  void handOver(HandOver state) {
+    state.flag("LANDING REFUSED", refused).number("REFUSED CROSSWIND", crosswindMps);
+  }
+
+  void takeOver(HandOver state) {
+    refused = state.flag("LANDING REFUSED");
+    crosswindMps = state.number("REFUSED CROSSWIND").orElse(0.0);
+  }
+}

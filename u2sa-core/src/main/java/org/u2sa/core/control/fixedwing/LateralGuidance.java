@@ -1,0 +1,46 @@
+package org.u2sa.core.control.fixedwing;
+
+/**
+ * Steers to a point ahead on the leg: S. Park, J. Deyst, J. P. How, A New Nonlinear Guidance Logic
+ * for Trajectory Tracking, AIAA 2004-4900, eq. 1: a = 2 V² / L1 · sin η, with V over ground, so
+ * that wind needs no estimate. Bank follows from a level coordinated turn.
+ */
+final class LateralGuidance {
+  static final double GRAVITY = 9.80665;
+
+  private static final double SLOWEST_MPS =
+      5.0; // over ground; slower there is no track to speak of
+
+  private final double shortestM;
+
+  /**
+   * @param shortestM least L1 [m]: a point nearer than this counts as this far, so that the gain is
+   *     bounded
+   */
+  LateralGuidance(double shortestM) {
+    this.shortestM = shortestM;
+  }
+
+  /**
+   * Lateral acceleration over ground towards the point [m/s², right positive].
+   *
+   * @param northM of the point from the aircraft [m]
+   */
+  double accelerationMps2(FlightState state, double northM, double eastM) {
+    double speed = state.groundSpeedMps();
+    double distance = Math.max(shortestM, StrictMath.hypot(northM, eastM));
+    double track =
+        speed < SLOWEST_MPS
+            ? state.headingRad()
+            : StrictMath.atan2(state.eastMps(), state.northMps());
+    double eta = Limit.angle(StrictMath.atan2(eastM, northM) - track);
+    // The paper bounds η to a right angle: behind that, the sine would fall again.
+    double bounded = Limit.symmetric(eta, Math.PI / 2.0);
+    return 2.0 * speed * speed / distance * StrictMath.sin(bounded);
+  }
+
+  /** Bank of the coordinated level turn to the point [rad, right wing down positive], unlimited. */
+  double bankRad(FlightState state, double northM, double eastM) {
+    return StrictMath.atan2(accelerationMps2(state, northM, eastM), GRAVITY);
+  }
+}

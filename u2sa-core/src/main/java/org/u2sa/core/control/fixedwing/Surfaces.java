@@ -1,0 +1,27 @@
+package org.u2sa.core.control.fixedwing;
+
+/**
+ * What the control laws answer. Signs are FlightGear's.
+ *
+ * @param aileron −1…1, positive rolls right
+ * @param elevator −1…1, positive lowers the nose
+ * @param rudder −1…1, positive yaws right and steers the nose wheel to the right
+ * @param throttle 0…1
+ * @param mixture 0…1, 1 is rich
+ * @param flaps 0…1
+ * @param brakes 0…1, both wheels
+ */
+record Surfaces(
+    double aileron,
+    double elevator,
+    double rudder,
+    double throttle,
+    double mixture,
+    double flaps,
+    double brakes) {
+
+  /** Standing still: everything centred, engine idling, brakes on. */
+  static Surfaces parked() {
+    return new Surfaces(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0);
+  }
+}

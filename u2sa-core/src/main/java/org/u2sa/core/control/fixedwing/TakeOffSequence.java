@@ -1,0 +1,147 @@
+package org.u2sa.core.control.fixedwing;
+
+import org.u2sa.service.HandOver;
+
+/** Knows which {@link FlightPhase} the aircraft is in. */
+final class TakeOffSequence {
+  /**
+   * @param readyRpm engine speed from which it runs by itself [1/min]
+   * @param readyForS how long engine and navigation must be there before the throttle opens [s]
+   * @param releaseThrottle at which the brakes are let go, 0…1
+   * @param rotateMps calibrated airspeed at which the nose is raised [m/s]
+   * @param safeHeightM above ground, at which the climb-out ends [m]
+   */
+  record Parameters(
+      double readyRpm,
+      double readyForS,
+      double releaseThrottle,
+      double rotateMps,
+      double safeHeightM) {}
+
+  private static final double FLYING_HEIGHT_M = 15.0; // no wheel comes so high without flying
+  private static final double LIFTED_FOR_S = 0.3; // shorter is a hop
+  private static final double LANDED_FOR_S = 1.0;
+
+  private final Parameters parameters;
+  private FlightPhase phase;
+  private double readySinceS = Double.NaN;
+  private double liftedSinceS = Double.NaN;
+  private double landedSinceS = Double.NaN;
+
+  TakeOffSequence(Parameters parameters) {
+    this.parameters = parameters;
+  }
+
+  void handOver(HandOver state) {
+    state
+        .number("READY SINCE", readySinceS)
+        .number("LIFTED SINCE", liftedSinceS)
+        .number("LANDED SINCE", landedSinceS);
+    if (phase != null) {
+      state.text("PHASE", phase.name());
+    }
+  }
+
+  void takeOver(HandOver state) {
+    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(null);
+    readySinceS = state.number("READY SINCE").orElse(Double.NaN);
+    liftedSinceS = state.number("LIFTED SINCE").orElse(Double.NaN);
+    landedSinceS = state.number("LANDED SINCE").orElse(Double.NaN);
+  }
+
+  /**
+   * @param navigating whether navigation is there and fresh
+   * @param landing whether it leads to the ground, which is near
+   * @param refused whether it may not be followed there
+   * @param rotateMps calibrated airspeed at which the nose is raised
+   * @param throttle that was commanded last, 0…1
+   */
+  FlightPhase step(
+      FlightState state,
+      boolean navigating,
+      boolean landing,
+      boolean refused,
+      double rotateMps,
+      double throttle) {
+    liftedSinceS = since(liftedSinceS, !state.onGround(), state.timeS());
+    landedSinceS = since(landedSinceS, state.onGround(), state.timeS());
+    readySinceS = since(readySinceS, engineReady(state) && navigating, state.timeS());
+    FlightPhase flying =
+        !navigating ? FlightPhase.HOLD : refused ? FlightPhase.GO_AROUND : FlightPhase.CRUISE;
+    phase = next(state, flying, landing && !refused, rotateMps, throttle);
+    return phase;
+  }
+
+  private FlightPhase next(
+      FlightState state, FlightPhase flying, boolean landing, double rotateMps, double throttle) {
+    boolean high = !state.onGround() && state.heightM() > FLYING_HEIGHT_M;
+    if (phase == null) {
+      return high ? flying : first(state, landing);
+    }
+    return switch (phase) {
+      case RUN_UP -> {
+        boolean open = cleared(state) && throttle >= parameters.releaseThrottle();
+        yield high ? flying : open ? FlightPhase.ROLL : FlightPhase.RUN_UP;
+      }
+      case ROLL -> {
+        if (state.calibratedAirspeedMps() >= rotateMps) {
+          yield FlightPhase.ROTATE;
+        }
+        // Without navigation or power the take-off is rejected while the brakes still serve.
+        yield flying != FlightPhase.HOLD && state.engineRpm() >= parameters.readyRpm()
+            ? FlightPhase.ROLL
+            : FlightPhase.STOPPED;
+      }
+      case ROTATE ->
+          lasting(liftedSinceS, state, LIFTED_FOR_S) ? FlightPhase.CLIMB_OUT : FlightPhase.ROTATE;
+      case CLIMB_OUT ->
+          state.heightM() >= parameters.safeHeightM() ? flying : FlightPhase.CLIMB_OUT;
+      case CRUISE, HOLD, GO_AROUND -> {
+        boolean landed =
+            lasting(landedSinceS, state, LANDED_FOR_S)
+                && state.calibratedAirspeedMps() < parameters.rotateMps();
+        yield landed ? FlightPhase.STOPPED : landing ? FlightPhase.FLARE : flying;
+      }
+      case FLARE -> {
+        boolean landed = lasting(landedSinceS, state, LANDED_FOR_S);
+        yield landed ? FlightPhase.STOPPED : high ? flying : FlightPhase.FLARE;
+      }
+      case STOPPED -> high ? flying : FlightPhase.STOPPED;
+    };
+  }
+
+  /**
+   * Where a control that is started anew near the ground finds the aircraft: brakes and an idling
+   * engine are right for one that stands, and for one too slow to fly.
+   */
+  private FlightPhase first(FlightState state, boolean landing) {
+    if (state.calibratedAirspeedMps() < parameters.rotateMps()) {
+      return FlightPhase.RUN_UP;
+    }
+    if (landing) {
+      return state.onGround() ? FlightPhase.STOPPED : FlightPhase.FLARE;
+    }
+    return state.onGround() ? FlightPhase.ROTATE : FlightPhase.CLIMB_OUT;
+  }
+
+  /** Whether the engine runs by itself. */
+  boolean engineReady(FlightState state) {
+    return state.engineRpm() >= parameters.readyRpm() && !state.engineStarting();
+  }
+
+  /** Whether engine and navigation have been there long enough to open the throttle. */
+  boolean cleared(FlightState state) {
+    return lasting(readySinceS, state, parameters.readyForS());
+  }
+
+  private static boolean lasting(double sinceS, FlightState state, double forS) {
+    return state.timeS() - sinceS >= forS; // false for NaN
+  }
+
+  private static double since(double sinceS, boolean now, double timeS) {
+    if (!now) {
+      return Double.NaN;
+    }
+    return Double.isNaN(sinceS) ? timeS : sinceS;
+  }
+}

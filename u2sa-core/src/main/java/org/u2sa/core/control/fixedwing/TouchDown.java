@@ -1,0 +1,158 @@
+package org.u2sa.core.control.fixedwing;
+
+import org.u2sa.service.HandOver;
+
+/**
+ * The last metres of a landing, and the roll-out. In the air it keeps the runway's centreline by
+ * bank, takes sink and power away, and near the ground turns the nose along the runway with the
+ * wing on the windward side low. On its wheels it holds the wings level by the ailerons, into the
+ * wind as the speed falls, lets the nose down, then takes the elevator back, and brakes the more
+ * the slower it is (Cessna 172P handbook, section 4: crosswind and short-field landing; FAA
+ * Airplane Flying Handbook, chapter 9).
+ */
+final class TouchDown {
+  /**
+   * @param alignHeightM above ground, at which the nose is turned along the runway [m]
+   * @param bankLimitRad most bank near the ground [rad]
+   * @param lookAheadM to the point steered for on the centreline [m]
+   * @param aileronPerSideslip that holds the wings level in a sideslip [1/rad]
+   * @param brakeMps speed over ground above which the brakes are hardly used [m/s]
+   */
+  record Parameters(
+      double alignHeightM,
+      double bankLimitRad,
+      double lookAheadM,
+      double aileronPerSideslip,
+      double brakeMps) {}
+
+  private static final double LEVEL_MPS = 10.0; // slower, ailerons level nothing
+  private static final double LIGHT_BRAKES = 0.15;
+  private static final double FULL_BRAKES_MPS = 8.0;
+  private static final double NOSE_UP_RAD = Math.toRadians(4.5);
+  private static final double ROLLING_MPS = 2.0;
+  private static final double ELEVATOR_BACK = -0.6; // full would rub the tail on a bump
+  private static final double ELEVATOR_BACK_FAST = -0.1; // takes load off the nose wheel
+  private static final double NO_LIFT_MPS = 22.0; // slower through the air it does not lift off
+  private static final double THROTTLE_PER_SINK = 0.25; // [s/m]
+  private static final double SPARE_SINK_MPS = 0.8; // more than is wanted, without power
+  private static final double MOST_THROTTLE = 0.6;
+
+  private final Parameters parameters;
+  private final GroundSteering steering;
+  private final InnerLoops loops;
+  private final FlareLaw flare;
+  private final LateralGuidance lateral;
+  private boolean nosewheel; // is down and steers
+
+  TouchDown(
+      Parameters parameters, FlareLaw.Parameters flare, GroundSteering steering, InnerLoops loops) {
+    this.parameters = parameters;
+    this.steering = steering;
+    this.loops = loops;
+    this.flare = new FlareLaw(flare);
+    lateral = new LateralGuidance(parameters.lookAheadM());
+  }
+
+  /** Height above ground at which it begins [m]. */
+  double heightM() {
+    return flare.heightM();
+  }
+
+  /** Begins: the centreline is where navigation led, or else along the way over ground. */
+  void begin(FlightState state, FinalApproach approach) {
+    flare.restart(loops.pitchRad());
+    nosewheel = false;
+    if (approach.isKnown()) {
+      steering.lineUpAlong(approach.northM(), approach.eastM(), approach.courseRad());
+    } else {
+      steering.lineUpAlongTrack(state);
+    }
+  }
+
+  /** From the flare until the wheels have carried for a while. */
+  Surfaces flare(FlightState state, double dtS) {
+    double look = parameters.lookAheadM();
+    double bank =
+        lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
+    boolean wheels = state.onGround();
+    double excess = flare.excessSinkMps(state);
+    double power =
+        wheels
+            ? 0.0
+            : Limit.within(0.0, THROTTLE_PER_SINK * (excess - SPARE_SINK_MPS), MOST_THROTTLE);
+    loops.throttleTowards(power, dtS);
+    loops.pitch(flare.pitchRad(state, dtS));
+    double elevator = loops.elevator(state, dtS);
+    if (wheels) {
+      return new Surfaces(
+          ailerons(state, dtS), elevator, steer(state, dtS), loops.throttle(), 1.0, 0.0, 0.0);
+    }
+    loops.bankTowards(Limit.symmetric(bank, parameters.bankLimitRad()), dtS);
+    double aileron = loops.aileron(state, dtS);
+    if (state.heightM() < parameters.alignHeightM()) {
+      aileron = Limit.symmetric(aileron + intoWind(state), 1.0);
+      loops.rudder(steering.align(state, dtS));
+    } else {
+      loops.coordinate(state, aileron, dtS);
+      steering.holds(loops.rudder());
+    }
+    return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
+  }
+
+  /** Rolls out on the wheels, to a stop on the brakes. */
+  Surfaces rollOut(FlightState state, double dtS) {
+    loops.throttle(0.0);
+    double speed = state.groundSpeedMps();
+    if (!steering.lined() || speed < ROLLING_MPS) {
+      loops.rudder(0.0);
+      return new Surfaces(intoWind(state), 0.0, 0.0, 0.0, 1.0, 0.0, 1.0);
+    }
+    double slow = Limit.within(0.0, 1.0 - state.calibratedAirspeedMps() / NO_LIFT_MPS, 1.0);
+    double elevator = ELEVATOR_BACK_FAST + ELEVATOR_BACK * slow;
+    if (isNoseUp(state)) {
+      loops.pitch(flare.pitchRad(state, dtS));
+      elevator = loops.elevator(state, dtS);
+    }
+    double share =
+        Limit.within(
+            0.0, (parameters.brakeMps() - speed) / (parameters.brakeMps() - FULL_BRAKES_MPS), 1.0);
+    double brakes = state.onGround() ? LIGHT_BRAKES + (1.0 - LIGHT_BRAKES) * share : 0.0;
+    return new Surfaces(ailerons(state, dtS), elevator, steer(state, dtS), 0.0, 1.0, 0.0, brakes);
+  }
+
+  /** Into the wind, and the wings level for as long as the ailerons have an effect. */
+  private double ailerons(FlightState state, double dtS) {
+    double level = state.calibratedAirspeedMps() > LEVEL_MPS ? loops.levelAileron(state, dtS) : 0.0;
+    loops.hold(0.0);
+    return Limit.symmetric(intoWind(state) + level, 1.0);
+  }
+
+  /** What keeps the wind from lifting the wing that it comes from: full when it is abeam. */
+  private double intoWind(FlightState state) {
+    return Limit.symmetric(parameters.aileronPerSideslip() * StrictMath.sin(state.betaRad()), 1.0);
+  }
+
+  private double steer(FlightState state, double dtS) {
+    boolean steers = !isNoseUp(state);
+    if (steers && !nosewheel) {
+      steering.holds(0.0); // the rudder that held the nose in the wind would steer off the runway
+    }
+    nosewheel = steers;
+    loops.rudder(steering.gentleRudder(state, steers, dtS));
+    return loops.rudder();
+  }
+
+  private static boolean isNoseUp(FlightState state) {
+    return state.pitchRad() > NOSE_UP_RAD;
+  }
+
+  void handOver(HandOver state) {
+    flare.handOver(state);
+    state.flag("NOSEWHEEL STEERS", nosewheel);
+  }
+
+  void takeOver(HandOver state) {
+    flare.takeOver(state);
+    nosewheel = state.flag("NOSEWHEEL STEERS");
+  }
+}

@@ -1,0 +1,186 @@
+package org.u2sa.core.health;
+
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+
+/**
+ * What was heard of one service, and what follows from it. Instances tell starts of the service
+ * apart: what an instance says that another one has followed is left out.
+ */
+final class HealthObservation {
+  /** Intervals without a report after which a service is silent. */
+  private static final double SILENT_AFTER = 3.0;
+
+  private static final double USUAL_INTERVAL_S = 0.25;
+  private static final int REMEMBERED_INSTANCES = 16;
+
+  /**
+   * A condition and what it was concluded from.
+   *
+   * @param mayPass whether it may well be over soon without anybody's help
+   */
+  record Finding(Condition condition, String reason, boolean mayPass) {}
+
+  private final Set<String> former = new LinkedHashSet<>();
+  private String instance = ""; // empty until it said one
+  private HealthReport last; // of the present instance; null until heard
+  private double heardS; // when the present instance, or its launcher for it, was heard last
+  private double spokeS; // when it spoke for itself
+  private double sinceS; // when waiting for it began, or the present instance was first heard
+  private boolean lost; // its connection
+  private String processEnd = ""; // words; empty while nobody said that its process has ended
+  private boolean dead; // its thread
+
+  HealthObservation(double nowS) {
+    sinceS = nowS;
+  }
+
+  /** Takes note of a report. Returns whether a new instance was heard. */
+  boolean hear(HealthReport report, double nowS) {
+    String of = report.instance().orElse(instance);
+    if (former.contains(of)) {
+      return false;
+    }
+    if (report instanceof ConnectionLost) {
+      lose(of, report);
+      return false;
+    }
+    boolean isNew = last == null || !of.equals(instance);
+    if (isNew) {
+      if (!of.equals(instance)) {
+        leave(instance);
+      }
+      instance = of;
+      sinceS = nowS;
+      lost = false;
+      processEnd = "";
+      dead = false;
+    }
+    boolean forItself = report.threadAlive().isEmpty();
+    last = report;
+    heardS = nowS;
+    spokeS = forItself || isNew ? nowS : spokeS;
+    lost &= !forItself; // a connection that was restored
+    dead |= report.threadAlive().equals(Optional.of(false));
+    dead &= !(forItself && report.status() == ServiceStatus.RUNNING); // it speaks, so it lives
+    return isNew;
+  }
+
+  /**
+   * The broker says that a connection broke; a supervisor, that the process behind it has ended.
+   */
+  private void lose(String of, HealthReport word) {
+    if (of.equals(instance) && !hasStopped()) {
+      lost = true;
+      if (word.threadAlive().equals(Optional.of(false))) {
+        processEnd = word.lastError().orElse("its process has ended");
+      }
+    }
+  }
+
+  /** Leaves an instance behind: what it still says no longer counts. */
+  private void leave(String old) {
+    if (!old.isEmpty()) {
+      former.add(old);
+      if (former.size() > REMEMBERED_INSTANCES) {
+        former.remove(former.iterator().next());
+      }
+    }
+  }
+
+  /** Waits for another instance, if that one is still the present one. */
+  void expectAnother(String than, double nowS) {
+    if (than.equals(instance)) {
+      leave(instance);
+      last = null;
+      sinceS = nowS;
+    }
+  }
+
+  /** Takes over what an earlier monitor knew. */
+  void remember(String formerInstance) {
+    if (last == null) {
+      instance = formerInstance;
+    }
+  }
+
+  /**
+   * Excuses a silence in which the monitor itself could not hear; it begins then at the soonest.
+   */
+  void excuse(double untilS) {
+    heardS = untilS;
+    spokeS = untilS;
+    if (last == null) {
+      sinceS = untilS;
+    }
+  }
+
+  /** The instance that was heard last; empty if none. */
+  String instance() {
+    return instance;
+  }
+
+  private boolean hasStopped() {
+    return last != null && last.status() == ServiceStatus.STOPPED;
+  }
+
+  /** How the service is now. */
+  Finding judge(MonitorSettings settings, double dataTimeoutS, double nowS) {
+    if (last == null) {
+      return nowS - sinceS > settings.startWithinS()
+          ? finding(Condition.LOST, "not heard for " + seconds(nowS - sinceS))
+          : finding(Condition.SILENT, "not heard yet");
+    }
+    String error = last.lastError().map(text -> ": " + text).orElse("");
+    if (hasStopped()) {
+      return finding(Condition.STOPPED, "it said so");
+    }
+    if (dead) {
+      return finding(Condition.DEAD, "its thread has ended" + error);
+    }
+    if (last.status() == ServiceStatus.FAILED) {
+      return finding(Condition.FAILED, "it ended itself" + error);
+    }
+    if (lost) {
+      return processEnd.isEmpty()
+          ? new Finding(Condition.LOST, "its connection broke", true)
+          : finding(Condition.LOST, processEnd);
+    }
+    double silentS = nowS - heardS;
+    if (silentS > settings.lostAfterS()) {
+      return finding(Condition.LOST, "not heard for " + seconds(silentS));
+    }
+    double runningS = last.callbackRunning().orElse(0.0);
+    if (runningS > settings.hungAfterS()) {
+      return finding(Condition.HUNG, "its callback has been running for " + seconds(runningS));
+    }
+    if (nowS - spokeS > settings.lostAfterS()) { // spoken for, and in no callback that would end
+      return finding(Condition.HUNG, "its thread has not come back for " + seconds(nowS - spokeS));
+    }
+    if (nowS - spokeS > SILENT_AFTER * last.interval().orElse(USUAL_INTERVAL_S)) {
+      return finding(Condition.SILENT, "no report of its own for " + seconds(nowS - spokeS));
+    }
+    return judgeData(dataTimeoutS, nowS);
+  }
+
+  private Finding judgeData(double dataTimeoutS, double nowS) {
+    double ageS = last.dataAge().isPresent() ? last.dataAge().getAsDouble() : nowS - sinceS;
+    if (dataTimeoutS > 0.0 && last.published().isPresent() && ageS > dataTimeoutS) {
+      return finding(Condition.STALLED, "reports, but no data for " + seconds(ageS));
+    }
+    return finding(Condition.ALIVE, "");
+  }
+
+  private static Finding finding(Condition condition, String reason) {
+    return new Finding(condition, reason, false);
+  }
+
+  private static String seconds(double s) {
+    return Math.round(s * 10.0) / 10.0 + " s";
+  }
+}

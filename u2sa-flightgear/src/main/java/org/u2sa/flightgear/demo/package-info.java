@@ -1,5 +1,0 @@
-/**
- * The commands that fly the Cessna: the demo in the embedded simulator and the flight in
- * FlightGear. Control, link and reports have packages of their own.
- */
-package org.u2sa.flightgear.demo;

@@ -1,0 +1,251 @@
+package org.u2sa.interfaces.configuration;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.contract.ConfigurationVariable;
+
+/**
+ * A variable as a service's declaration and the file's statement together make it; at least one of
+ * them exists. Values and limits are in the declared unit, or in the file's if nobody declared it.
+ */
+final class BoundVariable {
+  /** How far a converted limit may stray from the declared one: rounding, not meaning. */
+  private static final double ROUNDING = 1.0e-9;
+
+  private final String origin;
+  private final String name;
+  private final Optional<Variable<?>> declared;
+  private final Optional<FileVariable> stated;
+  private final VariableType type;
+  private final Range limits;
+
+  /**
+   * @throws ConfigurationException if declaration and file contradict each other in type, unit or
+   *     limits
+   */
+  BoundVariable(
+      String origin, String name, Optional<Variable<?>> declared, Optional<FileVariable> stated) {
+    this.origin = origin;
+    this.name = name;
+    this.declared = declared;
+    this.stated = stated;
+    type = declared.map(Variable::type).orElseGet(() -> stated.get().type());
+    if (stated.isPresent() && type != stated.get().type()) {
+      throw error("type is " + stated.get().type().xmlName() + ", expected " + type.xmlName());
+    }
+    requireUsableUnit();
+    limits = narrowedLimits();
+  }
+
+  /** The unit of values and limits; empty text if none. */
+  private String unit() {
+    return declared.map(Variable::unit).orElseGet(this::fileUnit);
+  }
+
+  /** What the variable does: the declaration's word, else the file's. */
+  private String description() {
+    return declared
+        .map(Variable::description)
+        .filter(text -> !text.isEmpty())
+        .orElseGet(() -> stated.map(FileVariable::description).orElse(""));
+  }
+
+  /**
+   * The value of the file, else the declared default.
+   *
+   * @throws ConfigurationException if there is neither, or the value is refused
+   */
+  Object value() {
+    if (!stated.isPresent()) {
+      return declared
+          .flatMap(Variable::ifAbsent)
+          .map(Object.class::cast)
+          .orElseThrow(() -> error("is required and missing; expected " + expected()));
+    }
+    Object value = stated.get().value();
+    if (value instanceof Double number && converts()) {
+      double converted = fromFile(number);
+      value = near(converted, limits.min()) ? limits.min() : converted;
+      value = near(converted, limits.max()) ? limits.max() : value;
+    }
+    Object checked = value;
+    refusal(checked).ifPresent(this::refuse);
+    return checked;
+  }
+
+  /**
+   * {@code value}, or the value that this text stands for, if the variable may take it.
+   *
+   * @throws ConfigurationException if it may not
+   */
+  Object checked(Object value) {
+    Object typed;
+    try {
+      typed = type.convert(value);
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(place() + e.getMessage(), e);
+    }
+    refusal(typed)
+        .ifPresent(
+            reason -> {
+              throw error(reason);
+            });
+    return typed;
+  }
+
+  /** The same variable after the file's statement has become {@code value}, which is checked. */
+  FileVariable restated(Object value) {
+    FileVariable before =
+        stated.orElseGet(
+            () ->
+                new FileVariable(
+                    origin,
+                    name,
+                    type,
+                    "",
+                    value,
+                    unit().isEmpty() ? Optional.empty() : Optional.of(unit()),
+                    Range.any(),
+                    ""));
+    return before.withText(fileText(value));
+  }
+
+  /** What a configuration response tells of it. */
+  ConfigurationVariable described(Object value) {
+    ConfigurationVariable message =
+        new ConfigurationVariable()
+            .name(name)
+            .variableType(type.xmlName())
+            .value(String.valueOf(value))
+            .unit(unit())
+            .description(description());
+    List<String> choices = new ArrayList<>();
+    declared.ifPresent(
+        variable -> variable.choices().forEach(choice -> choices.add(String.valueOf(choice))));
+    if (!choices.isEmpty()) {
+      message.choices(choices);
+    }
+    if (limits.min() != Double.NEGATIVE_INFINITY) {
+      message.min(limits.min());
+    }
+    if (limits.max() != Double.POSITIVE_INFINITY) {
+      message.max(limits.max());
+    }
+    return message;
+  }
+
+  /** {@code value}, which is checked, as it stands in the file: in the file's unit. */
+  private String fileText(Object value) {
+    return value instanceof Double number && converts()
+        ? Double.toString(Units.convert(number, unit(), fileUnit()))
+        : String.valueOf(value);
+  }
+
+  private ConfigurationException error(String what) {
+    return new ConfigurationException(place() + what);
+  }
+
+  private String place() {
+    return stated.map(FileVariable::place).orElse(origin) + ", variable \"" + name + "\": ";
+  }
+
+  private Optional<String> refusal(Object value) {
+    if (value instanceof Number number && !limits.contains(number.doubleValue())) {
+      return Optional.of(
+          NumberText.withUnit(value, unit()) + " is outside " + limits.withUnit(unit()));
+    }
+    return declared.flatMap(variable -> variable.refusal(value));
+  }
+
+  // The user wrote the file's unit, so the message speaks it.
+  private void refuse(String reason) {
+    if (!converts() || !(stated.get().value() instanceof Double)) {
+      throw error(reason);
+    }
+    throw error(
+        NumberText.withUnit(stated.get().value(), fileUnit()) + " is outside " + inFile(limits));
+  }
+
+  private String expected() {
+    Variable<?> variable = declared.get();
+    StringBuilder text = new StringBuilder(variable.type().xmlName());
+    text.append(unit().isEmpty() ? "" : " in " + unit());
+    text.append(limits.isAny() ? "" : ", " + limits);
+    text.append(variable.choices().isEmpty() ? "" : ", one of " + variable.choicesText());
+    return text.append(description().isEmpty() ? "" : " (" + description() + ")").toString();
+  }
+
+  private void requireUsableUnit() {
+    if (!declared.isPresent() || !converts()) {
+      return;
+    }
+    if (unit().isEmpty()) {
+      throw error("unit \"" + fileUnit() + "\" is given, the variable has none");
+    }
+    if (type == VariableType.INTEGER) {
+      throw error("unit is \"" + fileUnit() + "\", expected \"" + unit() + "\"");
+    }
+    try {
+      Units.convert(0.0, fileUnit(), unit());
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(place() + e.getMessage(), e);
+    }
+  }
+
+  private Range narrowedLimits() {
+    Range declaredLimits = declared.map(Variable::range).orElse(Range.any());
+    if (!stated.isPresent()) {
+      return declaredLimits;
+    }
+    double min = narrowed("min", stated.get().limits().min(), declaredLimits.min(), declaredLimits);
+    double max = narrowed("max", stated.get().limits().max(), declaredLimits.max(), declaredLimits);
+    return declaredLimits.between(min, max);
+  }
+
+  private double narrowed(String which, double inFile, double declaredEnd, Range declaredLimits) {
+    if (Double.isInfinite(inFile)) {
+      return declaredEnd;
+    }
+    double end = fromFile(inFile);
+    if (near(end, declaredEnd)) {
+      return declaredEnd;
+    }
+    if (!declaredLimits.contains(end)) {
+      throw error(
+          which
+              + " "
+              + NumberText.withUnit(inFile, fileUnit())
+              + " is outside "
+              + inFile(declaredLimits)
+              + "; a file may narrow the range, not widen it");
+    }
+    return end;
+  }
+
+  private static boolean near(double value, double end) {
+    return Double.isFinite(end) && Math.abs(value - end) <= ROUNDING * Math.abs(end);
+  }
+
+  private String fileUnit() {
+    return stated.flatMap(FileVariable::unit).orElse("");
+  }
+
+  private boolean converts() {
+    return !fileUnit().isEmpty() && !fileUnit().equals(unit());
+  }
+
+  private double fromFile(double value) {
+    return converts() ? Units.convert(value, fileUnit(), unit()) : value;
+  }
+
+  private String inFile(Range range) {
+    return converts()
+        ? range
+            .between(
+                Units.convert(range.min(), unit(), fileUnit()),
+                Units.convert(range.max(), unit(), fileUnit()))
+            .withUnit(fileUnit())
+        : range.withUnit(unit());
+  }
+}

@@ -1,0 +1,142 @@
+package org.u2sa.interfaces.configuration;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Works out and checks what a change or an undo does, against what the file says now. */
+final class ChangePlanner {
+  private final ConfigurationValues memory;
+  private final Optional<ConfigurationFile> file;
+
+  /**
+   * @param file as it stands on the disk now; empty for a configuration without one
+   */
+  ChangePlanner(ConfigurationValues memory, Optional<ConfigurationFile> file) {
+    this.memory = memory;
+    this.file = file;
+  }
+
+  /**
+   * The change of each variable to a value or its text.
+   *
+   * @param asSeen whether the author relies on the values that this configuration has in memory
+   * @throws ConfigurationException if one is refused
+   */
+  List<PlannedChange> set(Map<String, ?> wanted, boolean asSeen) {
+    if (wanted.isEmpty()) {
+      throw new ConfigurationException(memory.origin() + ": no variable to change is named");
+    }
+    List<PlannedChange> plan = new ArrayList<>();
+    wanted.forEach((name, value) -> plan.add(set(name, value, asSeen)));
+    return plan;
+  }
+
+  private PlannedChange set(String name, Object value, boolean asSeen) {
+    Object inMemory = memory.value(name);
+    Optional<FileVariable> before = before(name);
+    if (asSeen && !memory.isOverridden(name)) {
+      refuseUnseen(name, before);
+    }
+    BoundVariable bound = memory.bound(name, before);
+    FileVariable after;
+    try {
+      after = bound.restated(bound.checked(value));
+    } catch (IllegalArgumentException e) {
+      throw error(name, e);
+    }
+    Object newValue = memory.bound(name, Optional.of(after)).value();
+    boolean stands = before.isPresent() && newValue.equals(valueOf(bound).orElse(null));
+    return new PlannedChange(
+        name,
+        before,
+        stands ? before : Optional.of(after),
+        memory.isOverridden(name) ? inMemory : valueOf(bound).orElse(inMemory),
+        newValue,
+        !stands || !newValue.equals(inMemory));
+  }
+
+  private void refuseUnseen(String name, Optional<FileVariable> now) {
+    Optional<String> seen = memory.stated(name).map(FileVariable::text);
+    if (!now.map(FileVariable::text).equals(seen)) {
+      throw new ConfigurationException(
+          place(name)
+              + "is "
+              + now.map(FileVariable::text).orElse("absent")
+              + " in the file, not "
+              + seen.orElse("absent")
+              + " as the service read it; to overwrite it, name no revision");
+    }
+  }
+
+  /**
+   * The change of each variable back to what it was before {@code entry}.
+   *
+   * @throws ConfigurationException if one has another value than it was given then, or is refused
+   */
+  List<PlannedChange> undo(AuditEntry entry) {
+    List<PlannedChange> plan = new ArrayList<>();
+    for (AuditEntry.Value value : entry.values()) {
+      plan.add(undo(value, entry.revision()));
+    }
+    return plan;
+  }
+
+  private PlannedChange undo(AuditEntry.Value value, long revision) {
+    String name = value.variable();
+    Object inMemory = memory.value(name);
+    Optional<FileVariable> before = before(name);
+    if (!before.map(FileVariable::text).equals(value.textAfter())) {
+      throw new ConfigurationException(
+          place(name)
+              + "is "
+              + before.map(FileVariable::text).orElse("absent")
+              + ", not "
+              + value.textAfter().orElse("absent")
+              + " as revision "
+              + revision
+              + " left it: not taken back");
+    }
+    Optional<FileVariable> after;
+    try {
+      after = before.flatMap(now -> value.textBefore().map(now::withText));
+    } catch (IllegalArgumentException e) {
+      throw error(name, e);
+    }
+    Object newValue = memory.bound(name, after).value();
+    return new PlannedChange(name, before, after, inMemory, newValue, true);
+  }
+
+  /** Whether nothing came of an accepted change, since the power failed before it was written. */
+  boolean wasLost(AuditEntry accepted) {
+    return file.isPresent()
+        && accepted.values().stream()
+            .filter(value -> !value.textBefore().equals(value.textAfter()))
+            .map(
+                value ->
+                    before(value.variable()).map(FileVariable::text).equals(value.textBefore()))
+            .reduce(Boolean::logicalAnd)
+            .orElse(false);
+  }
+
+  private Optional<FileVariable> before(String name) {
+    return file.isPresent() ? file.get().variable(name) : memory.stated(name);
+  }
+
+  private static Optional<Object> valueOf(BoundVariable bound) {
+    try {
+      return Optional.of(bound.value());
+    } catch (ConfigurationException e) {
+      return Optional.empty(); // what the file says now is wrong: all the more it may be replaced
+    }
+  }
+
+  private String place(String name) {
+    return memory.origin() + ", variable \"" + name + "\": ";
+  }
+
+  private ConfigurationException error(String name, IllegalArgumentException e) {
+    return new ConfigurationException(place(name) + e.getMessage(), e);
+  }
+}

@@ -1,0 +1,251 @@
+package org.u2sa.interfaces.configuration;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * Changes a configuration: all variables of a change or none. In this order, while other writers of
+ * the file wait: the file is read anew, everything is checked, the audit log says what is about to
+ * be done, the file is replaced; the memory follows when the {@link WrittenChange} takes effect. If
+ * the power fails between log and file, the next change finds that out and the log says so.
+ *
+ * <p>One thread at a time writes; what is in memory is {@link LiveValues}' concern, which nobody
+ * holds while the disk is at work.
+ */
+final class ConfigurationChanges {
+  private final LiveValues live;
+  private final Optional<Path> path;
+  private final ChangeJournal journal;
+  private volatile long revision; // written by one thread at a time
+
+  ConfigurationChanges(LiveValues live, Optional<Path> path) {
+    this(live, path, path.isPresent() ? new AuditFile(path.get()) : new MemoryJournal(), 0);
+  }
+
+  private ConfigurationChanges(
+      LiveValues live, Optional<Path> path, ChangeJournal journal, long revision) {
+    this.live = live;
+    this.path = path;
+    this.journal = journal;
+    this.revision = revision;
+  }
+
+  /** The changes of a copy of the configuration, which go on where these are. */
+  ConfigurationChanges forSuccessor(LiveValues copy) {
+    return new ConfigurationChanges(copy, path, journal, revision);
+  }
+
+  /** One attempt, while nobody else writes. */
+  private interface Attempt {
+    WrittenChange make(
+        ConfigurationValues memory, ChangeHistory history, Optional<ConfigurationFile> file)
+        throws IOException;
+  }
+
+  /** Takes note of the revision of the file, which was just read. */
+  void begin(Optional<ConfigurationFile> file) {
+    try {
+      ChangeHistory history = new ChangeHistory(journal.recent());
+      boolean lost = lost(live.written(), history, file).isPresent();
+      revision = history.revision() - (lost ? 1 : 0);
+    } catch (IOException e) {
+      revision = 0; // no reason not to start; a change is refused, and the answer says why
+    }
+  }
+
+  /** Counts the changes that this object knows of. */
+  long revision() {
+    return revision;
+  }
+
+  synchronized WrittenChange change(
+      Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
+    return attempt(
+        by,
+        RefusedTexts.of(wanted),
+        (memory, history, file) -> {
+          RefusedTexts.refuseTooMuch(wanted, live.origin());
+          if (seen.isPresent() && seen.getAsLong() != history.revision()) {
+            throw new ConfigurationException(outdated(seen.getAsLong(), history));
+          }
+          List<PlannedChange> plan = new ChangePlanner(memory, file).set(wanted, seen.isPresent());
+          return make(memory, plan, file, by, OptionalLong.empty(), check);
+        });
+  }
+
+  synchronized WrittenChange undo(ChangeOrigin by, ConfigurationCheck check) {
+    return attempt(
+        by,
+        Map.of(),
+        (memory, history, file) -> {
+          AuditEntry last =
+              history
+                  .undoable()
+                  .orElseThrow(
+                      () ->
+                          new ConfigurationException(
+                              live.origin() + ": no change is remembered that could be undone"));
+          List<PlannedChange> plan = new ChangePlanner(memory, file).undo(last);
+          return make(memory, plan, file, by, OptionalLong.of(last.revision()), check);
+        });
+  }
+
+  private WrittenChange attempt(ChangeOrigin by, Map<String, String> wanted, Attempt attempt) {
+    try {
+      ChangeJournal.Turn turn = journal.take();
+      try {
+        Optional<ConfigurationFile> file = path.map(ConfigurationFile::read);
+        ConfigurationValues memory = live.written();
+        return attempt.make(memory, history(memory, file), file);
+      } catch (ConfigurationException e) {
+        return refused(by, wanted, e.getMessage());
+      } finally {
+        turn.close();
+      }
+    } catch (IOException e) {
+      return refusal(place(wanted.keySet()) + e, wanted);
+    }
+  }
+
+  private ChangeHistory history(ConfigurationValues memory, Optional<ConfigurationFile> file)
+      throws IOException {
+    ChangeHistory history = new ChangeHistory(journal.recent());
+    Optional<AuditEntry> lost = lost(memory, history, file);
+    if (lost.isPresent()) {
+      journal.append(lost.get().failed("the process ended before it was written"));
+      history = new ChangeHistory(journal.recent());
+    }
+    revision = history.revision();
+    return history;
+  }
+
+  private static Optional<AuditEntry> lost(
+      ConfigurationValues memory, ChangeHistory history, Optional<ConfigurationFile> file) {
+    return history.newest().filter(new ChangePlanner(memory, file)::wasLost);
+  }
+
+  private WrittenChange make(
+      ConfigurationValues memory,
+      List<PlannedChange> plan,
+      Optional<ConfigurationFile> file,
+      ChangeOrigin by,
+      OptionalLong undoes,
+      ConfigurationCheck check)
+      throws IOException {
+    Map<String, Object> proposed = memory.all();
+    plan.forEach(change -> proposed.put(change.name(), change.newValue()));
+    Optional<String> objection = check.refusal(proposed);
+    if (objection.isPresent()) {
+      throw new ConfigurationException(live.origin() + ": " + objection.get());
+    }
+    List<PlannedChange> changes =
+        plan.stream().filter(PlannedChange::changes).collect(Collectors.toList());
+    if (!changes.isEmpty()) {
+      Optional<ConfigurationFile> after = file.map(now -> edited(now, changes));
+      AuditEntry entry =
+          new AuditEntry(
+              revision + 1,
+              by,
+              AuditEntry.Outcome.ACCEPTED,
+              "",
+              undoes,
+              changes.stream().map(PlannedChange::audited).collect(Collectors.toList()));
+      journal.append(entry);
+      write(after, entry);
+      live.await(changes);
+      revision++;
+    }
+    ConfigurationOutcome outcome =
+        new ConfigurationOutcome(
+            Optional.empty(),
+            plan.stream().map(PlannedChange::told).collect(Collectors.toList()),
+            changes.stream()
+                .map(PlannedChange::name)
+                .collect(Collectors.toCollection(LinkedHashSet::new)),
+            revision);
+    return new WrittenChange(outcome, () -> live.takeEffect(changes));
+  }
+
+  private ConfigurationFile edited(ConfigurationFile file, List<PlannedChange> changes) {
+    ConfigurationFile edited = file;
+    for (PlannedChange change : changes) {
+      try {
+        edited = change.in(edited);
+      } catch (IllegalArgumentException e) {
+        throw new ConfigurationException(
+            live.origin() + ", variable \"" + change.name() + "\": " + e.getMessage(), e);
+      }
+    }
+    return edited;
+  }
+
+  private void write(Optional<ConfigurationFile> after, AuditEntry entry) throws IOException {
+    if (!after.isPresent()) {
+      return;
+    }
+    try {
+      after.get().write();
+    } catch (IOException e) {
+      try {
+        journal.append(entry.failed(e.toString()));
+      } catch (IOException second) {
+        e.addSuppressed(second); // the next change finds out by the file that nothing came of it
+      }
+      throw e;
+    }
+  }
+
+  private WrittenChange refused(ChangeOrigin by, Map<String, String> wanted, String reason) {
+    AuditEntry entry =
+        new AuditEntry(
+            revision,
+            by,
+            AuditEntry.Outcome.REFUSED,
+            RefusedTexts.shortened(reason, 1_000),
+            OptionalLong.empty(),
+            RefusedTexts.audited(wanted));
+    String why = reason;
+    try {
+      journal.append(entry);
+    } catch (IOException e) {
+      why += "; nor could that be logged: " + e;
+    }
+    return refusal(why, wanted);
+  }
+
+  private WrittenChange refusal(String reason, Map<String, String> wanted) {
+    ConfigurationOutcome outcome =
+        new ConfigurationOutcome(
+            Optional.of(reason), RefusedTexts.answered(wanted), Set.of(), revision);
+    return new WrittenChange(outcome, () -> {});
+  }
+
+  private String outdated(long seen, ChangeHistory history) {
+    String since = history.since(seen);
+    return live.origin()
+        + ": is at revision "
+        + history.revision()
+        + " by now, not "
+        + seen
+        + (since.isEmpty() ? "" : "; since then " + since)
+        + ": nothing was changed";
+  }
+
+  /** {@code X.xml, variable "A": cannot be written, the old value stays: }. */
+  private String place(Set<String> names) {
+    String variables =
+        names.stream().map(name -> "\"" + name + "\"").collect(Collectors.joining(", "));
+    return live.origin()
+        + (names.isEmpty() ? "" : names.size() == 1 ? ", variable " : ", variables ")
+        + variables
+        + ": cannot be written, the old "
+        + (names.size() == 1 ? "value stays: " : "values stay: ");
+  }
+}

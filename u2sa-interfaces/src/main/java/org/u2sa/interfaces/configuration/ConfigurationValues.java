@@ -1,0 +1,178 @@
+package org.u2sa.interfaces.configuration;
+
+import java.util.AbstractMap.SimpleImmutableEntry;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.messages.contract.ConfigurationVariable;
+
+/**
+ * The variables of one configuration in memory: what the file said, what the service declared, the
+ * values that follow. Guarded by the {@link LiveValues} that own it.
+ */
+final class ConfigurationValues {
+  private final String origin;
+  private final boolean typed; // a file states types, which must be right; a program may say 1
+  private final Map<String, FileVariable> stated;
+  private final Set<String> overridden = new HashSet<>();
+  private final Set<String> tolerated = new HashSet<>();
+  private final Map<String, Variable<?>> declared = new LinkedHashMap<>();
+  private final Map<String, Object> values = new LinkedHashMap<>();
+
+  ConfigurationValues(String origin, boolean typed, Map<String, FileVariable> stated) {
+    this.origin = origin;
+    this.typed = typed;
+    this.stated = new LinkedHashMap<>(stated);
+    stated.forEach((name, variable) -> values.put(name, variable.value()));
+  }
+
+  /** The file, or the name of a configuration without one. */
+  String origin() {
+    return origin;
+  }
+
+  void override(String name, Object value) {
+    FileVariable statement = FileVariable.inMemory(origin, name, value);
+    overridden.add(name);
+    stated.put(name, statement);
+    values.put(name, statement.value());
+  }
+
+  /** Whether the value is a program's word, not the file's. */
+  boolean isOverridden(String name) {
+    return overridden.contains(name);
+  }
+
+  /**
+   * The value of a variable.
+   *
+   * @throws ConfigurationException if there is no such variable
+   */
+  Object value(String name) {
+    Object value = values.get(name);
+    if (value == null) {
+      throw new ConfigurationException(
+          origin
+              + ", variable \""
+              + name
+              + "\": there is none"
+              + NearestNames.didYouMean(name, values.keySet()));
+    }
+    return value;
+  }
+
+  /** Every variable with its value. */
+  Map<String, Object> all() {
+    return new LinkedHashMap<>(values);
+  }
+
+  /** What the file said of a variable when its value was taken; empty if nothing. */
+  Optional<FileVariable> stated(String name) {
+    return Optional.ofNullable(stated.get(name));
+  }
+
+  <T> T declare(Variable<T> variable) {
+    String name = variable.name();
+    if (declared.get(name) != variable) {
+      FileVariable statement = stated.get(name);
+      if (statement != null && (!typed || overridden.contains(name))) {
+        statement = statement.withType(variable.type());
+      }
+      BoundVariable bound =
+          new BoundVariable(origin, name, Optional.of(variable), Optional.ofNullable(statement));
+      values.put(name, bound.value());
+      declared.put(name, variable);
+      if (statement != null) {
+        stated.put(name, statement);
+      }
+    }
+    return variable.cast(values.get(name));
+  }
+
+  List<Variable<?>> declared() {
+    return new ArrayList<>(declared.values());
+  }
+
+  void refuseUndeclared() {
+    for (FileVariable variable : stated.values()) {
+      if (!declared.containsKey(variable.name()) && !tolerated.contains(variable.name())) {
+        throw variable.error(
+            "no service declares it" + NearestNames.didYouMean(variable.name(), declared.keySet()));
+      }
+    }
+  }
+
+  /** All of it, changed by nobody else. */
+  ConfigurationValues copy() {
+    ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
+    copy.overridden.addAll(overridden);
+    copy.tolerated.addAll(tolerated);
+    copy.declared.putAll(declared);
+    copy.values.clear();
+    copy.values.putAll(values);
+    return copy;
+  }
+
+  /** What is stated now, without what is declared, which need not be declared again. */
+  ConfigurationValues forSuccessor() {
+    ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
+    copy.overridden.addAll(overridden);
+    copy.tolerate(tolerated());
+    return copy;
+  }
+
+  void tolerate(Collection<String> names) {
+    tolerated.addAll(names);
+  }
+
+  Set<String> tolerated() {
+    Set<String> names = new LinkedHashSet<>(tolerated);
+    names.addAll(declared.keySet());
+    return names;
+  }
+
+  List<String> withoutEffect() {
+    List<String> names = new ArrayList<>(stated.keySet());
+    names.removeIf(name -> declared.containsKey(name) || !tolerated.contains(name));
+    return names;
+  }
+
+  /** The declaration of a variable together with a file's statement of it. */
+  BoundVariable bound(String name, Optional<FileVariable> statement) {
+    Optional<Variable<?>> declaration = Optional.ofNullable(declared.get(name));
+    if (!declaration.isPresent() && !statement.isPresent()) {
+      throw new ConfigurationException(
+          origin + ", variable \"" + name + "\": no longer stands in the file");
+    }
+    return new BoundVariable(origin, name, declaration, statement);
+  }
+
+  /** Takes over what the file says now. */
+  void adopt(PlannedChange change) {
+    if (change.after().isPresent()) {
+      stated.put(change.name(), change.after().get());
+    } else {
+      stated.remove(change.name());
+    }
+    values.put(change.name(), change.newValue());
+  }
+
+  ArrayList<Map.Entry<String, Object>> enumerated() {
+    ArrayList<Map.Entry<String, Object>> fields = new ArrayList<>();
+    values.forEach((name, value) -> fields.add(new SimpleImmutableEntry<>(name, value)));
+    return fields;
+  }
+
+  List<ConfigurationVariable> described() {
+    List<ConfigurationVariable> all = new ArrayList<>();
+    values.forEach((name, value) -> all.add(bound(name, stated(name)).described(value)));
+    return all;
+  }
+}

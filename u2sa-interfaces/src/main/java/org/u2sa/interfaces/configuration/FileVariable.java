@@ -1,0 +1,158 @@
+package org.u2sa.interfaces.configuration;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.xml.XmlElement;
+
+/**
+ * What a configuration file says about one variable, checked as far as the file alone allows. Value
+ * and limits are in the file's own unit. Immutable.
+ *
+ * @param place file and line, for messages
+ * @param name name of the variable
+ * @param type type of its value
+ * @param text value as written
+ * @param value value of that type
+ * @param unit unit of value and limits; empty if the file names none
+ * @param limits min and max
+ * @param description what it does; empty if the file does not say
+ */
+record FileVariable(
+    String place,
+    String name,
+    VariableType type,
+    String text,
+    Object value,
+    Optional<String> unit,
+    Range limits,
+    String description) {
+  /** The element's name. */
+  static final String ELEMENT = "variable";
+
+  static FileVariable of(XmlElement element) {
+    element.refuseUnknownAttributes("name", "type", "value", "unit", "min", "max", "description");
+    element.refuseUnknownChildren();
+    element.refuseText();
+    String name = element.attribute("name");
+    if (name.trim().isEmpty()) {
+      throw element.error("attribute \"name\" is empty");
+    }
+    String place = element.origin() + ", line " + element.line();
+    String text =
+        element
+            .optionalAttribute("value")
+            .orElseThrow(() -> error(place, name, "attribute \"value\" is missing"));
+    VariableType type = type(element, place, name);
+    Range limits = limits(element, place, name, type);
+    Object value = parse(place, name, "value", type, text);
+    Optional<String> unit = element.optionalAttribute("unit").map(String::trim);
+    if (value instanceof Number number && !limits.contains(number.doubleValue())) {
+      throw error(
+          place,
+          name,
+          text.trim() + behind(unit) + " is outside " + limits.withUnit(unit.orElse("")));
+    }
+    return new FileVariable(
+        place,
+        name,
+        type,
+        text,
+        value,
+        unit,
+        limits,
+        element.optionalAttribute("description").orElse(""));
+  }
+
+  /** A variable that no file holds. */
+  static FileVariable inMemory(String origin, String name, Object value) {
+    VariableType type =
+        VariableType.of(value)
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        origin
+                            + ", variable \""
+                            + name
+                            + "\": "
+                            + value
+                            + " is neither Integer, Double, Boolean nor String"));
+    return new FileVariable(
+        origin, name, type, String.valueOf(value), value, Optional.empty(), Range.any(), "");
+  }
+
+  /** This statement with another value, which its type can parse. */
+  FileVariable withText(String newText) {
+    return new FileVariable(
+        place, name, type, newText, type.parse(newText), unit, limits, description);
+  }
+
+  /** This statement with a whole number read as a decimal one, where that is asked for. */
+  FileVariable withType(VariableType wanted) {
+    return wanted == VariableType.DOUBLE && value instanceof Integer whole
+        ? inMemory(place, name, whole.doubleValue())
+        : this;
+  }
+
+  /** The exception for this variable: {@code <file>, line N, variable "NAME": what}. */
+  ConfigurationException error(String what) {
+    return error(place, name, what);
+  }
+
+  private static ConfigurationException error(String place, String name, String what) {
+    return new ConfigurationException(place + ", variable \"" + name + "\": " + what);
+  }
+
+  private static VariableType type(XmlElement element, String place, String name) {
+    String given =
+        element
+            .optionalAttribute("type")
+            .orElseThrow(() -> error(place, name, "attribute \"type\" is missing"));
+    return VariableType.named(given)
+        .orElseThrow(
+            () ->
+                error(
+                    place,
+                    name,
+                    "unknown type \""
+                        + given
+                        + "\"; expected "
+                        + Arrays.stream(VariableType.values())
+                            .map(VariableType::xmlName)
+                            .collect(Collectors.joining(", "))
+                            .toLowerCase(Locale.ROOT)));
+  }
+
+  private static Range limits(XmlElement element, String place, String name, VariableType type) {
+    Optional<String> min = element.optionalAttribute("min");
+    Optional<String> max = element.optionalAttribute("max");
+    if (!type.isNumber() && (min.isPresent() || max.isPresent())) {
+      throw error(place, name, "min and max are for numbers, the type is " + type.xmlName());
+    }
+    double lowest = min.map(text -> limit(place, name, "min", text)).orElse(Range.any().min());
+    double highest = max.map(text -> limit(place, name, "max", text)).orElse(Range.any().max());
+    if (lowest > highest) {
+      throw error(place, name, "min " + min.get() + " is above max " + max.get());
+    }
+    return Range.of(lowest, highest);
+  }
+
+  private static double limit(String place, String name, String attribute, String text) {
+    return (Double) parse(place, name, attribute, VariableType.DOUBLE, text);
+  }
+
+  private static Object parse(
+      String place, String name, String attribute, VariableType type, String text) {
+    try {
+      return type.parse(text);
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(
+          place + ", variable \"" + name + "\": " + attribute + " " + e.getMessage(), e);
+    }
+  }
+
+  private static String behind(Optional<String> unit) {
+    return unit.map(name -> " " + name).orElse("");
+  }
+}

@@ -1,0 +1,107 @@
+package org.u2sa.interfaces.configuration;
+
+/** The numbers that a variable may take, both ends included unless said otherwise. Immutable. */
+public final class Range {
+  private static final Range ANY =
+      new Range(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, false);
+  private static final Range NON_NEGATIVE = new Range(0.0, Double.POSITIVE_INFINITY, false);
+  private static final Range POSITIVE = new Range(0.0, Double.POSITIVE_INFINITY, true);
+
+  private final double min;
+  private final double max;
+  private final boolean minExcluded;
+
+  private Range(double min, double max, boolean minExcluded) {
+    this.min = min;
+    this.max = max;
+    this.minExcluded = minExcluded;
+  }
+
+  /**
+   * {@code min} to {@code max}, both included; infinite ends are open ends.
+   *
+   * @throws IllegalArgumentException if an end is NaN or {@code min} is above {@code max}
+   */
+  public static Range of(double min, double max) {
+    if (!(min <= max)) {
+      throw new IllegalArgumentException("a range from " + min + " to " + max + " holds nothing");
+    }
+    return new Range(min, max, false);
+  }
+
+  /** Above zero. */
+  public static Range positive() {
+    return POSITIVE;
+  }
+
+  /** Zero and above. */
+  public static Range nonNegative() {
+    return NON_NEGATIVE;
+  }
+
+  /** Every finite number. */
+  public static Range any() {
+    return ANY;
+  }
+
+  /** The lower end; negative infinity if there is none. */
+  public double min() {
+    return min;
+  }
+
+  /** The upper end; positive infinity if there is none. */
+  public double max() {
+    return max;
+  }
+
+  /** Whether there is neither a lower nor an upper end. */
+  public boolean isAny() {
+    return min == Double.NEGATIVE_INFINITY && max == Double.POSITIVE_INFINITY;
+  }
+
+  /** Whether the finite {@code value} lies in this range; NaN and infinity never do. */
+  public boolean contains(double value) {
+    return Double.isFinite(value) && (minExcluded ? value > min : value >= min) && value <= max;
+  }
+
+  /** This range between other ends: an end that stays keeps being excluded if it was. */
+  Range between(double newMin, double newMax) {
+    return new Range(newMin, newMax, minExcluded && newMin == min);
+  }
+
+  /**
+   * For example {@code 0…500}, {@code above 0}, {@code at least 0}, {@code at most 7}, {@code any}.
+   */
+  @Override
+  public String toString() {
+    return withUnit("");
+  }
+
+  /** {@link #toString()} with the unit behind it: {@code 0…60 deg}. */
+  String withUnit(String unit) {
+    String behind = unit.isEmpty() ? "" : " " + unit;
+    if (isAny()) {
+      return "any number" + (unit.isEmpty() ? "" : " of " + unit);
+    }
+    if (max == Double.POSITIVE_INFINITY) {
+      return (minExcluded ? "above " : "at least ") + NumberText.of(min) + behind;
+    }
+    if (min == Double.NEGATIVE_INFINITY) {
+      return "at most " + NumberText.of(max) + behind;
+    }
+    return (minExcluded ? "above " : "") + NumberText.of(min) + "…" + NumberText.of(max) + behind;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Range that
+        && min == that.min
+        && max == that.max
+        && minExcluded == that.minExcluded;
+  }
+
+  @Override
+  public int hashCode() {
+    return Double.hashCode(min) * 31 + Double.hashCode(max) + (minExcluded ? 1 : 0);
+  }
+}

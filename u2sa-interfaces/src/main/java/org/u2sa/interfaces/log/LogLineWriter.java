@@ -1,0 +1,148 @@
+package org.u2sa.interfaces.log;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.regex.Pattern;
+
+/**
+ * Writes each line with one system call, by the thread that logs. No logging library stands
+ * between: Logback's file appender drops lines uncounted for a while after a failure, and on a
+ * phone it is another library of other methods.
+ */
+final class LogLineWriter implements AutoCloseable {
+  private static final long MICROS_PER_SECOND = 1_000_000L;
+  private static final long NANOS_PER_MICRO = 1_000L;
+  private static final DateTimeFormatter TIMESTAMP =
+      DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSSSSS'Z'").withZone(ZoneOffset.UTC);
+  private static final String SEPARATOR = " | ";
+  private static final Pattern LINE_END = Pattern.compile("\\R");
+  private static final String NEXT_LINE = "\n    ";
+
+  /** Opens a file for writing at its end, unbuffered; makes it if it is not there. */
+  interface Opener {
+    OutputStream append(Path file) throws IOException;
+  }
+
+  private final Path file;
+  private final String serviceName;
+  private final PrintStream complaints;
+  private final Opener opener;
+  private OutputStream out;
+  private boolean lineBroken; // the last write failed, perhaps in the middle of its line
+  private long lost; // lines since the last one that was written
+  private long failures;
+  private boolean said;
+  private boolean closed;
+
+  LogLineWriter(Path file, String serviceName, PrintStream complaints, Opener opener) {
+    this.opener = opener;
+    this.complaints = complaints;
+    this.file = file;
+    this.serviceName = serviceName;
+  }
+
+  /** Opens the file. One that cannot be opened now may become writable: each line tries again. */
+  synchronized void start() {
+    try {
+      open();
+    } catch (IOException e) {
+      sayOnce(e);
+    }
+  }
+
+  /** Writes a line, unless closed. */
+  synchronized void write(long micros, LogLevelEnum level, String message, Throwable thrown) {
+    if (closed) {
+      return;
+    }
+    try {
+      if (out == null || !Files.exists(file)) {
+        open();
+      }
+      StringBuilder text = new StringBuilder(lineBroken ? "\n" : "");
+      if (lost > 0) {
+        line(
+            text,
+            micros,
+            LogLevelEnum.WARN,
+            lost + (lost == 1 ? " line" : " lines") + " before this one could not be written");
+      }
+      line(text, micros, level, message(message, thrown));
+      out.write(text.toString().getBytes(StandardCharsets.UTF_8));
+      lineBroken = false;
+      lost = 0;
+    } catch (IOException e) {
+      lineBroken = out != null;
+      lost++;
+      failures++;
+      sayOnce(e);
+    }
+  }
+
+  @Override
+  public synchronized void close() {
+    closed = true;
+    try {
+      if (out != null) {
+        out.close();
+      }
+    } catch (IOException e) {
+      sayOnce(e);
+    }
+    out = null;
+  }
+
+  synchronized long failures() {
+    return failures;
+  }
+
+  private void open() throws IOException {
+    if (out != null) {
+      out.close();
+      out = null;
+    }
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder != null) {
+      Files.createDirectories(folder);
+    }
+    out = opener.append(file);
+  }
+
+  private void line(StringBuilder text, long micros, LogLevelEnum level, String message) {
+    Instant time =
+        Instant.ofEpochSecond(
+            Math.floorDiv(micros, MICROS_PER_SECOND),
+            Math.floorMod(micros, MICROS_PER_SECOND) * NANOS_PER_MICRO);
+    text.append(TIMESTAMP.format(time)).append(SEPARATOR);
+    text.append(level).append(SEPARATOR);
+    text.append(serviceName).append(SEPARATOR);
+    text.append(Thread.currentThread().getId()).append(SEPARATOR);
+    text.append(message).append('\n');
+  }
+
+  private static String message(String message, Throwable thrown) {
+    String text = String.valueOf(message);
+    if (thrown != null) {
+      StringWriter trace = new StringWriter();
+      thrown.printStackTrace(new PrintWriter(trace, true));
+      text += "\n" + trace.toString().trim();
+    }
+    return LINE_END.matcher(text).replaceAll(NEXT_LINE);
+  }
+
+  private void sayOnce(IOException e) {
+    if (!said) {
+      said = true;
+      complaints.println(file + ": log of " + serviceName + " cannot be written: " + e);
+    }
+  }
+}

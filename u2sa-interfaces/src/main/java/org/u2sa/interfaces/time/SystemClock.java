@@ -1,0 +1,104 @@
+package org.u2sa.interfaces.time;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * Real time: the machine's monotonic clock, set to the time of day once a process, so that it never
+ * jumps while a vehicle moves. All of a process agree, whenever they were made, and so do those of
+ * the processes that it starts with {@link #option}, even if somebody has set the time of day
+ * meanwhile.
+ *
+ * <p>The only class that calls the system's clock.
+ */
+public final class SystemClock implements Clock {
+  private static final long NANOS_PER_MICRO = 1_000L;
+  private static final long LONGEST_PARK_MICROS = 3_600 * MICROS_PER_SECOND; // in ns it must fit
+
+  private static final String PROPERTY = "u2sa.time.base";
+  private static final TimeBase OF_PROCESS =
+      TimeBase.of(System.getProperty(PROPERTY, ""), System::currentTimeMillis, System::nanoTime);
+
+  private final TimeBase base;
+
+  /** The time of this process. */
+  public SystemClock() {
+    this(OF_PROCESS);
+  }
+
+  private SystemClock(TimeBase base) {
+    this.base = base;
+  }
+
+  /**
+   * A clock that is ahead of this one.
+   *
+   * @param offsetMicros by how much [µs]; negative: behind it
+   */
+  public SystemClock ahead(long offsetMicros) {
+    return new SystemClock(new TimeBase(base.zeroMicros() + offsetMicros));
+  }
+
+  /**
+   * What a process of this machine that is started now is to be told, so that it agrees with this
+   * one on the time: an option of its Java virtual machine.
+   */
+  public static String option() {
+    return "-D" + PROPERTY + "=" + OF_PROCESS.text(System.nanoTime());
+  }
+
+  @Override
+  public long micros() {
+    return base.micros(System.nanoTime());
+  }
+
+  @Override
+  public Waiter newWaiter(String name) {
+    return new ParkingWaiter();
+  }
+
+  private final class ParkingWaiter implements Waiter {
+    private final AtomicBoolean signalled = new AtomicBoolean();
+    private volatile Thread waiting;
+    private volatile boolean closed;
+
+    @Override
+    public void await(long deadlineMicros) throws InterruptedException {
+      waiting = Thread.currentThread();
+      try {
+        while (!signalled.getAndSet(false) && !closed) {
+          if (Thread.interrupted()) {
+            throw new InterruptedException();
+          }
+          if (deadlineMicros == NEVER) {
+            LockSupport.park(this);
+          } else {
+            long leftMicros = deadlineMicros - micros();
+            if (leftMicros <= 0) {
+              return;
+            }
+            LockSupport.parkNanos(
+                this, Math.min(leftMicros, LONGEST_PARK_MICROS) * NANOS_PER_MICRO);
+          }
+        }
+      } finally {
+        waiting = null;
+      }
+    }
+
+    @Override
+    public void signal() {
+      // An unpark is a system call; a flood of messages to a thread that is busy anyway needs one
+      // only.
+      if (!signalled.getAndSet(true)) {
+        LockSupport.unpark(waiting);
+      }
+    }
+
+    @Override
+    public void close() {
+      closed = true;
+      LockSupport.unpark(waiting);
+    }
+  }
+}

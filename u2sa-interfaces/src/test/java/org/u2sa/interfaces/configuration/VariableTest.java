@@ -1,0 +1,143 @@
+package org.u2sa.interfaces.configuration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.messages.contract.ConfigurationVariable;
+
+class VariableTest {
+  private static final Variable<Double> GAIN =
+      Variable.number("HEADING GAIN", "%/rad")
+          .range(Range.of(0.0, 500.0))
+          .ifAbsent(120.0)
+          .describedAs("Turns.");
+
+  @Test
+  void ifAbsent_outsideRange_isRefusedAtDeclaration() {
+    assertThatThrownBy(() -> GAIN.ifAbsent(501.0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage(
+            "variable \"HEADING GAIN\" is declared with a default that it refuses:"
+                + " 501 %/rad is outside 0…500 %/rad");
+    assertThatThrownBy(() -> GAIN.range(Range.of(0, 1)))
+        .hasMessageEndingWith("120 %/rad is outside 0…1 %/rad");
+  }
+
+  @Test
+  void range_ofAText_isRefusedAtDeclaration() {
+    assertThatThrownBy(() -> Variable.text("A").range(Range.positive()))
+        .hasMessage("variable \"A\" is not a number: no range");
+  }
+
+  @Test
+  void name_empty_isRefused() {
+    assertThatThrownBy(() -> Variable.flag(" ")).hasMessage("a variable needs a name");
+  }
+
+  @Test
+  void range_eachKind_containsWhatItSays() {
+    assertThat(Range.of(1, 2).contains(1)).isTrue();
+    assertThat(Range.of(1, 2).contains(2)).isTrue();
+    assertThat(Range.of(1, 2).contains(2.0000001)).isFalse();
+    assertThat(Range.positive().contains(0)).isFalse();
+    assertThat(Range.positive().contains(Double.MIN_VALUE)).isTrue();
+    assertThat(Range.nonNegative().contains(0)).isTrue();
+    assertThat(Range.nonNegative().contains(-1e-300)).isFalse();
+    assertThat(Range.any().contains(Double.NaN)).isFalse();
+    assertThat(Range.any().contains(Double.POSITIVE_INFINITY)).isFalse();
+    assertThatThrownBy(() -> Range.of(2, 1)).hasMessage("a range from 2.0 to 1.0 holds nothing");
+    assertThatThrownBy(() -> Range.of(Double.NaN, 1)).isInstanceOf(IllegalArgumentException.class);
+    assertThat(
+            new Range[] {
+              Range.of(0, 500),
+              Range.positive(),
+              Range.nonNegative(),
+              Range.any(),
+              Range.of(Double.NEGATIVE_INFINITY, 7),
+              Range.of(-1.5, 1e-9)
+            })
+        .extracting(Range::toString)
+        .containsExactly("0…500", "above 0", "at least 0", "any number", "at most 7", "-1.5…1E-9");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "String, STRING",
+    "string, STRING",
+    "DOUBLE, DOUBLE",
+    "int, INTEGER",
+    "Integer, INTEGER",
+    "Boolean, BOOLEAN",
+    "' boolean ', BOOLEAN"
+  })
+  void named_thesisTypes_inAnyCase(String xmlName, VariableType type) {
+    assertThat(VariableType.named(xmlName)).contains(type);
+  }
+
+  @Test
+  void named_other_isEmpty() {
+    assertThat(VariableType.named("float")).isEmpty();
+  }
+
+  @Test
+  void describe_declaredAndNot_hasAllThatIsKnown() {
+    XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of("HOST", "localhost"));
+    configuration.getVariable(GAIN);
+
+    assertThat(configuration.describe())
+        .containsExactly(
+            new ConfigurationVariable()
+                .name("HOST")
+                .variableType("string")
+                .value("localhost")
+                .unit("")
+                .description(""),
+            new ConfigurationVariable()
+                .name("HEADING GAIN")
+                .variableType("double")
+                .value("120.0")
+                .unit("%/rad")
+                .min(0)
+                .max(500)
+                .description("Turns."));
+  }
+
+  @Test
+  void getVariable_declaredAgainAfterAChange_keepsTheChange() {
+    XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of());
+    configuration.getVariable(GAIN);
+    assertThat(configuration.setVariable("HEADING GAIN", 7)).isTrue();
+
+    assertThat(configuration.getVariable(GAIN.ifAbsent(1.0))).isEqualTo(7.0);
+  }
+
+  @Test
+  void declared_variables_makeASectionOfTheReference() {
+    XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of("HOST", "a"));
+    configuration.getVariable(GAIN);
+
+    assertThat(ConfigurationReference.markdownFor("Control", configuration.declared()))
+        .isEqualTo(
+            "## Control\n\n| Variable | Type | Unit | Range | Default | Meaning |\n"
+                + "|---|---|---|---|---|---|\n"
+                + "| `HEADING GAIN` | double | %/rad | 0…500 | 120 | Turns. |\n");
+  }
+
+  @Test
+  void enumerateFields_list_isTheCallersOwn() {
+    XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of("HOST", "a"));
+    configuration.enumerateFields().clear();
+
+    assertThat(configuration.enumerateFields()).hasSize(1);
+  }
+
+  @Test
+  void inMemory_valueOfAnotherClass_isRefused() {
+    assertThatThrownBy(() -> XmlConfiguration.inMemory("test", Map.of("A", 1L)))
+        .hasMessage("test, variable \"A\": 1 is neither Integer, Double, Boolean nor String");
+  }
+}

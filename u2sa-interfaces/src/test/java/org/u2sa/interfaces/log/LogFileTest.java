@@ -1,0 +1,239 @@
+package org.u2sa.interfaces.log;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+class LogFileTest extends LogFileFixture {
+  @Test
+  void log_newFolder_lineHasTimeLevelServiceThreadAndMessageAndIsWrittenAtOnce()
+      throws IOException {
+    Path file = folder.resolve("logs/Control.log");
+    try (LogFile log = log(file, LogLevelEnum.DEBUG)) {
+      log.log(LogLevelEnum.DEBUG, "bank {} é");
+
+      assertThat(text(file)).isEqualTo(line("DEBUG", "bank {} é"));
+    }
+  }
+
+  @Test
+  void log_messageWithNewlines_isIndentedSoThatItForgesNoLine() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.WARN, "a\nb\r\nc\rd");
+    }
+
+    assertThat(text(file)).isEqualTo(line("WARN", "a\n    b\n    c\n    d"));
+  }
+
+  @Test
+  void log_throwable_hasItsTraceBelow() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.ERROR, "callback", new IllegalStateException("no state"));
+    }
+
+    assertThat(text(file))
+        .startsWith(
+            line("ERROR", "callback")
+                + "    java.lang.IllegalStateException: no state\n    \tat org.u2sa.interfaces.");
+  }
+
+  @Test
+  void log_existingFile_isAppendedTo() throws IOException {
+    Path file = Files.write(folder.resolve("Control.log"), "before\n".getBytes());
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "after");
+    }
+
+    assertThat(text(file)).isEqualTo("before\n" + line("INFO", "after"));
+  }
+
+  @Test
+  void log_fileDeletedMeanwhile_isMadeAgain() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "a");
+      Files.delete(file);
+      log.log(LogLevelEnum.INFO, "b");
+    }
+
+    assertThat(text(file)).isEqualTo(line("INFO", "b"));
+  }
+
+  @Test
+  void log_eachLevel_isWrittenFromTheLowestUp() throws IOException {
+    for (LogLevelEnum lowest : LogLevelEnum.values()) {
+      Path file = folder.resolve(lowest + ".log");
+      StringBuilder expected = new StringBuilder();
+      try (LogFile log = log(file, lowest)) {
+        for (LogLevelEnum level : LogLevelEnum.values()) {
+          log.log(level, "x");
+          assertThat(log.writes(level)).isEqualTo(level.ordinal() >= lowest.ordinal());
+          expected.append(level.ordinal() >= lowest.ordinal() ? line(level.name(), "x") : "");
+        }
+      }
+      assertThat(text(file)).isEqualTo(expected.toString());
+    }
+  }
+
+  @Test
+  void log_belowTheLevel_doesNotEvenAskForTheTime() {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = new LogFile(file, "Control", LogLevelEnum.INFO, clock(-1))) {
+      assertThatCode(() -> log.log(LogLevelEnum.DEBUG, "x")).doesNotThrowAnyException();
+    }
+  }
+
+  @Test
+  void log_simulatedTime_startsAtZero() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = new LogFile(file, "Control", LogLevelEnum.INFO, clock(0))) {
+      log.log(LogLevelEnum.INFO, "x");
+    }
+
+    assertThat(text(file)).startsWith("1970-01-01T00:00:00.000000Z | ");
+  }
+
+  @Test
+  void log_fourThreads_everyLineIsWholeAndInItsThreadsOrder() throws Exception {
+    Path file = folder.resolve("Control.log");
+    List<Callable<Boolean>> writers = new ArrayList<>();
+    ExecutorService threads = Executors.newFixedThreadPool(4);
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      for (int writer = 0; writer < 4; writer++) {
+        String prefix = "writer " + writer + " line ";
+        writers.add(
+            () -> {
+              for (int i = 0; i < 500; i++) {
+                log.log(LogLevelEnum.INFO, prefix + i);
+              }
+              return true;
+            });
+      }
+      for (Future<Boolean> done : threads.invokeAll(writers)) {
+        assertThat(done.get()).isTrue();
+      }
+    } finally {
+      threads.shutdownNow();
+    }
+
+    List<String> lines = Files.readAllLines(file);
+    assertThat(lines).hasSize(2000);
+    for (int writer = 0; writer < 4; writer++) {
+      int next = 0;
+      for (String line : lines) {
+        if (line.contains("writer " + writer + " ")) {
+          assertThat(line)
+              .matches(TIME + " \\| INFO \\| Control \\| \\d+ \\| writer \\d line \\d+");
+          assertThat(line).endsWith(" line " + next++);
+        }
+      }
+      assertThat(next).isEqualTo(500);
+    }
+  }
+
+  @Test
+  void log_manyLinesOfManyThreads_noneIsMissing() throws Exception {
+    int threads = 4;
+    int lines = 30_000;
+    Path file = folder.resolve("Control.log");
+    List<Callable<Boolean>> writers = new ArrayList<>();
+    ExecutorService pool = Executors.newFixedThreadPool(threads);
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      for (int writer = 0; writer < threads; writer++) {
+        String name = "writer " + writer + " line ";
+        writers.add(
+            () -> {
+              for (int i = 0; i < lines; i++) {
+                log.log(LogLevelEnum.INFO, name + i);
+              }
+              return true;
+            });
+      }
+      for (Future<Boolean> done : pool.invokeAll(writers)) {
+        assertThat(done.get()).isTrue();
+      }
+      assertThat(log.failures()).isZero();
+    } finally {
+      pool.shutdownNow();
+    }
+
+    int[] next = new int[threads];
+    for (String line : Files.readAllLines(file)) {
+      String[] words = line.substring(line.lastIndexOf('|') + 2).split(" ");
+      int writer = Integer.parseInt(words[1]);
+      assertThat(Integer.parseInt(words[3]))
+          .as("line of writer %d", writer)
+          .isEqualTo(next[writer]);
+      next[writer]++;
+    }
+    assertThat(next).containsOnly(lines);
+  }
+
+  @Test
+  void log_fileMovedAwayNowAndThen_everyLineIsInOneOfTheFiles() throws IOException {
+    Path file = folder.resolve("Control.log");
+    List<String> found = new ArrayList<>();
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      for (int i = 0; i < 5_000; i++) {
+        if (i % 100 == 99) { // as a rotation from outside does
+          Files.move(file, folder.resolve("Control.log." + i));
+        }
+        log.log(LogLevelEnum.INFO, "line " + i);
+      }
+      assertThat(log.failures()).isZero();
+    }
+
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path each : files.toList()) {
+        found.addAll(Files.readAllLines(each));
+      }
+    }
+    assertThat(found).hasSize(5_000).doesNotHaveDuplicates();
+  }
+
+  @Test
+  void log_interruptedThread_writes() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      Thread.currentThread().interrupt();
+      log.log(LogLevelEnum.INFO, "a");
+      assertThat(Thread.interrupted()).isTrue();
+      log.log(LogLevelEnum.INFO, "b");
+      assertThat(log.failures()).isZero();
+    }
+
+    assertThat(text(file)).isEqualTo(line("INFO", "a") + line("INFO", "b"));
+  }
+
+  @Test
+  void close_twiceAndThenLog_isHarmless() throws IOException {
+    Path file = folder.resolve("Control.log");
+    LogFile log = log(file, LogLevelEnum.INFO);
+    log.close();
+    log.close();
+    log.log(LogLevelEnum.INFO, "late");
+
+    assertThat(text(file)).isEmpty();
+    assertThat(complaints()).isEmpty();
+  }
+
+  @Test
+  void named_anyCase_isTheLevel() {
+    assertThat(LogLevelEnum.named(" Warn ")).isEqualTo(LogLevelEnum.WARN);
+    assertThatCode(() -> LogLevelEnum.named("loud"))
+        .hasMessage("\"loud\" is not a log level: DEBUG, INFO, WARN or ERROR");
+  }
+}

@@ -1,0 +1,117 @@
+package org.u2sa.messages.registry;
+
+import java.util.List;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ArmCommand;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.ConfigurationAssignment;
+import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.ConfigurationChangeResult;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.contract.ConfigurationVariable;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.contract.FunctionalityRequest;
+import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.contract.GoalCommand;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypeProvider;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Line;
+import org.u2sa.messages.shape.PointCloud;
+import org.u2sa.messages.shape.Rectangle;
+import org.u2sa.messages.shape.ShapeDescription;
+import org.u2sa.messages.shape.Sphere;
+
+/** The registry of the messages of this module: one line each. */
+public final class StandardTypes implements MessageTypeProvider {
+  private static final List<MessageType<?>> ALL =
+      List.of(
+          StateInformation.TYPE,
+          GoalInformation.TYPE,
+          Waypoint.TYPE,
+          GoalList.TYPE,
+          ObjectDescription.TYPE,
+          PointCloud.TYPE,
+          ShapeDescription.TYPE,
+          Circle.TYPE,
+          Rectangle.TYPE,
+          Line.TYPE,
+          Sphere.TYPE,
+          Cylinder.TYPE,
+          Box.TYPE,
+          ObjectList.TYPE,
+          NavigationPoint.TYPE,
+          ActuatorCommand.TYPE,
+          PercentageCommand.TYPE,
+          ActuatorAnnouncement.TYPE,
+          GoalCommand.TYPE,
+          DiscoveryRequest.TYPE,
+          DiscoveryResponse.TYPE,
+          FunctionalityRequest.TYPE,
+          FunctionalityResponse.TYPE,
+          StopCommand.TYPE,
+          ConfigurationRequest.TYPE,
+          ConfigurationVariable.TYPE,
+          ConfigurationResponse.TYPE,
+          ConfigurationChange.TYPE,
+          ConfigurationChangeResult.TYPE,
+          HealthReport.TYPE,
+          ConnectionLost.TYPE,
+          EmergencyStop.TYPE,
+          ServiceOrder.TYPE,
+          ServiceOrderResult.TYPE,
+          ServiceCondition.TYPE,
+          FailsafeState.TYPE,
+          OperatorHeartbeat.TYPE,
+          ArmCommand.TYPE,
+          ArmingState.TYPE,
+          ConfigurationAssignment.TYPE,
+          ConfigurationTransaction.TYPE,
+          ConfigurationUndo.TYPE,
+          ConfigurationTransactionResult.TYPE,
+          BatteryState.TYPE,
+          RangeScan.TYPE);
+
+  /** For {@link java.util.ServiceLoader}. */
+  public StandardTypes() {}
+
+  /**
+   * These types and no others; {@link MessageTypes#discovered()} has those of other modules too.
+   */
+  public static MessageTypes registry() {
+    return MessageTypes.of(ALL);
+  }
+
+  @Override
+  public List<MessageType<?>> messageTypes() {
+    return ALL;
+  }
+}

@@ -1,0 +1,66 @@
+package org.u2sa.messages.schema;
+
+import java.io.IOException;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Values of fields that the reader's classes do not have: Double, Long, Boolean, String, lists and
+ * maps of such.
+ */
+final class AnyValue {
+  private AnyValue() {}
+
+  static Object read(CborReader in) throws IOException, MalformedMessageException {
+    if (in.token() == null) {
+      throw in.unexpected("a value");
+    }
+    switch (in.token()) {
+      case VALUE_NUMBER_FLOAT:
+        double number = in.number();
+        if (!Double.isFinite(number)) {
+          throw in.malformed("expected a finite number, not " + number);
+        }
+        return number;
+      case VALUE_NUMBER_INT:
+        return in.count();
+      case VALUE_TRUE:
+      case VALUE_FALSE:
+        return in.flag();
+      case VALUE_STRING:
+        return in.text();
+      case START_ARRAY:
+        return Collections.unmodifiableList(in.list(() -> read(in)));
+      case START_OBJECT:
+        return in.map();
+      default:
+        throw in.unexpected("a number, text, bool, array or map");
+    }
+  }
+
+  static void write(CborWriter out, Object value) throws IOException {
+    if (value instanceof Double number) {
+      out.number(number);
+    } else if (value instanceof Long count) {
+      out.count(count);
+    } else if (value instanceof Boolean flag) {
+      out.flag(flag);
+    } else if (value instanceof List<?> list) {
+      out.beginList(list.size());
+      for (Object element : list) {
+        write(out, element);
+      }
+      out.endList();
+    } else if (value instanceof Map<?, ?> map) {
+      out.beginMap(map.size());
+      for (Map.Entry<?, ?> entry : map.entrySet()) {
+        out.key((String) entry.getKey());
+        write(out, entry.getValue());
+      }
+      out.endMap();
+    } else {
+      out.text((String) value);
+    }
+  }
+}

@@ -1,0 +1,18 @@
+package org.u2sa.messages.schema;
+
+/** What all kinds of fields have in common, as the schema hands it to them. */
+record FieldOutline(
+    String owner, String name, String unit, FieldPresence presence, int slot, int bit, int since) {
+  static FieldOutline of(
+      String owner, String name, String unit, FieldPresence presence, int since) {
+    return new FieldOutline(owner, name, unit, presence, -1, MessageField.NO_BIT, since);
+  }
+
+  FieldOutline at(int place) {
+    return new FieldOutline(owner, name, unit, presence, place, bit, since);
+  }
+
+  FieldOutline withBit(int number) {
+    return new FieldOutline(owner, name, unit, presence, slot, number, since);
+  }
+}

@@ -1,0 +1,43 @@
+package org.u2sa.messages.schema;
+
+/** Allots storage and presence bits to the fields of one class, after those of its parent. */
+final class FieldSlots {
+  private static final int MAX = Long.SIZE; // presence is one long
+
+  private int numbers;
+  private int values;
+  private int bits;
+
+  /** The sizes of a parent: where its child goes on. */
+  static FieldSlots after(MessageType.Sizes parent) {
+    FieldSlots slots = new FieldSlots();
+    slots.numbers = parent.numbers();
+    slots.values = parent.values();
+    slots.bits = parent.bits();
+    return slots;
+  }
+
+  int number() {
+    return within(numbers++);
+  }
+
+  int value() {
+    return values++;
+  }
+
+  int bit() {
+    return within(bits++);
+  }
+
+  private static int within(int taken) {
+    if (taken >= MAX) {
+      throw new IllegalArgumentException(
+          "a message has at most " + MAX + " numbers and " + MAX + " fields with a presence bit");
+    }
+    return taken;
+  }
+
+  MessageType.Sizes sizes() {
+    return new MessageType.Sizes(numbers, values, bits);
+  }
+}

@@ -1,0 +1,159 @@
+package org.u2sa.messages.schema;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * A message class's schema: its name, ancestry and fields. Immutable; one instance a class, {@code
+ * public static final TYPE}, made by {@link Schema}.
+ *
+ * @param <T> the message class
+ */
+public final class MessageType<T extends U2SAData> {
+  /** Who the type is. */
+  record Identity<T extends U2SAData>(
+      String name,
+      Class<T> messageClass,
+      Supplier<? extends T> empty,
+      boolean isAbstract,
+      MessageType<? super T> parent) {}
+
+  /** How much storage a message needs, and how many presence bits it has. */
+  record Sizes(int numbers, int values, int bits) {}
+
+  private final Identity<T> identity;
+  private final List<MessageField<T>> fields;
+  private final Map<String, MessageField<T>> byName = new HashMap<>();
+  private final Map<String, String> aliases;
+  private final ValueField<?, ReferenceFrame> frameField; // null: none
+  private final Sizes sizes;
+  private final List<String> chain;
+
+  MessageType(
+      Identity<T> identity,
+      List<MessageField<T>> fields,
+      Map<String, String> aliases,
+      ValueField<?, ReferenceFrame> frameField,
+      Sizes sizes) {
+    this.identity = identity;
+    this.fields = fields;
+    this.aliases = aliases;
+    this.frameField = frameField;
+    this.sizes = sizes;
+    for (MessageField<T> field : fields) {
+      byName.put(field.name(), field);
+    }
+    List<String> names = new ArrayList<>();
+    if (identity.parent() != null) {
+      names.addAll(identity.parent().chain());
+      names.add(identity.name());
+    }
+    chain = List.copyOf(names);
+  }
+
+  /** A field reads and writes every subclass of the class that declares it. */
+  @SuppressWarnings(
+      "unchecked") // MessageField only ever takes its T, so a parent's field serves the child
+  static <T extends U2SAData> MessageField<T> inherited(MessageField<? super T> field) {
+    return (MessageField<T>) field;
+  }
+
+  /** As in topics and XML: the class's simple name. */
+  public String name() {
+    return identity.name();
+  }
+
+  /** The class. */
+  public Class<T> messageClass() {
+    return identity.messageClass();
+  }
+
+  /** The type of the superclass; empty for {@link U2SAData} alone. */
+  public Optional<MessageType<? super T>> parent() {
+    return Optional.ofNullable(identity.parent());
+  }
+
+  /** True if no message is of this type itself; such as stand for unknown subclasses excepted. */
+  public boolean isAbstract() {
+    return identity.isAbstract();
+  }
+
+  /**
+   * Names from the eldest ancestor to this type, U2SAData left out: ["ActuatorCommand",
+   * "PercentageCommand"].
+   */
+  public List<String> chain() {
+    return chain;
+  }
+
+  /** All fields, inherited ones first; the order of the wire. */
+  public List<MessageField<T>> fields() {
+    return fields;
+  }
+
+  /** A field by its exact name. */
+  public Optional<MessageField<T>> field(String name) {
+    return Optional.ofNullable(byName.get(name));
+  }
+
+  /**
+   * A field by the name that XML gives it: its own, its first letter in either case, or one of its
+   * aliases.
+   */
+  public Optional<MessageField<T>> fieldByElementName(String element) {
+    String name =
+        element.isEmpty()
+            ? element
+            : element.substring(0, 1).toLowerCase(Locale.ROOT) + element.substring(1);
+    Optional<MessageField<T>> exact = field(name);
+    return exact.isPresent() || !aliases.containsKey(name) ? exact : field(aliases.get(name));
+  }
+
+  /**
+   * A message with nothing set.
+   *
+   * @throws IllegalStateException if the type is abstract
+   */
+  public T create() {
+    if (isAbstract()) {
+      throw new IllegalStateException(name() + " is abstract: no message can be of this type");
+    }
+    return identity.empty().get();
+  }
+
+  /**
+   * A message to decode into: of this type, or a stand-in if it is abstract; empty for U2SAData.
+   */
+  Optional<T> createCarrier() {
+    return Optional.ofNullable(identity.empty()).map(Supplier::get);
+  }
+
+  MessageField<T> fieldOrNull(String name) {
+    return byName.get(name);
+  }
+
+  /** The field that names the frame of the coordinates; null if there is none. */
+  ValueField<?, ReferenceFrame> frameField() {
+    return frameField;
+  }
+
+  Map<String, String> aliases() {
+    return aliases;
+  }
+
+  Sizes sizes() {
+    return sizes;
+  }
+
+  /** "ActuatorCommand/PercentageCommand". */
+  @Override
+  public String toString() {
+    return String.join("/", chain);
+  }
+}

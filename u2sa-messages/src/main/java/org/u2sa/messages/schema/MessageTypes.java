@@ -1,0 +1,115 @@
+package org.u2sa.messages.schema;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.ServiceLoader;
+
+/** The message types that a reader knows. Immutable. */
+public final class MessageTypes {
+  private final Map<String, MessageType<?>> byName;
+
+  private MessageTypes(Map<String, MessageType<?>> byName) {
+    this.byName = Collections.unmodifiableMap(byName);
+  }
+
+  /**
+   * The given types.
+   *
+   * @throws IllegalArgumentException if two types have the same name
+   */
+  public static MessageTypes of(Collection<? extends MessageType<?>> types) {
+    return new MessageTypes(new LinkedHashMap<>()).with(types);
+  }
+
+  /** The types of every {@link MessageTypeProvider} on the class path, the standard ones first. */
+  public static MessageTypes discovered() {
+    List<MessageType<?>> extensions = new ArrayList<>();
+    for (MessageTypeProvider provider : ServiceLoader.load(MessageTypeProvider.class)) {
+      extensions.addAll(provider.messageTypes());
+    }
+    return of(extensions);
+  }
+
+  /**
+   * These types and more.
+   *
+   * @throws IllegalArgumentException if two types have the same name
+   */
+  public MessageTypes with(Collection<? extends MessageType<?>> more) {
+    Map<String, MessageType<?>> all = new LinkedHashMap<>(byName);
+    for (MessageType<?> type : more) {
+      MessageType<?> other = all.put(type.name(), type);
+      if (other != null && other != type) {
+        throw new IllegalArgumentException(
+            "two message types are called "
+                + type.name()
+                + ": "
+                + other.messageClass().getName()
+                + " and "
+                + type.messageClass().getName());
+      }
+    }
+    return new MessageTypes(all);
+  }
+
+  /** All, in order of registration. */
+  public Collection<MessageType<?>> all() {
+    return byName.values();
+  }
+
+  /** A type by its exact name. */
+  public Optional<MessageType<?>> byName(String name) {
+    return Optional.ofNullable(byName.get(name));
+  }
+
+  /**
+   * A type by the name of its XML element, whose first letter may be of either case: "waypoint",
+   * "Circle".
+   */
+  public Optional<MessageType<?>> byElementName(String element) {
+    if (element.isEmpty()) {
+      return Optional.empty();
+    }
+    return byName(element.substring(0, 1).toUpperCase(Locale.ROOT) + element.substring(1));
+  }
+
+  /**
+   * The nearest ancestor that is known, the type itself included (8.2.5). An abstract one is
+   * answered too: the codec makes a message that stands for the unknown subclass. {@link
+   * OpaqueMessage#TYPE} if none is known.
+   *
+   * <p>The chain up to the known type must be that type's own: whoever looks at the first names and
+   * whoever makes a message of the last one must have the same type in mind.
+   *
+   * @throws MalformedMessageException if the chain is empty or longer than a chain can be, or
+   *     claims another ancestry for a known type than it has
+   */
+  public MessageType<?> nearest(List<String> chain) throws MalformedMessageException {
+    return nearest(chain, 0L);
+  }
+
+  MessageType<?> nearest(List<String> chain, long offset) throws MalformedMessageException {
+    if (chain.isEmpty() || chain.size() > Limits.DEPTH) {
+      throw new MalformedMessageException(
+          "type chain", offset, "expected 1…" + Limits.DEPTH + " type names, not " + chain.size());
+    }
+    for (int i = chain.size() - 1; i >= 0; i--) {
+      MessageType<?> known = byName.get(chain.get(i));
+      if (known != null) {
+        List<String> claimed = chain.subList(0, i + 1);
+        if (!claimed.equals(known.chain())) {
+          throw new MalformedMessageException(
+              "type chain", offset, "expected " + known + ", not " + String.join("/", claimed));
+        }
+        return known;
+      }
+    }
+    return OpaqueMessage.TYPE;
+  }
+}

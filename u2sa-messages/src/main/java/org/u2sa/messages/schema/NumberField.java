@@ -1,0 +1,125 @@
+package org.u2sa.messages.schema;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * A field that holds a finite double, kept unboxed.
+ *
+ * @param <T> the message class
+ */
+public final class NumberField<T extends U2SAData> extends MessageField<T> {
+  private static final Pattern NUMBER =
+      Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d+)?");
+
+  final double ifUnset;
+  private final String globalUnit;
+  private final double min;
+  private final double max;
+
+  NumberField(FieldOutline outline, String globalUnit, double ifUnset, double min, double max) {
+    super(outline, Kind.DOUBLE);
+    this.globalUnit = globalUnit;
+    this.ifUnset = ifUnset;
+    this.min = min;
+    this.max = max;
+  }
+
+  /** Smallest value taken; -∞ if unbounded. */
+  public double min() {
+    return min;
+  }
+
+  /** Largest value taken; +∞ if unbounded. */
+  public double max() {
+    return max;
+  }
+
+  @Override
+  public String unitIn(ReferenceFrame frame) {
+    return frame.equals(ReferenceFrame.GLOBAL) ? globalUnit : unit();
+  }
+
+  @Override
+  public String unitIn(T message) {
+    return globalUnit.equals(unit()) ? unit() : unitIn(message.frame());
+  }
+
+  double checked(double value) {
+    if (!Double.isFinite(value)) {
+      String unit = unit().isEmpty() ? "" : " [" + unit() + "]";
+      throw refused(value, "expected a finite number" + unit);
+    }
+    if (value < min || value > max) {
+      throw refused(value, "expected " + range() + (unit().isEmpty() ? "" : " " + unit()));
+    }
+    return value;
+  }
+
+  private String range() {
+    if (max == Double.POSITIVE_INFINITY) {
+      return "at least " + min;
+    }
+    return min == Double.NEGATIVE_INFINITY ? "at most " + max : min + "…" + max;
+  }
+
+  @Override
+  public Optional<Object> get(T message) {
+    return isWritten(message) ? Optional.of(message.storage().get(this)) : Optional.empty();
+  }
+
+  @Override
+  public boolean isSet(T message) {
+    return message.storage().has(this);
+  }
+
+  @Override
+  boolean isWritten(T message) {
+    return !Double.isNaN(ifUnset) || message.storage().has(this);
+  }
+
+  @Override
+  public void set(T message, Object value) {
+    if (!(value instanceof Number number)) {
+      throw refused(value, "expected a number");
+    }
+    message.put(this, number.doubleValue());
+  }
+
+  @Override
+  public void setText(T message, String text) {
+    String trimmed = text.trim();
+    if (!NUMBER.matcher(trimmed).matches()) {
+      throw refused(text, "expected a number" + (unit().isEmpty() ? "" : " [" + unit() + "]"));
+    }
+    message.put(this, Double.parseDouble(trimmed));
+  }
+
+  @Override
+  public void setTexts(T message, List<String> texts) {
+    if (texts.size() != 1) {
+      throw refused(texts, "expected one value");
+    }
+    setText(message, texts.get(0));
+  }
+
+  @Override
+  void write(CborWriter out, T message) throws IOException {
+    out.number(message.storage().get(this));
+  }
+
+  @Override
+  void read(CborReader in, T message) throws IOException, MalformedMessageException {
+    message.put(this, in.number());
+  }
+
+  @Override
+  void copy(T from, T to) {
+    if (isSet(from)) {
+      to.storage().put(this, from.storage().get(this));
+    }
+  }
+}

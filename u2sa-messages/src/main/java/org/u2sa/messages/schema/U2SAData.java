@@ -1,0 +1,266 @@
+package org.u2sa.messages.schema;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * What every message is and can (thesis 3.2.3.1, figure 5): it knows its system and its time, its
+ * fields, and its bytes.
+ *
+ * <p>Filled by setters, then frozen by whoever publishes it, and from then on safe to share between
+ * threads. A subclass declares its fields in a {@link Schema} and writes getters and setters over
+ * {@link #get}, {@link #require} and {@link #put}.
+ */
+public abstract class U2SAData {
+  private static final Schema<U2SAData> SCHEMA = Schema.root();
+  private static final ValueField<U2SAData, String> SYSTEM_ID = SCHEMA.optionalText("systemId");
+  private static final ValueField<U2SAData, Long> TIMESTAMP =
+      SCHEMA.optionalCount("timestamp", "us");
+
+  /** The root of all types: systemId and timestamp. */
+  public static final MessageType<U2SAData> TYPE = SCHEMA.build();
+
+  private final FieldStorage storage;
+  private UnknownPart
+      unknown; // what a subclass unknown here had, for messages that stand for one; else null
+  private Origin origin; // of one that came over MQTT; else null
+
+  /** An empty message of the type that {@link #type()} names. */
+  protected U2SAData() {
+    storage = new FieldStorage(type().sizes());
+  }
+
+  /** The class's schema: its constant TYPE. Called while the message is constructed. */
+  public abstract MessageType<?> type();
+
+  /**
+   * Names from the eldest ancestor to the message's own type, even if this reader does not know
+   * that one.
+   */
+  public final List<String> typeChain() {
+    return unknown == null ? type().chain() : unknown.chain();
+  }
+
+  /** The system that the message is from; empty until set. */
+  public final String systemId() {
+    String id = get(SYSTEM_ID);
+    return id == null ? "" : id;
+  }
+
+  /** Sets {@link #systemId()}. */
+  public final void systemId(String id) {
+    put(SYSTEM_ID, id);
+  }
+
+  /** When what the message tells was measured [µs of the run's clock]; empty until set. */
+  public final OptionalLong timestamp() {
+    Long micros = get(TIMESTAMP);
+    return micros == null ? OptionalLong.empty() : OptionalLong.of(micros);
+  }
+
+  /** Sets {@link #timestamp()}. */
+  public final void timestamp(long micros) {
+    put(TIMESTAMP, micros);
+  }
+
+  /**
+   * One bit for each optional number, point or enum that is set, in the schema's order from bit 0
+   * (8.2.3.2).
+   */
+  public long presenceVector() {
+    long vector = 0L;
+    for (MessageField<U2SAData> field : fields()) {
+      if (field.bit != MessageField.NO_BIT && field.isSet(this)) {
+        vector |= 1L << field.bit;
+      }
+    }
+    return vector;
+  }
+
+  /**
+   * The message as a CBOR map, as docs/wire-protocol.md has it (thesis 3.2.3.1).
+   *
+   * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
+   */
+  public final byte[] serialize() {
+    requireComplete();
+    return CborWriter.bytes(this, null);
+  }
+
+  /** {@link #serialize()} with a word about who sends it. */
+  public final byte[] serialize(Origin sentFrom) {
+    requireComplete();
+    return CborWriter.bytes(this, sentFrom);
+  }
+
+  /** Who sent the bytes that this was read from; empty if they did not say, or there were none. */
+  public final Optional<Origin> origin() {
+    return Optional.ofNullable(origin);
+  }
+
+  /** Every field with its unit and value, absent ones empty, in wire order (thesis 3.2.3.1). */
+  public final List<FieldValue> enumerateFields() {
+    List<FieldValue> all = new ArrayList<>();
+    for (MessageField<U2SAData> field : fields()) {
+      all.add(new FieldValue(field.name(), field.unitIn(this), field.get(this)));
+    }
+    unknownFields().forEach((name, value) -> all.add(new FieldValue(name, "", Optional.of(value))));
+    return Collections.unmodifiableList(all);
+  }
+
+  /**
+   * Ends all setting, here and in messages within; whoever publishes a message calls it.
+   *
+   * @throws IllegalStateException naming the required field that is missing
+   */
+  public final void freeze() {
+    if (!storage.isFrozen()) {
+      requireComplete();
+      storage.freeze();
+    }
+  }
+
+  /** True once frozen: setters throw. */
+  public final boolean isFrozen() {
+    return storage.isFrozen();
+  }
+
+  /** A message with the same values that is not frozen. */
+  public U2SAData copy() {
+    U2SAData copy = type().createCarrier().get();
+    for (MessageField<U2SAData> field : fields()) {
+      field.copy(this, copy);
+    }
+    copy.unknown = unknown;
+    return copy;
+  }
+
+  private void requireComplete() {
+    for (MessageField<U2SAData> field : fields()) {
+      if (field.isRequired() && !field.isSet(this)) {
+        throw missing(field);
+      }
+    }
+  }
+
+  /** The value of a number; empty if it is absent and has no default. */
+  protected final OptionalDouble get(NumberField<?> field) {
+    double value = storage.get(field);
+    return Double.isNaN(value) ? OptionalDouble.empty() : OptionalDouble.of(value);
+  }
+
+  /**
+   * The value of a number that is required or has a default.
+   *
+   * @throws IllegalStateException if it was never set
+   */
+  protected final double require(NumberField<?> field) {
+    double value = storage.get(field);
+    if (Double.isNaN(value)) {
+      throw missing(field);
+    }
+    return value;
+  }
+
+  /** The value, or its default; null if it has neither. */
+  protected final <V> V get(ValueField<?, V> field) {
+    return storage.get(field);
+  }
+
+  /**
+   * The value of a field that is required or has a default.
+   *
+   * @throws IllegalStateException if it was never set
+   */
+  protected final <V> V require(ValueField<?, V> field) {
+    V value = storage.get(field);
+    if (value == null) {
+      throw missing(field);
+    }
+    return value;
+  }
+
+  /**
+   * Sets a number.
+   *
+   * @throws IllegalArgumentException if not finite or out of range
+   * @throws IllegalStateException if frozen
+   */
+  protected final void put(NumberField<?> field, double value) {
+    storage.put(field, field.checked(value));
+  }
+
+  /**
+   * Sets a value.
+   *
+   * @throws IllegalArgumentException if null, too long or otherwise out of bounds
+   * @throws IllegalStateException if frozen
+   */
+  protected final <V> void put(ValueField<?, V> field, V value) {
+    storage.put(field, field.checked(value));
+  }
+
+  private static IllegalStateException missing(MessageField<?> field) {
+    return new IllegalStateException(field.path() + " is required and was never set");
+  }
+
+  final FieldStorage storage() {
+    return storage;
+  }
+
+  /**
+   * The frame that the message's coordinates are written in: its field of that kind; BODY for
+   * messages that have none.
+   */
+  final ReferenceFrame frame() {
+    ValueField<?, ReferenceFrame> field = type().frameField();
+    return field == null ? ReferenceFrame.BODY : storage.get(field);
+  }
+
+  final void cameFrom(Origin sentFrom) {
+    origin = sentFrom;
+  }
+
+  final void keepUnknown(UnknownPart part) {
+    unknown = part;
+  }
+
+  final Map<String, Object> unknownFields() {
+    return unknown == null ? Map.of() : unknown.fields();
+  }
+
+  /** {@link #type()}, typed for whoever goes through the fields of any message. */
+  @SuppressWarnings("unchecked") // a message is an instance of its own type's class
+  protected final MessageType<U2SAData> ownType() {
+    return (MessageType<U2SAData>) type();
+  }
+
+  private List<MessageField<U2SAData>> fields() {
+    return ownType().fields();
+  }
+
+  @Override
+  public final boolean equals(Object other) {
+    return this == other
+        || other instanceof U2SAData that
+            && typeChain().equals(that.typeChain())
+            && enumerateFields().equals(that.enumerateFields());
+  }
+
+  @Override
+  public final int hashCode() {
+    return 31 * typeChain().hashCode() + enumerateFields().hashCode();
+  }
+
+  /** "Waypoint{uid=1, x=10.0 deg}": what is set. */
+  @Override
+  public final String toString() {
+    return MessageText.of(this);
+  }
+}

@@ -1,0 +1,102 @@
+package org.u2sa.messages.schema;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A field that holds anything but a double.
+ *
+ * @param <T> the message class
+ * @param <V> the value's class; immutable
+ */
+public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
+  final V ifUnset; // null: none
+  private final ValueKind<V> values;
+
+  ValueField(FieldOutline outline, ValueKind<V> values, V ifUnset) {
+    super(outline, values.kind());
+    this.values = values;
+    this.ifUnset = ifUnset;
+  }
+
+  /** For a list of messages, their type or its nearest common ancestor. */
+  public Optional<MessageType<?>> elementType() {
+    return Optional.ofNullable(values.elementType());
+  }
+
+  /** For an enum, its constants in wire order; else empty. */
+  public List<V> constants() {
+    return values.constants();
+  }
+
+  V checked(Object value) {
+    try {
+      return values.checked(value);
+    } catch (IllegalArgumentException e) {
+      throw refused(value, e.getMessage());
+    }
+  }
+
+  @Override
+  public Optional<Object> get(T message) {
+    return Optional.ofNullable(message.storage().get(this));
+  }
+
+  @Override
+  public boolean isSet(T message) {
+    return message.storage().has(this);
+  }
+
+  @Override
+  boolean isWritten(T message) {
+    return ifUnset != null || isSet(message);
+  }
+
+  @Override
+  public void set(T message, Object value) {
+    message.storage().put(this, checked(value));
+  }
+
+  @Override
+  public void setText(T message, String text) {
+    setTexts(message, List.of(text));
+  }
+
+  @Override
+  public void setTexts(T message, List<String> texts) {
+    V value;
+    try {
+      value = values.parsed(texts);
+    } catch (IllegalArgumentException e) {
+      throw refused(texts.size() == 1 ? texts.get(0) : texts, e.getMessage());
+    }
+    set(message, value);
+  }
+
+  @Override
+  void write(CborWriter out, T message) throws IOException {
+    values.write(out, message.storage().get(this));
+  }
+
+  @Override
+  void read(CborReader in, T message) throws IOException, MalformedMessageException {
+    V value;
+    try {
+      value = values.read(in);
+    } catch (UnknownConstantException e) {
+      if (!isOptional()) {
+        throw e;
+      }
+      return; // as if it were absent: what it would have meant, this reader cannot know
+    }
+    message.storage().put(this, checked(value));
+  }
+
+  @Override
+  void copy(T from, T to) {
+    if (isSet(from)) {
+      to.storage().put(this, values.copied(from.storage().get(this)));
+    }
+  }
+}

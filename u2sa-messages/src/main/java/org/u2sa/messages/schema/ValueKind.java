@@ -1,0 +1,43 @@
+package org.u2sa.messages.schema;
+
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * How values of one {@link Kind} are checked, parsed, written and read. Errors of check and parse
+ * say what was expected.
+ */
+interface ValueKind<V> {
+  Kind kind();
+
+  /** The value as it is kept: immutable and within bounds. */
+  V checked(Object value);
+
+  V parsed(List<String> texts);
+
+  void write(CborWriter out, V value) throws IOException;
+
+  V read(CborReader in) throws IOException, MalformedMessageException;
+
+  /** For copies of messages: nested messages are copied too, all else is immutable. */
+  default V copied(V value) {
+    return value;
+  }
+
+  /** The type of the messages in a list; null if it is no list of messages. */
+  default MessageType<?> elementType() {
+    return null;
+  }
+
+  /** All values there are, if they are few; else empty. */
+  default List<V> constants() {
+    return List.of();
+  }
+
+  static String only(List<String> texts) {
+    if (texts.size() != 1) {
+      throw new IllegalArgumentException("expected one value");
+    }
+    return texts.get(0);
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * What a message is: its type, fields, presence and CBOR form. The messages themselves are
+ * elsewhere.
+ */
+package org.u2sa.messages.schema;

@@ -1,0 +1,112 @@
+package org.u2sa.messages.shape;
+
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.PointConversion;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+
+/** A rectangle in the x-y plane around the centre. */
+public class Rectangle extends ShapeDescription {
+  private static final Schema<Rectangle> SCHEMA =
+      Schema.of("Rectangle", Rectangle.class, Rectangle::new, ShapeDescription.TYPE);
+  private static final NumberField<Rectangle> LENGTH = SCHEMA.number("length", "m", 0.0, 0.0);
+  private static final NumberField<Rectangle> WIDTH = SCHEMA.number("width", "m", 0.0, 0.0);
+  private static final NumberField<Rectangle> PSI = SCHEMA.number("psi", "rad", 0.0);
+
+  /** The schema. */
+  public static final MessageType<Rectangle> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends Rectangle> type() {
+    return TYPE;
+  }
+
+  /** Length, along the direction of psi [m]. */
+  public double length() {
+    return require(LENGTH);
+  }
+
+  /** Sets {@link #length()}. */
+  public Rectangle length(double value) {
+    put(LENGTH, value);
+    return this;
+  }
+
+  /** Width, across the direction of psi [m]. */
+  public double width() {
+    return require(WIDTH);
+  }
+
+  /** Sets {@link #width()}. */
+  public Rectangle width(double value) {
+    put(WIDTH, value);
+    return this;
+  }
+
+  /** Turn of the length axis from the frame's own zero [rad]: in the frame's sense of psi. */
+  public double psi() {
+    return require(PSI);
+  }
+
+  /** Sets {@link #psi()}. */
+  public Rectangle psi(double value) {
+    put(PSI, value);
+    return this;
+  }
+
+  @Override
+  protected void move(PointConversion conversion) {
+    psi(conversion.heading(center(), psi()));
+    super.move(conversion);
+  }
+
+  @Override
+  public double distanceTo(Point from) {
+    return Shapes.toBox(referenceFrame(), metres(from), psi(), Point.of(length(), width(), 0.0));
+  }
+
+  @Override
+  public Rectangle uid(String uid) {
+    super.uid(uid);
+    return this;
+  }
+
+  @Override
+  public Rectangle objectType(String type) {
+    super.objectType(type);
+    return this;
+  }
+
+  @Override
+  public Rectangle referenceFrame(ReferenceFrame frame) {
+    super.referenceFrame(frame);
+    return this;
+  }
+
+  @Override
+  public Rectangle x(double x) {
+    super.x(x);
+    return this;
+  }
+
+  @Override
+  public Rectangle y(double y) {
+    super.y(y);
+    return this;
+  }
+
+  @Override
+  public Rectangle z(double z) {
+    super.z(z);
+    return this;
+  }
+
+  @Override
+  public Rectangle level(ObjectLevel level) {
+    super.level(level);
+    return this;
+  }
+}

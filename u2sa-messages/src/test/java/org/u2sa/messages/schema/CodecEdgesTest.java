@@ -1,0 +1,90 @@
+package org.u2sa.messages.schema;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Collections;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.StopCommand;
+import org.u2sa.messages.registry.StandardTypes;
+
+/** What is just within what a reader takes, and just outside. */
+class CodecEdgesTest {
+  private static final List<String> UNKNOWN = List.of("NobodyKnows");
+  private final MessageCodec codec = new MessageCodec(StandardTypes.registry());
+
+  private U2SAData decode(List<String> chain, String hex) throws MalformedMessageException {
+    return codec.decode(chain, HexFormat.of().parseHex(hex.replace(" ", "")));
+  }
+
+  /** {"q": {"a": 1, "b": true}} */
+  @Test
+  void decode_mapOfAnUnknownField_isKeptAndWrittenAgain() throws MalformedMessageException {
+    String hex = "a1 6171 a2 6161 01 6162 f5";
+    U2SAData read = decode(UNKNOWN, hex);
+
+    assertThat(read.unknownFields()).isEqualTo(Map.of("q", Map.of("a", 1L, "b", true)));
+    assertThat(HexFormat.of().formatHex(read.serialize())).isEqualTo(hex.replace(" ", ""));
+  }
+
+  /** {"q": {"a": 1, "a": 2}} */
+  @Test
+  void decode_keyTwiceInAMapOfAnUnknownField_isRefused() {
+    assertThatThrownBy(() -> decode(UNKNOWN, "a1 6171 a2 6161 01 6161 02"))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining("the key \"a\" comes twice");
+  }
+
+  /** {"origin": …}: a text, and an array of three. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "a1 666f726967696e 6161",
+        "a1 666f726967696e 83 6161 01 02",
+        "a1 666f726967696e a1 6161 01"
+      })
+  void decode_originThatIsNoPair_isRefused(String hex) {
+    assertThatThrownBy(() -> decode(StopCommand.TYPE.chain(), hex))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining("StopCommand.origin");
+  }
+
+  @Test
+  void nearest_chainOfTheLongestLength_isTaken() throws MalformedMessageException {
+    List<String> longest = Collections.nCopies(Limits.DEPTH, "Unheard");
+    assertThat(StandardTypes.registry().nearest(longest)).isSameAs(OpaqueMessage.TYPE);
+  }
+
+  @Test
+  void text_pairOfSurrogates_isACharacter() throws MalformedMessageException {
+    Waypoint goal = new Waypoint().uid("a😀b😀").x(1).y(2).horizontalThreshold(3);
+    assertThat(codec.decode(goal.typeChain(), goal.serialize())).isEqualTo(goal);
+    for (String broken : List.of("😀\ude00", "\ude00\ud83d", "a\ud83d", "\ud83d\ud83d\ude00")) {
+      assertThatThrownBy(() -> new Waypoint().uid(broken))
+          .hasMessageContaining("without half a surrogate pair");
+    }
+  }
+
+  @Test
+  void setText_false_isFalse() {
+    Waypoint goal = new Waypoint().completed(true);
+    Waypoint.TYPE.field("completed").orElseThrow().setText(goal, " False ");
+    assertThat(goal.completed()).isFalse();
+  }
+
+  /** What tools are told of a field's values. */
+  @Test
+  void kind_ofFields_isTheirValues() {
+    assertThat(Waypoint.TYPE.field("uid").orElseThrow().kind()).isEqualTo(Kind.STRING);
+    assertThat(Waypoint.TYPE.field("completed").orElseThrow().kind()).isEqualTo(Kind.BOOLEAN);
+    assertThat(GoalList.TYPE.field("goals").orElseThrow().kind()).isEqualTo(Kind.MESSAGE_LIST);
+    assertThat(ListKinds.POINT.kind()).isEqualTo(Kind.POINT);
+  }
+}

@@ -1,0 +1,82 @@
+package org.u2sa.messages.schema;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** What the third format brought: scans, and fields of older messages. */
+final class GoldenFormat3 {
+  private GoldenFormat3() {}
+
+  static void addTo(GoldenMessages golden) {
+    golden.add(
+        "RangeScan",
+        new RangeScan()
+            .sensorName("Laser")
+            .x(0.5)
+            .y(-0.25)
+            .z(-0.125)
+            .phi(0.0625)
+            .theta(-0.03125)
+            .psi(1.5)
+            .minRange(0.25)
+            .maxRange(5.5)
+            .timeIncrement(0.0009765625)
+            .beams(
+                -0.5,
+                0.25,
+                List.of(OptionalDouble.of(2.5), OptionalDouble.empty(), OptionalDouble.of(3.75))));
+    golden.add(
+        "RangeScan-uneven",
+        new RangeScan()
+            .sensorName("Laser")
+            .referenceFrame(ReferenceFrame.BODY_FRD)
+            .maxRange(12.0)
+            .beams(
+                List.of(
+                    new RangeScan.Beam(0.0, OptionalDouble.empty()),
+                    new RangeScan.Beam(-0.015625, OptionalDouble.of(2.5)))));
+    golden.add("RangeScan-empty", new RangeScan().sensorName("Laser").maxRange(12.0));
+    golden.add(
+        "EmergencyStop-named",
+        new EmergencyStop().active(true).operator("anna").reason("smoke").stopId("anna 1"));
+    golden.add(
+        "EmergencyStop-lifts",
+        new EmergencyStop()
+            .operator("anna")
+            .clears(GoldenMessages.MICROS)
+            .lifts(List.of("anna 1", "SafetyManager 2")));
+    golden.add("HealthReport-stopped", stopped(new HealthReport()));
+    golden.add("ConnectionLost-stopped", stopped(new ConnectionLost()));
+    golden.add(
+        "ServiceCondition-unwatched",
+        new ServiceCondition().serviceName("Camera").condition(Condition.UNWATCHED));
+    golden.add(
+        "GoalList-landing",
+        new GoalList().landGoals(4).fileFaults(List.of("landing.xml: there is no such file")));
+    golden.add(
+        "HealthReport-commands",
+        new HealthReport()
+            .serviceName("Throttle")
+            .status(ServiceStatus.RUNNING)
+            .replaced(517)
+            .commandsObeyed(1_000)
+            .commandsRefused(3)
+            .refusedSubscriptions("goal-commands,stop"));
+  }
+
+  private static HealthReport stopped(HealthReport report) {
+    return report
+        .serviceName("Simulator")
+        .status(ServiceStatus.RUNNING)
+        .emergencyStops(List.of("anna 1"));
+  }
+}

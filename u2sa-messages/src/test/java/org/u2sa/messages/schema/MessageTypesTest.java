@@ -1,0 +1,105 @@
+package org.u2sa.messages.schema;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.ShapeDescription;
+import org.u2sa.messages.shape.Sphere;
+
+class MessageTypesTest {
+  private final MessageTypes types = StandardTypes.registry();
+
+  @Test
+  void chain_subclass_listsAncestorsFirst() {
+    assertThat(PercentageCommand.TYPE.chain())
+        .containsExactly("ActuatorCommand", "PercentageCommand");
+    assertThat(Circle.TYPE.chain())
+        .containsExactly("ObjectDescription", "ShapeDescription", "Circle");
+  }
+
+  @Test
+  void all_everyType_isNamedAsItsClassAndMadeByCreate() {
+    for (MessageType<?> type : types.all()) {
+      assertThat(type.name()).isEqualTo(type.messageClass().getSimpleName());
+      if (!type.isAbstract()) {
+        assertThat(type.create()).isExactlyInstanceOf(type.messageClass());
+        assertThat(type.create().type()).isSameAs(type);
+      }
+    }
+  }
+
+  @Test
+  void byElementName_firstLetterOfEitherCase_isFound() {
+    assertThat(types.byElementName("waypoint")).contains(Waypoint.TYPE);
+    assertThat(types.byElementName("Circle")).contains(Circle.TYPE);
+    assertThat(types.byElementName("wayPoint")).isEmpty();
+    assertThat(types.byElementName("")).isEmpty();
+  }
+
+  @Test
+  void nearest_unknownLeaf_isTheKnownAncestor() throws MalformedMessageException {
+    assertThat(types.nearest(List.of("ActuatorCommand", "PercentageCommand", "Servo")))
+        .isSameAs(PercentageCommand.TYPE);
+    assertThat(types.nearest(List.of("GoalInformation", "Dive"))).isSameAs(GoalInformation.TYPE);
+    assertThat(types.nearest(List.of("Tide"))).isSameAs(OpaqueMessage.TYPE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "ConfigurationRequest/ConfigurationTransaction",
+        "ConfigurationRequest/EmergencyStop",
+        "DiscoveryRequest/StopCommand",
+        "Tide/StopCommand",
+        "StopCommand/StopCommand",
+        "PercentageCommand",
+        "PercentageCommand/ActuatorCommand",
+        "ActuatorCommand/Servo/PercentageCommand",
+        "ActuatorCommand/PercentageCommand/StopCommand/Tide"
+      })
+  void nearest_ancestryThatIsNotTheTypes_isRefused(String chain) {
+    assertThatThrownBy(() -> types.nearest(List.of(chain.split("/"))))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining("type chain")
+        .hasMessageContaining("not " + chain.replaceFirst("/Tide$", ""));
+  }
+
+  @Test
+  void nearest_everyKnownTypesOwnChain_isThatType() throws MalformedMessageException {
+    for (MessageType<?> type : types.all()) {
+      assertThat(types.nearest(type.chain())).isSameAs(type);
+    }
+  }
+
+  @Test
+  void create_abstractType_isRefused() {
+    assertThatThrownBy(GoalInformation.TYPE::create)
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage("GoalInformation is abstract: no message can be of this type");
+  }
+
+  @Test
+  void with_secondTypeOfTheSameName_isRefused() {
+    MessageType<Sphere> impostor =
+        Schema.of("Circle", Sphere.class, Sphere::new, ShapeDescription.TYPE).build();
+
+    assertThatThrownBy(() -> types.with(List.of(impostor)))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("two message types are called Circle");
+  }
+
+  @Test
+  void discovered_providerOnTheClassPath_isAsked() {
+    assertThat(MessageTypes.discovered().byName("Tide")).contains(EvolutionTest.Tide.TYPE);
+    assertThat(types.byName("Tide")).isEmpty();
+  }
+}

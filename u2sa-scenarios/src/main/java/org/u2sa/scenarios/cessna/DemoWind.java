@@ -1,0 +1,70 @@
+package org.u2sa.scenarios.cessna;
+
+import java.util.SplittableRandom;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.sim.atmosphere.Wind;
+
+/**
+ * The wind of a demo flight.
+ *
+ * @param speedMps at every height, or with shear 6 m above ground [m/s]
+ * @param fromRad where it blows from, true, clockwise from north [rad]
+ * @param shear whether it grows with height
+ */
+record DemoWind(double speedMps, double fromRad, boolean shear) {
+  private static final double STRONGEST_MPS = 8.0;
+  private static final double STRONGEST_ASKED_FOR_MPS = 30.0;
+  private static final double FULL_CIRCLE_DEG = 360.0;
+  private static final Pattern TEXT = Pattern.compile("(\\d+(?:\\.\\d+)?)@(\\d+(?:\\.\\d+)?)");
+
+  /** The wind of a seed: any direction, up to 8 m/s. */
+  static DemoWind ofSeed(long seed) {
+    SplittableRandom random =
+        new SplittableRandom(seed); // unlike Random, neighbouring seeds give unlike winds
+    return new DemoWind(
+        STRONGEST_MPS * random.nextDouble(), 2.0 * Math.PI * random.nextDouble(), false);
+  }
+
+  /**
+   * Reads {@code calm} or {@code SPEED@DIRECTION}, in m/s and degrees true that the wind blows
+   * from.
+   *
+   * @throws IllegalArgumentException if it is neither
+   */
+  static DemoWind parse(String text) {
+    if (text.equals("calm")) {
+      return new DemoWind(0.0, 0.0, false);
+    }
+    Matcher matcher = TEXT.matcher(text);
+    if (matcher.matches()) {
+      double speed = Double.parseDouble(matcher.group(1));
+      double from = Double.parseDouble(matcher.group(2));
+      if (speed <= STRONGEST_ASKED_FOR_MPS && from <= FULL_CIRCLE_DEG) {
+        return new DemoWind(speed, Math.toRadians(from), false);
+      }
+    }
+    throw new IllegalArgumentException(
+        "wind \""
+            + text
+            + "\": expected \"calm\", or speed and direction such as 5@270 (0…30 m/s, 0…360 degrees)");
+  }
+
+  /** The same for an aircraft that is stepped here, with gusts by the seed. */
+  Wind wind(long seed) {
+    return Wind.gusty(fromRad, speedMps, seed).withShear(shear);
+  }
+
+  /** The same wind near the ground, stronger above if so wanted. */
+  DemoWind withShear(boolean growsWithHeight) {
+    return new DemoWind(speedMps, fromRad, growsWithHeight);
+  }
+
+  void applyTo(LaunchOptions options) {
+    options
+        .override("Simulator", "WIND SPEED", speedMps)
+        .override("Simulator", "WIND FROM", fromRad)
+        .override("Simulator", "WIND SHEAR", shear);
+  }
+}

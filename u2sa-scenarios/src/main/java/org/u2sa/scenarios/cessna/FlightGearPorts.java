@@ -1,0 +1,52 @@
+package org.u2sa.scenarios.cessna;
+
+import org.u2sa.core.launch.LaunchOptions;
+import picocli.CommandLine.Option;
+
+/** The TCP ports between FlightGear and this program, as options. */
+final class FlightGearPorts {
+  @Option(
+      names = "--out-port",
+      paramLabel = "PORT",
+      defaultValue = "5501",
+      description = "Here FlightGear's readings are awaited. Default: ${DEFAULT-VALUE}.")
+  private int out;
+
+  @Option(
+      names = "--in-port",
+      paramLabel = "PORT",
+      defaultValue = "5502",
+      description = "There FlightGear awaits controls. Default: ${DEFAULT-VALUE}.")
+  private int in;
+
+  @Option(
+      names = "--props-port",
+      paramLabel = "PORT",
+      defaultValue = "5503",
+      description =
+          "FlightGear's property server, which repairs a cut link; 0: none. Default: ${DEFAULT-VALUE}.")
+  private int property;
+
+  int out() {
+    return out;
+  }
+
+  int in() {
+    return in;
+  }
+
+  int property() {
+    return property;
+  }
+
+  /** Points the Simulator service at FlightGear. */
+  void configure(LaunchOptions options, String host) {
+    options
+        .override("Simulator", "LINK", "flightgear")
+        .override("Simulator", "RATE", 100.0)
+        .override("Simulator", "FLIGHTGEAR HOST", host)
+        .override("Simulator", "FLIGHTGEAR OUT PORT", out)
+        .override("Simulator", "FLIGHTGEAR IN PORT", in)
+        .override("Simulator", "FLIGHTGEAR PROPERTY PORT", property);
+  }
+}

@@ -1,0 +1,129 @@
+package org.u2sa.scenarios.cessna;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.flightgear.link.EmbeddedStart;
+import org.u2sa.flightgear.protocol.ProtocolFiles;
+import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.scenarios.run.Simulation;
+import org.u2sa.sim.aircraft.RunwayStart;
+
+/**
+ * FlightGear on this machine, started without a window by {@code scripts/flightgear/start} and
+ * stopped after the flight.
+ */
+final class FlightGearSimulation implements Simulation {
+  private static final long STARTED_WITHIN_S = 180;
+
+  private final Path scripts;
+  private final Path directory;
+  private final RunwayStart start;
+  private final FlightGearPorts ports;
+  private boolean started;
+
+  /**
+   * @param directory of the run: FlightGear's protocol files and the scripts' output go there
+   */
+  FlightGearSimulation(Path root, Path directory, Mission mission, FlightGearPorts ports) {
+    this.scripts = root.resolve("scripts/flightgear");
+    this.directory = directory;
+    this.start = EmbeddedStart.of(mission);
+    this.ports = ports;
+  }
+
+  @Override
+  public void start() throws InterruptedException {
+    Path data = directory.resolve("flightgear");
+    try {
+      Files.createDirectories(data);
+      ProtocolFiles.writeTo(data);
+    } catch (IOException e) {
+      throw new RunFailedException(
+          "cannot write FlightGear's protocol files to " + data + ": " + e.getMessage(), e);
+    }
+    started = true;
+    run(
+        List.of(
+            scripts.resolve("start").toString(),
+            "--data-dir",
+            data.toString(),
+            "--lon",
+            number(start.longitudeDeg()),
+            "--lat",
+            number(start.latitudeDeg()),
+            "--heading",
+            number(Math.toDegrees(start.headingRad())),
+            "--out-port",
+            String.valueOf(ports.out()),
+            "--in-port",
+            String.valueOf(ports.in()),
+            "--props-port",
+            String.valueOf(ports.property())));
+  }
+
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.8f", value);
+  }
+
+  private void run(List<String> command) throws InterruptedException {
+    Path log = directory.resolve("flightgear-" + Path.of(command.get(0)).getFileName() + ".log");
+    try {
+      Process process =
+          new ProcessBuilder(new ArrayList<>(command))
+              .redirectErrorStream(true)
+              .redirectOutput(log.toFile())
+              .start();
+      if (!process.waitFor(STARTED_WITHIN_S, TimeUnit.SECONDS)) {
+        process.destroy();
+        throw new RunFailedException(
+            command.get(0) + " did not end within " + STARTED_WITHIN_S + " s; see " + log);
+      }
+      if (process.exitValue() != 0) {
+        throw new RunFailedException(
+            command.get(0)
+                + " ended with "
+                + process.exitValue()
+                + ": "
+                + lastLine(log)
+                + " (all of it in "
+                + log
+                + ")");
+      }
+    } catch (IOException e) {
+      throw new RunFailedException(command.get(0) + " cannot be run: " + e.getMessage(), e);
+    }
+  }
+
+  private static String lastLine(Path log) throws IOException {
+    List<String> lines = Files.readAllLines(log);
+    return lines.isEmpty() ? "it said nothing" : lines.get(lines.size() - 1);
+  }
+
+  @Override
+  public String name() {
+    return "FlightGear";
+  }
+
+  @Override
+  public String vehicle() {
+    return "aircraft";
+  }
+
+  @Override
+  public void close() {
+    if (!started) {
+      return;
+    }
+    try {
+      run(List.of(scripts.resolve("stop").toString(), "--in-port", String.valueOf(ports.in())));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

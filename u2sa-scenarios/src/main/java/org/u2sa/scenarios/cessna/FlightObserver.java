@@ -1,0 +1,113 @@
+package org.u2sa.scenarios.cessna;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.u2sa.core.control.fixedwing.AircraftState;
+import org.u2sa.core.control.fixedwing.ControlStatus;
+import org.u2sa.core.control.fixedwing.FlightPhase;
+import org.u2sa.flightgear.link.FlightChannels;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.scenarios.run.RunObserver;
+import org.u2sa.scenarios.run.RunRecord;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
+
+/**
+ * Records the truth of a flight for its score and its screen. In: truth, goals, goal-reports,
+ * control-status. Out: nothing.
+ */
+final class FlightObserver extends EventDrivenService implements RunObserver {
+  /** Past it the wing of the Cessna 172 no longer lifts more; clean, power off about 16°. */
+  private static final double STALL_ANGLE_RAD = Math.toRadians(17.0);
+
+  private static final double STANDS_MPS = 0.5;
+
+  private final RunRecord record;
+  private String phase = "WAITING";
+  private volatile boolean crashed;
+  private volatile boolean landed;
+  private boolean airborne;
+  private volatile boolean stalled;
+
+  /** See {@link RunObserver.Maker}. */
+  FlightObserver(ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) {
+    super(context, ServiceRole.OBSERVER, "FlightObserver");
+    record = new RunRecord(plan, screen);
+    registerSubscriber(FlightChannels.TRUTH);
+    registerSubscriber(Channels.GOALS);
+    registerSubscriber(Channels.GOAL_REPORTS);
+    registerSubscriber(ControlStatus.CHANNEL);
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof AircraftState truth) {
+      see(truth);
+    } else if (data instanceof GoalList goals) {
+      record.follow(goals);
+    } else if (data instanceof ControlStatus status) {
+      phase = status.phase().name();
+    } else if (data instanceof GoalInformation report) {
+      record.reported(report);
+    } else {
+      unexpected(data);
+    }
+  }
+
+  private void see(AircraftState truth) {
+    crashed |= truth.crashed();
+    airborne |= !truth.weightOnWheels();
+    stalled |= !truth.weightOnWheels() && angleOfAttackRad(truth) > STALL_ANGLE_RAD;
+    double speed = Math.hypot(truth.xDot().orElseThrow(), truth.yDot().orElseThrow());
+    landed |= airborne && phase.equals(FlightPhase.STOPPED.name()) && speed < STANDS_MPS;
+    record.moment(
+        truth.timestamp().orElseThrow(),
+        truth.x().orElseThrow(),
+        truth.y().orElseThrow(),
+        truth.z().orElseThrow(),
+        truth.psi().orElseThrow(),
+        speed,
+        phase,
+        Optional.of(
+            new TrackSample.Flight(
+                truth.phi().orElseThrow(),
+                truth.theta().orElseThrow(),
+                truth.calibratedAirspeed().orElseThrow(),
+                truth.weightOnWheels())));
+  }
+
+  private static double angleOfAttackRad(AircraftState truth) {
+    return Math.atan2(truth.fluidzDot().orElseThrow(), truth.fluidxDot().orElseThrow());
+  }
+
+  @Override
+  public U2SAService service() {
+    return this;
+  }
+
+  @Override
+  public RunRecord record() {
+    return record;
+  }
+
+  /** {@inheritDoc} The mission is, or it crashed, or stands after a flight. */
+  @Override
+  public boolean isOver() {
+    return record.isMissionOver() || crashed || landed;
+  }
+
+  /** {@inheritDoc} Stalled: the angle of attack went past the stall in the air. */
+  @Override
+  public RunOutcome outcome() {
+    return new RunOutcome(crashed ? 1 : 0, stalled, List.of());
+  }
+}

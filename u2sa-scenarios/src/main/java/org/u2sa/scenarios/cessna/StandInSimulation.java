@@ -1,0 +1,68 @@
+package org.u2sa.scenarios.cessna;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.flightgear.link.EmbeddedStart;
+import org.u2sa.flightgear.link.StandInFlightGear;
+import org.u2sa.flightgear.link.StandInSetup;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.scenarios.run.Simulation;
+import org.u2sa.sim.aircraft.Cessna172;
+import org.u2sa.sim.atmosphere.Wind;
+
+/**
+ * The embedded aircraft in real time behind FlightGear's protocol, on free ports of this machine.
+ */
+final class StandInSimulation implements Simulation {
+  private static final String HOST = "127.0.0.1";
+
+  private final StandInFlightGear standIn;
+  private final int outPort;
+
+  StandInSimulation(Mission mission, Wind wind) {
+    Cessna172 aircraft = Cessna172.onRunway(EmbeddedStart.of(mission), wind, true);
+    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      standIn =
+          new StandInFlightGear(
+              aircraft, StandInSetup.likeFlightGear(), HOST, 0, 0, new SystemClock());
+      outPort = free.getLocalPort();
+    } catch (IOException e) {
+      throw new UncheckedIOException("no free TCP port for the stand-in of FlightGear", e);
+    }
+  }
+
+  /** Points the Simulator service at it. */
+  void configure(LaunchOptions options) {
+    options
+        .override("Simulator", "LINK", "flightgear")
+        .override("Simulator", "RATE", 100.0)
+        .override("Simulator", "FLIGHTGEAR HOST", HOST)
+        .override("Simulator", "FLIGHTGEAR OUT PORT", outPort)
+        .override("Simulator", "FLIGHTGEAR IN PORT", standIn.inPort())
+        .override("Simulator", "FLIGHTGEAR PROPERTY PORT", standIn.propertyPort());
+  }
+
+  @Override
+  public void start() {
+    standIn.start(HOST, outPort);
+  }
+
+  @Override
+  public String name() {
+    return "embedded Cessna 172 behind FlightGear's protocol";
+  }
+
+  @Override
+  public String vehicle() {
+    return "aircraft";
+  }
+
+  @Override
+  public void close() {
+    standIn.close();
+  }
+}

@@ -1,0 +1,105 @@
+package org.u2sa.scenarios.report;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.gcs.command.ReportException;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.gcs.draw.PngCanvas;
+import org.u2sa.gcs.draw.SvgCanvas;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * All that a finished run leaves behind, and the files that tell of it: {@code track.csv}, {@code
+ * track.kml}, {@code track.svg}, {@code track.png} and {@code summary.json}.
+ *
+ * <p>Each file is whole or absent, and {@code summary.json} comes last: a directory that has one is
+ * complete.
+ *
+ * @param facts what was run
+ * @param plan what was to be done
+ * @param track where the vehicle was, truth, oldest first
+ * @param score how well, see {@link RunScorer}
+ */
+public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, RunScore score) {
+
+  /** Name of the file that programs read. */
+  public static final String SUMMARY = "summary.json";
+
+  public RunReport {
+    track = List.copyOf(track);
+  }
+
+  /** Scores a run and makes its report. */
+  public static RunReport of(RunFacts facts, RunPlan plan, Track track, RunOutcome outcome) {
+    return new RunReport(
+        facts, plan, track.samples(), RunScorer.score(plan, track.samples(), outcome));
+  }
+
+  /**
+   * Makes the directory of a run before the run starts, so that a bad {@code --out} costs no run. A
+   * summary of an earlier run in it is removed: the directory is no longer complete.
+   *
+   * @throws BadInputException if it cannot be made or written to
+   */
+  public static void prepare(Path directory) {
+    try {
+      Files.createDirectories(directory);
+      Files.deleteIfExists(directory.resolve(SUMMARY));
+      Files.delete(Files.createTempFile(directory, ".writable", ".part"));
+    } catch (IOException e) {
+      throw new BadInputException("cannot write to " + directory + ": " + ReportFile.reason(e), e);
+    }
+  }
+
+  /**
+   * Writes all files into {@code directory}, which is made if need be.
+   *
+   * @return empty, or why there is no {@code track.png}: a Java without fonts cannot draw one, and
+   *     a run is not lost for that
+   * @throws ReportException naming the file and the system's reason if one cannot be written; there
+   *     is no {@code summary.json} then
+   */
+  public Optional<String> write(Path directory) {
+    try {
+      Files.createDirectories(directory);
+      Files.deleteIfExists(directory.resolve(SUMMARY));
+    } catch (IOException e) {
+      throw new ReportException("cannot write to " + directory + ": " + ReportFile.reason(e), e);
+    }
+    String title = TrackPicture.title(facts, score);
+    ReportFile.writeText(
+        directory.resolve("track.csv"), out -> TrackCsv.write(out, plan.domain(), track));
+    ReportFile.writeText(
+        directory.resolve("track.kml"), out -> TrackKml.write(out, title, plan, score, track));
+    ReportFile.writeText(directory.resolve("track.svg"), out -> out.write(svg(title)));
+    Optional<String> obstacle = PngCanvas.obstacle();
+    if (obstacle.isEmpty()) {
+      ReportFile.write(directory.resolve("track.png"), this::png);
+    }
+    ReportFile.writeText(directory.resolve(SUMMARY), this::writeSummary);
+    return obstacle.map(reason -> "no track.png (track.svg shows the same): " + reason);
+  }
+
+  private void png(OutputStream out) throws IOException {
+    try (PngCanvas canvas = new PngCanvas(TrackPicture.WIDTH, TrackPicture.HEIGHT)) {
+      TrackPicture.draw(canvas, facts, plan, score, track);
+      canvas.writeTo(out);
+    }
+  }
+
+  /** Writes what {@code summary.json} holds, for {@code --json}; leaves {@code out} open. */
+  public void writeSummary(Writer out) throws IOException {
+    SummaryJson.write(out, plan.domain(), facts, score);
+  }
+
+  private String svg(String title) {
+    SvgCanvas canvas = new SvgCanvas(TrackPicture.WIDTH, TrackPicture.HEIGHT, title);
+    TrackPicture.draw(canvas, facts, plan, score, track);
+    return canvas.document();
+  }
+}

@@ -1,0 +1,121 @@
+package org.u2sa.scenarios.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * Scores a run against its plan by truth alone. Between samples the vehicle is taken to go
+ * straight.
+ */
+public final class RunScorer {
+
+  /**
+   * Height above the start at which an aircraft has taken off [m]: the screen height of 50 ft (CS
+   * 23.2120).
+   */
+  public static final double SCREEN_HEIGHT_M = 15.24;
+
+  private static final double LEVEL_WITHIN_M =
+      1.0; // altitudes of a level leg's ends differ no more
+  private static final double SHORTEST_LEG_M = 1.0; // a shorter leg has no direction
+
+  private RunScorer() {}
+
+  /** The score of the run {@code track} of {@code plan}. */
+  public static RunScore score(RunPlan plan, List<TrackSample> track, RunOutcome outcome) {
+    List<WaypointResult> results = new ArrayList<>();
+    for (int leg = 0; leg < plan.waypoints().size(); leg++) {
+      results.add(WaypointApproach.measure(plan.waypoints().get(leg), leg, track));
+    }
+    RootMeanSquare straights = new RootMeanSquare();
+    RootMeanSquare wholeLegs = new RootMeanSquare();
+    double settlingM = plan.domain().settlingDistanceM();
+    for (int leg = 1; leg < plan.waypoints().size(); leg++) {
+      PlannedWaypoint from = plan.waypoints().get(leg - 1);
+      PlannedWaypoint to = plan.waypoints().get(leg);
+      scoreCrossTrack(from, to, leg, track, settlingM, straights, wholeLegs);
+    }
+    return new RunScore(
+        results,
+        straights.value(),
+        wholeLegs.value(),
+        plan.domain() == Domain.AIR ? Optional.of(flight(plan, track)) : Optional.empty(),
+        outcome,
+        track.isEmpty() ? 0.0 : track.get(track.size() - 1).timeS() - track.get(0).timeS());
+  }
+
+  private static FlightFigures flight(RunPlan plan, List<TrackSample> track) {
+    RootMeanSquare altitude = new RootMeanSquare();
+    for (int leg = 1; leg < plan.waypoints().size(); leg++) {
+      scoreAltitude(plan.waypoints().get(leg - 1), plan.waypoints().get(leg), leg, track, altitude);
+    }
+    Airborne air = Airborne.of(plan, track);
+    return new FlightFigures(
+        altitude.value(),
+        altitude.largest(),
+        air.maxBankRad(),
+        air.minAirspeedMps(),
+        air.tookOff());
+  }
+
+  private static void scoreCrossTrack(
+      PlannedWaypoint from,
+      PlannedWaypoint to,
+      int leg,
+      List<TrackSample> track,
+      double settlingM,
+      RootMeanSquare straights,
+      RootMeanSquare wholeLegs) {
+    PlotPlane plane = new PlotPlane(from);
+    PlotPlane.Place end = plane.place(to);
+    if (end.distanceM() < SHORTEST_LEG_M) {
+      return;
+    }
+    double sin = end.eastM() / end.distanceM();
+    double cos = end.northM() / end.distanceM();
+    for (int i = 0; i + 1 < track.size(); i++) {
+      if (track.get(i).leg() != leg) {
+        continue;
+      }
+      PlotPlane.Place a = plane.place(track.get(i));
+      PlotPlane.Place b = plane.place(track.get(i + 1));
+      double duration = track.get(i + 1).timeS() - track.get(i).timeS();
+      double crossA = a.eastM() * cos - a.northM() * sin; // right of the track positive
+      double crossB = b.eastM() * cos - b.northM() * sin;
+      wholeLegs.add(duration, crossA, crossB);
+      double alongA = a.eastM() * sin + a.northM() * cos;
+      if (alongA >= settlingM) {
+        straights.add(duration, crossA, crossB);
+      }
+    }
+  }
+
+  private static void scoreAltitude(
+      PlannedWaypoint from,
+      PlannedWaypoint to,
+      int leg,
+      List<TrackSample> track,
+      RootMeanSquare altitude) {
+    if (!isLevel(from, to)) {
+      return;
+    }
+    double planned = to.altitudeM().getAsDouble();
+    for (int i = 0; i + 1 < track.size(); i++) {
+      TrackSample a = track.get(i);
+      if (a.leg() == leg) {
+        TrackSample b = track.get(i + 1);
+        altitude.add(b.timeS() - a.timeS(), a.altitudeM() - planned, b.altitudeM() - planned);
+      }
+    }
+  }
+
+  private static boolean isLevel(PlannedWaypoint from, PlannedWaypoint to) {
+    OptionalDouble a = from.altitudeM();
+    OptionalDouble b = to.altitudeM();
+    return a.isPresent()
+        && b.isPresent()
+        && Math.abs(a.getAsDouble() - b.getAsDouble()) <= LEVEL_WITHIN_M;
+  }
+}

@@ -1,0 +1,131 @@
+package org.u2sa.scenarios.report;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.u2sa.gcs.command.ReportException;
+import org.u2sa.gcs.command.ReportFile;
+
+/**
+ * Several runs of one mission, by their seeds: the worst of each figure, and a line a run.
+ *
+ * @param reports the runs in the order flown, at least one
+ */
+public record RunSeries(List<RunReport> reports) {
+
+  /**
+   * @throws IllegalArgumentException if empty
+   */
+  public RunSeries {
+    reports = List.copyOf(reports);
+    if (reports.isEmpty()) {
+      throw new IllegalArgumentException("a series has at least one run");
+    }
+  }
+
+  /** Whether every run succeeded. */
+  public boolean success() {
+    return reports.stream().allMatch(report -> report.score().success());
+  }
+
+  /**
+   * Writes {@code summary.json} of the whole into {@code directory}, beside the directories of its
+   * runs.
+   *
+   * @throws ReportException if it cannot be written
+   */
+  public void write(Path directory) {
+    ReportFile.writeText(directory.resolve(RunReport.SUMMARY), this::writeSummary);
+  }
+
+  /** Writes the same for {@code --json}; leaves {@code out} open. */
+  public void writeSummary(Writer out) throws IOException {
+    try (SummaryNumbers json = new SummaryNumbers(out)) {
+      JsonGenerator generator = json.generator();
+      generator.writeStartObject();
+      generator.writeStringField("demo", reports.get(0).facts().demo());
+      generator.writeStringField("simulator", reports.get(0).facts().simulator());
+      generator.writeBooleanField("success", success());
+      generator.writeNumberField("runs", reports.size());
+      generator.writeNumberField(
+          "runsSucceeded", reports.stream().filter(r -> r.score().success()).count());
+      json.number("worstMissM", worst(r -> worstMiss(r.score())), "no waypoint was a target");
+      Domain domain = reports.get(0).plan().domain();
+      json.number(
+          "worstCrossTrackRmsM", worst(r -> r.score().crossTrackRmsM()), noStraight(domain));
+      if (domain == Domain.AIR) {
+        json.number(
+            "worstAltitudeErrorM",
+            worst(r -> flight(r).altitudeMaxErrorM()),
+            "no level leg was flown");
+        json.number(
+            "worstBankDeg",
+            worst(r -> SummaryNumbers.degrees(flight(r).maxBankRad())),
+            "nothing took off");
+      }
+      generator.writeArrayFieldStart("perRun");
+      for (RunReport report : reports) {
+        run(json, report);
+      }
+      generator.writeEndArray();
+      json.absences();
+      generator.writeEndObject();
+    }
+  }
+
+  private static void run(SummaryNumbers json, RunReport report) throws IOException {
+    RunScore score = report.score();
+    String of = "seed " + report.facts().seed();
+    JsonGenerator generator = json.generator();
+    generator.writeStartObject();
+    generator.writeNumberField("seed", report.facts().seed());
+    generator.writeBooleanField("success", score.success());
+    generator.writeNumberField("waypoints", score.waypoints().size());
+    generator.writeNumberField("waypointsCaptured", score.captured());
+    json.number("worstMissM", worstMiss(score), "no waypoint was a target", of);
+    json.number("crossTrackRmsM", score.crossTrackRmsM(), noStraight(report.plan().domain()), of);
+    if (score.flight().isPresent()) {
+      flight(json, score.flight().get(), of);
+      generator.writeBooleanField("crashed", score.outcome().crashed());
+      generator.writeBooleanField("stalled", score.outcome().stalled());
+    } else {
+      generator.writeNumberField("contacts", score.outcome().contacts());
+      generator.writeNumberField("violations", score.outcome().violations().size());
+    }
+    json.number("simSeconds", score.simSeconds());
+    json.number("wallSeconds", report.facts().wallSeconds());
+    generator.writeEndObject();
+  }
+
+  private static void flight(SummaryNumbers json, FlightFigures flight, String of)
+      throws IOException {
+    json.number("altitudeMaxErrorM", flight.altitudeMaxErrorM(), "no level leg was flown", of);
+    json.number("maxBankDeg", SummaryNumbers.degrees(flight.maxBankRad()), "did not take off", of);
+    json.generator().writeBooleanField("tookOff", flight.tookOff());
+  }
+
+  private static FlightFigures flight(RunReport report) {
+    return report.score().flight().orElseThrow();
+  }
+
+  private static String noStraight(Domain domain) {
+    return "no straight was " + domain.moved();
+  }
+
+  private static OptionalDouble worstMiss(RunScore score) {
+    return largest(score.waypoints().stream().map(WaypointResult::missM));
+  }
+
+  private OptionalDouble worst(Function<RunReport, OptionalDouble> figure) {
+    return largest(reports.stream().map(figure));
+  }
+
+  private static OptionalDouble largest(Stream<OptionalDouble> values) {
+    return values.flatMapToDouble(OptionalDouble::stream).max();
+  }
+}

@@ -1,0 +1,81 @@
+package org.u2sa.scenarios.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.u2sa.gcs.draw.Canvas;
+import org.u2sa.gcs.draw.PixelBox;
+
+/**
+ * Draws a run on one page: what it was and how it went, the map, and a quantity over time: the
+ * altitude of aircraft, how far beside the line others were.
+ */
+final class TrackPicture {
+
+  static final int WIDTH = 1600;
+  static final int HEIGHT = 1200;
+
+  private static final double LEFT = 80.0;
+  private static final double RIGHT = 1560.0;
+  private static final PixelBox MAP = new PixelBox(LEFT, 118.0, RIGHT - LEFT, 672.0);
+  private static final PixelBox PROFILE = new PixelBox(LEFT, 890.0, RIGHT - LEFT, 250.0);
+
+  private TrackPicture() {}
+
+  static String title(RunFacts facts, RunScore score) {
+    return String.format(
+        Locale.ROOT,
+        "%s, seed %d: %d of %d waypoints captured",
+        facts.demo(),
+        facts.seed(),
+        score.captured(),
+        score.waypoints().size());
+  }
+
+  static void draw(
+      Canvas canvas, RunFacts facts, RunPlan plan, RunScore score, List<TrackSample> track) {
+    Quantity colour = Quantity.onMap(plan, track);
+    canvas.rectangle(new PixelBox(0.0, 0.0, WIDTH, HEIGHT), Ink.PAPER, null);
+    canvas.text(LEFT, 58.0, title(facts, score), Ink.TITLE);
+    String alarm = alarm(score);
+    canvas.text(LEFT, 92.0, alarm, Ink.ALARM);
+    canvas.text(
+        LEFT + Ink.ALARM.widthOf(alarm), 92.0, subtitle(facts, plan.domain(), score), Ink.SUBTITLE);
+    new MapPanel(canvas, MAP, plan, track, score, colour).draw();
+    new ProfilePanel(canvas, PROFILE, plan, track, score, Quantity.overTime(plan, track), colour)
+        .draw();
+  }
+
+  private static String alarm(RunScore score) {
+    return (score.outcome().crashed() ? "CRASHED    " : "")
+        + (score.outcome().stalled() ? "STALLED    " : "");
+  }
+
+  private static String subtitle(RunFacts facts, Domain domain, RunScore score) {
+    List<String> parts = new ArrayList<>();
+    String rms = domain == Domain.AIR ? "cross-track RMS %.1f m" : "cross-track RMS %.2f m";
+    add(parts, rms, score.crossTrackRmsM());
+    score.flight().ifPresent(flight -> add(parts, flight));
+    parts.add(ProfilePanel.clock(score.simSeconds()) + " min simulated");
+    parts.add(facts.simulator());
+    return String.join("  \u00b7  ", parts);
+  }
+
+  private static void add(List<String> parts, FlightFigures flight) {
+    add(parts, "altitude RMS %.1f m on level legs", flight.altitudeRmsM());
+    if (flight.maxBankRad().isPresent()) {
+      parts.add(
+          String.format(
+              Locale.ROOT,
+              "bank up to %.0f\u00b0",
+              Math.toDegrees(flight.maxBankRad().getAsDouble())));
+    }
+  }
+
+  private static void add(List<String> parts, String pattern, OptionalDouble value) {
+    if (value.isPresent()) {
+      parts.add(String.format(Locale.ROOT, pattern, value.getAsDouble()));
+    }
+  }
+}

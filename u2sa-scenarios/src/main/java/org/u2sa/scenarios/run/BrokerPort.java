@@ -1,0 +1,95 @@
+package org.u2sa.scenarios.run;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.util.Map;
+import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/**
+ * Where the broker of a run listens for other MQTT clients. A run needs none of them, so a port
+ * that another program has does not hinder it, unless it was asked for.
+ */
+public final class BrokerPort {
+  private static final String MANAGER = "CommunicationManager";
+  private static final int HIGHEST_PORT = 65_535;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  private Integer asked; // null: not given
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      description =
+          "TCP port where other MQTT clients can listen; 0: nowhere. Default: the configured one, or a free one if that is taken.")
+  private void port(int value) {
+    if (value < 0 || value > HIGHEST_PORT) {
+      throw new ParameterException(
+          command.commandLine(), "--port " + value + ": expected 0…" + HIGHEST_PORT);
+    }
+    asked = value;
+  }
+
+  /** Sets the Communication Manager's port for a run, and says so where it is not as configured. */
+  public void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
+    if (asked == null) {
+      evadeTakenPort(system, launch, terminal);
+    } else if (asked == 0) {
+      launch.override(MANAGER, CommunicationManager.BROKER.name(), "none");
+    } else {
+      launch.override(MANAGER, CommunicationManager.PORT.name(), asked);
+    }
+  }
+
+  private static void evadeTakenPort(SystemFile system, LaunchOptions launch, Terminal terminal) {
+    XmlConfiguration configured =
+        system
+            .communication()
+            .map(XmlConfiguration::load)
+            .orElseGet(() -> XmlConfiguration.inMemory(MANAGER, Map.of()));
+    String address = configured.getVariable(CommunicationManager.BIND_ADDRESS);
+    int port = configured.getVariable(CommunicationManager.PORT);
+    if (configured.getVariable(CommunicationManager.BROKER).equals("embedded")
+        && isTaken(address, port)) {
+      int free = freePort();
+      launch.override(MANAGER, CommunicationManager.PORT.name(), free);
+      terminal
+          .out()
+          .println(
+              "Port "
+                  + port
+                  + " is taken by another program; MQTT clients find this flight on port "
+                  + free
+                  + " (--port chooses one).");
+    }
+  }
+
+  private static boolean isTaken(String address, int port) {
+    try (ServerSocket probe = new ServerSocket()) {
+      probe.bind(new InetSocketAddress(address, port));
+      return false;
+    } catch (IOException | IllegalArgumentException e) {
+      return true; // or the address is wrong, which the Communication Manager will say
+    }
+  }
+
+  private static int freePort() {
+    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return free.getLocalPort();
+    } catch (IOException e) {
+      throw new UncheckedIOException("no free TCP port for the broker", e);
+    }
+  }
+}

@@ -1,0 +1,147 @@
+package org.u2sa.scenarios.run;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.concurrent.TimeUnit;
+import org.u2sa.gcs.terminal.Terminal;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The options that every demo takes; used as {@code @Mixin DemoOptions options}. */
+public final class DemoOptions {
+
+  private static final long DEFAULT_SEED = 1;
+  private static final DateTimeFormatter STAMP =
+      DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  private OptionalLong seed = OptionalLong.empty();
+  private Path mission;
+  private int runs = 1;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Where the files of the run go; default: out/<demo>-<time or seed>.")
+  private Path out;
+
+  @Option(
+      names = "--json",
+      description = "Print summary.json to standard output, and nothing else.")
+  private boolean json;
+
+  @Option(
+      names = "--realtime",
+      description = "Run at the speed of the world instead of as fast as the machine allows.")
+  private boolean realtime;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description =
+          "Seed of all that is drawn at random: the same seed gives the same run, to the byte. Default: "
+              + DEFAULT_SEED
+              + ".")
+  private void seed(long value) {
+    seed = OptionalLong.of(value);
+  }
+
+  @Option(
+      names = "--mission",
+      paramLabel = "FILE",
+      description = "Mission to fly instead of the demo's own (XML).")
+  private void mission(Path file) {
+    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+      throw new ParameterException(
+          command.commandLine(),
+          "--mission " + file + ": no such file, or not readable; expected a mission (XML)");
+    }
+    mission = file;
+  }
+
+  @Option(
+      names = "--runs",
+      paramLabel = "N",
+      description = "How many runs, with seeds counting up from --seed. Default: 1.")
+  private void runs(int value) {
+    if (value < 1) {
+      throw new ParameterException(
+          command.commandLine(), "--runs " + value + ": expected 1 or more");
+    }
+    runs = value;
+  }
+
+  /** Seed of the first run; run k (from 0) uses {@code seed() + k}. */
+  public long seed() {
+    return seed.orElse(DEFAULT_SEED);
+  }
+
+  /** The mission asked for, a readable file; empty: the demo's own. */
+  public Optional<Path> mission() {
+    return Optional.ofNullable(mission);
+  }
+
+  /** How many runs, 1 or more. */
+  public int runs() {
+    return runs;
+  }
+
+  /** Whether standard output is for {@code summary.json} alone. */
+  public boolean json() {
+    return json;
+  }
+
+  /** Whether simulated time shall pass like the world's. */
+  public boolean realtime() {
+    return realtime;
+  }
+
+  /**
+   * Where people read of the run: standard output, or standard error when {@code --json} keeps that
+   * for programs.
+   */
+  public Terminal terminal() {
+    CommandLine line = command.commandLine();
+    return Terminal.detect(json ? line.getErr() : line.getOut(), System.getenv());
+  }
+
+  /**
+   * Where the files of this command go: {@code --out}, else {@code out/<demo>-seed<N>} if a seed
+   * was given, else {@code out/<demo>-<yyyyMMdd-HHmmss>} by local time.
+   *
+   * @param demo name of the demo, e.g. {@code cessna}
+   * @param startedAtMicros when the command started, system clock [µs since 1970]
+   */
+  public Path outDirectory(String demo, long startedAtMicros) {
+    if (out != null) {
+      return out;
+    }
+    String run =
+        seed.isPresent()
+            ? "seed" + seed.getAsLong()
+            : STAMP.format(
+                Instant.ofEpochSecond(TimeUnit.MICROSECONDS.toSeconds(startedAtMicros))
+                    .atZone(ZoneId.systemDefault()));
+    return Paths.get("out", demo + "-" + run);
+  }
+
+  /**
+   * Where the files of run {@code k} (from 0) go: the directory itself for a single run, else
+   * {@code run-01}, … inside it.
+   */
+  public Path runDirectory(Path directory, int k) {
+    return runs == 1 ? directory : directory.resolve(String.format(Locale.ROOT, "run-%02d", k + 1));
+  }
+}

@@ -1,0 +1,214 @@
+package org.u2sa.scenarios.run;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.RunningSystem;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.safety.SafetyManager;
+import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.scenarios.report.RunFacts;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.RunReport;
+import org.u2sa.service.U2SAService;
+
+/** One run of a mission by the services of a system file, from start-up to report. */
+public final class DemoRun {
+  private static final long LOOK_EVERY_MICROS = 50_000;
+
+  private final SystemFile system;
+  private final String demo;
+  private final RunPlan plan;
+  private final Pace pace;
+  private final RunObserver.Maker maker;
+  private final Path directory;
+  private final Terminal terminal;
+  private final Interruption interruption;
+  private final Clock stopwatch = new SystemClock();
+  private List<PlannedSwap> swaps = List.of();
+
+  /**
+   * @param demo its name in reports
+   * @param system the services that run
+   * @param plan what they are to do
+   * @param maker of the observer of the truth
+   * @param directory where logs and report go
+   * @param interruption ends the run early
+   */
+  public DemoRun(
+      String demo,
+      SystemFile system,
+      RunPlan plan,
+      Pace pace,
+      RunObserver.Maker maker,
+      Path directory,
+      Terminal terminal,
+      Interruption interruption) {
+    this.demo = demo;
+    this.system = system;
+    this.plan = plan;
+    this.pace = pace;
+    this.maker = maker;
+    this.directory = directory;
+    this.terminal = terminal;
+    this.interruption = interruption;
+  }
+
+  /** Sets which services are swapped on the way. */
+  public DemoRun swapping(List<PlannedSwap> planned) {
+    swaps = List.copyOf(planned);
+    return this;
+  }
+
+  /** Runs as fast as the machine allows, repeatable from the seed. */
+  public RunReport inLockstep(LaunchOptions options, long seed, Simulation simulation)
+      throws InterruptedException {
+    LockstepClock clock = new LockstepClock();
+    return run(
+        options.clock(clock),
+        clock,
+        seed,
+        simulation,
+        observer ->
+            clock.runUntil(() -> isOver(observer), clock.micros() + Clock.micros(limitS())));
+  }
+
+  /**
+   * Runs in real time.
+   *
+   * @param simulation started once the services listen, ended after them
+   * @param patience how long the vehicle may be silent [s]; empty: the default
+   * @throws RunFailedException if nothing was heard of the vehicle
+   */
+  public RunReport inRealTime(
+      LaunchOptions options, long seed, Simulation simulation, OptionalDouble patience)
+      throws InterruptedException {
+    SystemClock clock = new SystemClock();
+    return run(
+        options.clock(clock),
+        clock,
+        seed,
+        simulation,
+        observer -> {
+          Clock.Waiter waiter = clock.newWaiter("run");
+          ReadingsWatch link = new ReadingsWatch(clock, simulation.vehicle(), patience, this::say);
+          long limit = clock.micros() + Clock.micros(limitS());
+          while (!isOver(observer)
+              && clock.micros() < limit
+              && !link.isHopeless(observer.record().readings())) {
+            waiter.await(clock.micros() + LOOK_EVERY_MICROS);
+          }
+          if (observer.record().readings() == 0 && !interruption.isAsked()) {
+            throw new RunFailedException(
+                "no reading from the "
+                    + simulation.vehicle()
+                    + ": "
+                    + simulation.name()
+                    + " did not appear");
+          }
+        });
+  }
+
+  private boolean isOver(RunObserver observer) {
+    return observer.isOver() || !observer.service().isRunning() || interruption.isAsked();
+  }
+
+  private void say(String line) {
+    terminal.out().println(line);
+    terminal.out().flush();
+  }
+
+  /** Waits until a run is over. */
+  @FunctionalInterface
+  private interface Wait {
+    void until(RunObserver observer) throws InterruptedException;
+  }
+
+  private RunReport run(
+      LaunchOptions options, Clock clock, long seed, Simulation simulation, Wait wait)
+      throws InterruptedException {
+    options.seed(seed).logDirectory(directory.resolve("logs"));
+    long began = stopwatch.micros();
+    try (RunScreen screen = new RunScreen(plan, terminal, stopwatch);
+        Simulation simulated = simulation; // ended last, so that neutral commands still reach it
+        RunningSystem running = RunningSystem.start(system, options)) {
+      RunObserver observer =
+          maker.make(
+              running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);
+      observer.service().start();
+      Optional<SwapOperator> operator = startOperator(running);
+      interruption.breakingOff(simulated::start);
+      try {
+        wait.until(observer);
+      } finally {
+        operator.ifPresent(SwapOperator::kill);
+        observer.service().kill();
+      }
+      refuseFailed(running);
+      refuseUnswapped(operator);
+      double wallS = Clock.seconds(stopwatch.micros() - began);
+      return RunReport.of(
+          new RunFacts(
+              demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
+          plan.within(fence(running)),
+          observer.record().track(),
+          observer.outcome());
+    }
+  }
+
+  private static List<RunPlan.Corner> fence(RunningSystem running) {
+    return running.services().stream()
+        .filter(SafetyManager.class::isInstance)
+        .flatMap(manager -> ((SafetyManager) manager).fenceCorners().stream())
+        .map(place -> new RunPlan.Corner(place.longitudeDeg(), place.latitudeDeg()))
+        .toList();
+  }
+
+  private Optional<SwapOperator> startOperator(RunningSystem running) {
+    if (swaps.isEmpty()) {
+      return Optional.empty();
+    }
+    PlannedSwap.requireServices(
+        swaps, running.services().stream().map(U2SAService::getServiceName).toList());
+    SwapOperator operator =
+        new SwapOperator(
+            running.contextFor(XmlConfiguration.inMemory("SwapOperator", Map.of())),
+            swaps,
+            this::say);
+    operator.start();
+    return Optional.of(operator);
+  }
+
+  private static void refuseUnswapped(Optional<SwapOperator> operator) {
+    operator
+        .flatMap(SwapOperator::refusal)
+        .ifPresent(
+            refusal -> {
+              throw new RunFailedException(refusal);
+            });
+    operator.ifPresent(SwapOperator::tellMissed);
+  }
+
+  private void refuseFailed(RunningSystem running) {
+    for (U2SAService service : running.failed()) {
+      throw new RunFailedException(
+          "service "
+              + service.getServiceName()
+              + " failed in the run; its log is "
+              + directory.resolve("logs").resolve(service.getServiceName() + ".log"));
+    }
+  }
+
+  private double limitS() {
+    return pace.limitS(RunPlans.lengthM(plan));
+  }
+}

@@ -1,0 +1,33 @@
+package org.u2sa.scenarios.run;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.u2sa.interfaces.BadInputException;
+
+/** Where U2SA's files lie. */
+public final class HomeFolder {
+  private static final String PROPERTY = "u2sa.home";
+
+  private HomeFolder() {}
+
+  /**
+   * The folder that holds {@code config} and {@code missions}: the launcher's, or the current one.
+   *
+   * @param folder that must be in it, e.g. {@code config/ugv}
+   * @throws BadInputException if it is not
+   */
+  public static Path holding(String folder) {
+    Path home = Path.of(System.getProperty(PROPERTY, ""));
+    if (!Files.isDirectory(home.resolve(folder))) {
+      throw new BadInputException(
+          "there is no "
+              + folder
+              + " in "
+              + home.toAbsolutePath()
+              + "; run ./u2sa, or set -D"
+              + PROPERTY
+              + " to its folder");
+    }
+    return home;
+  }
+}

@@ -1,0 +1,89 @@
+package org.u2sa.scenarios.run;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.scenarios.report.RunReport;
+import org.u2sa.scenarios.report.RunSeries;
+import org.u2sa.scenarios.terminal.WaypointTable;
+
+/** One run, or several with seeds counting up, and what is said and written of them. */
+public final class RunLoop {
+  /** One run. */
+  @FunctionalInterface
+  public interface Once {
+    /** Runs, with logs in the directory, until it is over or interrupted. */
+    RunReport run(Path directory, long seed, Interruption interruption) throws InterruptedException;
+  }
+
+  private final DemoOptions options;
+  private final PrintWriter out;
+  private final Terminal terminal;
+
+  /**
+   * @param out takes {@code --json}, and nothing else
+   */
+  public RunLoop(DemoOptions options, PrintWriter out) {
+    this.options = options;
+    this.out = out;
+    terminal = options.terminal();
+  }
+
+  /**
+   * Runs as often as was asked for, and returns the exit code.
+   *
+   * @param name of the demo, for the name of its directory
+   */
+  public Integer run(String name, Once once) throws InterruptedException, IOException {
+    try (Interruption interruption = new Interruption()) {
+      return run(name, once, interruption);
+    }
+  }
+
+  private Integer run(String name, Once once, Interruption interruption)
+      throws InterruptedException, IOException {
+    Path directory = options.outDirectory(name, new SystemClock().micros());
+    List<RunReport> reports = new ArrayList<>();
+    for (int k = 0; k < options.runs() && (k == 0 || !interruption.isAsked()); k++) {
+      Path runDirectory = options.runDirectory(directory, k);
+      RunReport.prepare(runDirectory);
+      RunReport report = once.run(runDirectory, options.seed() + k, interruption);
+      report.write(runDirectory).ifPresent(terminal.out()::println);
+      WaypointTable.print(terminal, report.score());
+      say("Files of the run: " + runDirectory);
+      reports.add(withoutTrack(report)); // tracks of many runs would fill the memory
+    }
+    RunSeries series = new RunSeries(reports);
+    if (reports.size() > 1) {
+      series.write(directory);
+      say(
+          reports.stream().filter(r -> r.score().success()).count()
+              + " of "
+              + reports.size()
+              + " runs captured all waypoints");
+    }
+    if (options.json()) {
+      if (reports.size() > 1) {
+        series.writeSummary(out);
+      } else {
+        reports.get(0).writeSummary(out);
+      }
+      out.flush();
+    }
+    return series.success() ? ExitCode.DONE : ExitCode.FAILED;
+  }
+
+  private static RunReport withoutTrack(RunReport report) {
+    return new RunReport(report.facts(), report.plan(), List.of(), report.score());
+  }
+
+  private void say(String line) {
+    terminal.out().println(line);
+    terminal.out().flush();
+  }
+}

@@ -1,0 +1,74 @@
+package org.u2sa.scenarios.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.scenarios.report.Domain;
+import org.u2sa.scenarios.report.PlannedWaypoint;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.StartPlace;
+
+/** A mission as reports and screens see it. */
+public final class RunPlans {
+  private RunPlans() {}
+
+  /**
+   * The plan of a mission on the earth.
+   *
+   * @param home where the vehicle starts
+   * @throws org.u2sa.interfaces.BadInputException if a waypoint is no place on the earth
+   */
+  public static RunPlan of(Domain domain, Mission mission, Optional<StartPlace> home) {
+    List<PlannedWaypoint> waypoints = new ArrayList<>();
+    for (int i = 0; i < mission.goals().size(); i++) {
+      GoalInformation goal = mission.goals().get(i);
+      if (goal instanceof Waypoint waypoint) {
+        StateInformation place = onEarth(mission, i, waypoint);
+        waypoints.add(
+            new PlannedWaypoint(
+                waypoint.uid(),
+                place.x().orElseThrow(),
+                place.y().orElseThrow(),
+                waypoint.z(),
+                waypoint.horizontalThreshold(),
+                waypoint.verticalThreshold()));
+      }
+    }
+    return new RunPlan(domain, home, waypoints);
+  }
+
+  /** The waypoint's longitude and latitude [deg]. */
+  private static StateInformation onEarth(Mission mission, int index, Waypoint waypoint) {
+    if (!waypoint.referenceFrame().isEarth() || waypoint.x().isEmpty() || waypoint.y().isEmpty()) {
+      throw mission.goalError(
+          index,
+          "goal \""
+              + waypoint.uid()
+              + "\" is no place on the earth; expected <x> and <y> in longitude and latitude, or UTM");
+    }
+    return new StateInformation()
+        .referenceFrame(waypoint.referenceFrame())
+        .x(waypoint.x().getAsDouble())
+        .y(waypoint.y().getAsDouble())
+        .in(ReferenceFrame.GLOBAL);
+  }
+
+  /** The way from home past all waypoints [m]. */
+  static double lengthM(RunPlan plan) {
+    double length = 0.0;
+    Optional<Geodetic> from =
+        plan.home().map(home -> new Geodetic(home.longitudeDeg(), home.latitudeDeg(), 0.0));
+    for (PlannedWaypoint waypoint : plan.waypoints()) {
+      Geodetic to = new Geodetic(waypoint.longitudeDeg(), waypoint.latitudeDeg(), 0.0);
+      length += from.map(to::distanceM).orElse(0.0);
+      from = Optional.of(to);
+    }
+    return length;
+  }
+}

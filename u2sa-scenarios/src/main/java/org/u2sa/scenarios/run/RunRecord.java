@@ -1,0 +1,122 @@
+package org.u2sa.scenarios.run;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.Track;
+import org.u2sa.scenarios.report.TrackSample;
+
+/**
+ * What is recorded of a run, for its score and its screen. Written by the observer's thread alone;
+ * what says so may be asked by others meanwhile.
+ */
+public final class RunRecord {
+  private static final long NOT_YET = -1;
+
+  private final List<String> names;
+  private final PlannedLegs legs;
+  private final Track track = new Track();
+  private final Consumer<TrackSample> screen;
+  private int leg = -1;
+  private boolean seen = true; // whether a sample shows the present target
+  private long startMicros = NOT_YET;
+  private volatile boolean missionOver;
+  private volatile int completed;
+  private volatile long readings; // written by one thread only
+
+  /**
+   * @param screen is shown every sample, on the observer's thread
+   */
+  public RunRecord(RunPlan plan, Consumer<TrackSample> screen) {
+    this.screen = screen;
+    names = plan.waypoints().stream().map(waypoint -> waypoint.name()).toList();
+    legs = new PlannedLegs(plan);
+  }
+
+  /** Takes note of what the Mission Manager pursues. */
+  public void follow(GoalList goals) {
+    seen = false;
+    if (goals.goals().isEmpty()) {
+      leg = names.size();
+      missionOver = true;
+    } else {
+      leg = names.indexOf(goals.goals().get(0).uid());
+    }
+  }
+
+  /**
+   * Whether the target has had no {@link #moment} yet: before another takes its place it needs one,
+   * or the score would not know that it was the target.
+   */
+  public boolean isTargetUnseen() {
+    return !seen && leg >= 0 && leg < names.size();
+  }
+
+  /** Takes note of a goal that the Path Planner reports. */
+  public void reported(GoalInformation report) {
+    if (report.completed()) {
+      completed++;
+    }
+  }
+
+  /**
+   * Where and how the vehicle truly is at a time, later than the last one [µs].
+   *
+   * @param altitudeM above mean sea level [m]
+   * @param headingRad clockwise from true north [rad]
+   * @param speedMps over ground [m/s]
+   */
+  public void moment(
+      long micros,
+      double longitudeDeg,
+      double latitudeDeg,
+      double altitudeM,
+      double headingRad,
+      double speedMps,
+      String phase,
+      Optional<TrackSample.Flight> flight) {
+    if (startMicros == NOT_YET) {
+      startMicros = micros;
+    }
+    TrackSample sample =
+        new TrackSample(
+            Clock.seconds(micros - startMicros),
+            longitudeDeg,
+            latitudeDeg,
+            altitudeM,
+            headingRad,
+            speedMps,
+            legs.crossTrackM(leg, longitudeDeg, latitudeDeg),
+            leg,
+            phase,
+            flight);
+    track.append(sample);
+    seen = true;
+    readings++;
+    screen.accept(sample);
+  }
+
+  /** All samples; for when the observer has ended. */
+  Track track() {
+    return track;
+  }
+
+  /** Whether the Mission Manager has no goal left. Safe from any thread. */
+  public boolean isMissionOver() {
+    return missionOver;
+  }
+
+  /** Samples so far. Safe from any thread. */
+  long readings() {
+    return readings;
+  }
+
+  /** Goals that were reported completed. Safe from any thread. */
+  public int completed() {
+    return completed;
+  }
+}

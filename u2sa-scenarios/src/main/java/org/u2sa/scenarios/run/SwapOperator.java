@@ -1,0 +1,91 @@
+package org.u2sa.scenarios.run;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/** Orders the swaps that a user planned, each at its time. In and out: service-orders. */
+public final class SwapOperator extends PeriodicService {
+  private static final double LOOKS_PER_S = 10.0;
+  private static final String NAME = "SwapOperator";
+
+  private final Queue<PlannedSwap> due =
+      new ConcurrentLinkedQueue<>(); // read by others after the end
+  private final Consumer<String> console;
+  private final double beganS;
+  private volatile Optional<String> refusal = Optional.empty();
+
+  /**
+   * @param console is told what became of each, a line each
+   */
+  public SwapOperator(ServiceContext context, List<PlannedSwap> swaps, Consumer<String> console) {
+    super(context, ServiceRole.OBSERVER, NAME, LOOKS_PER_S);
+    this.console = console;
+    beganS = nowS();
+    swaps.stream().sorted(Comparator.comparingDouble(PlannedSwap::atS)).forEach(due::add);
+    registerPublisher(Channels.SERVICE_ORDERS);
+    registerSubscriber(Channels.SERVICE_ORDERS);
+  }
+
+  @Override
+  protected void step(double nowS) {
+    while (!due.isEmpty() && nowS - beganS >= due.peek().atS()) {
+      PlannedSwap swap = due.remove();
+      publish(
+          Channels.SERVICE_ORDERS,
+          new ServiceOrder()
+              .requestId(NAME + " " + due.size())
+              .serviceName(swap.service())
+              .action(ServiceAction.SWAP)
+              .className(swap.className())
+              .operator("demo"));
+    }
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof ServiceOrderResult result && result.requestId().startsWith(NAME)) {
+      String what =
+          String.format(
+              Locale.ROOT,
+              "%.1f s: %s %s",
+              nowS() - beganS,
+              result.serviceName(),
+              result.accepted() ? "swapped" : "not swapped: " + result.reason());
+      console.accept(what);
+      if (!result.accepted()) {
+        refusal = Optional.of(what);
+      }
+    }
+  }
+
+  /** Says, after the run, which swaps did not happen as their time did not come. */
+  void tellMissed() {
+    double endedS = nowS() - beganS;
+    for (PlannedSwap missed : due) {
+      console.accept(
+          String.format(
+              Locale.ROOT,
+              "--swap %s had no effect: the run was over after %.1f s",
+              missed,
+              endedS));
+    }
+  }
+
+  /** The last swap that was refused, and why. */
+  public Optional<String> refusal() {
+    return refusal;
+  }
+}

@@ -1,0 +1,141 @@
+package org.u2sa.scenarios.ugv;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.report.PlannedWaypoint;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.sim.ground.Terrain;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The vehicle and the ground that a user wants otherwise; a mixin. */
+final class ConditionOptions {
+  private static final double FULL_PERCENT = 100.0;
+  private static final double HILL_OF_MISSION = 1.5; // its radius by that of the mission
+  private static final double SMALLEST_HILL_M = 5.0;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  @Option(
+      names = "--mismatch",
+      paramLabel = "PERCENT",
+      description =
+          "By which the right motor is stronger and the left one weaker than commanded, -50 to 50. Default: by the seed, up to 5 either way.")
+  private Double mismatch;
+
+  @Option(
+      names = "--payload",
+      paramLabel = "KG",
+      description = "What the vehicle carries above the middle of its weight. Default: 0.")
+  private double payloadKg;
+
+  @Option(
+      names = "--surface",
+      description = "One of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private GroundKind surface = GroundKind.LAWN;
+
+  @Option(
+      names = "--slope",
+      paramLabel = "DEGREES",
+      description = "The ground rises evenly to the north, up to 20 degrees. Default: level.")
+  private double slopeDeg;
+
+  @Option(
+      names = "--hill",
+      paramLabel = "DEGREES",
+      description =
+          "A round hill amid the waypoints, so steep half way up, up to 20 degrees. Default: none.")
+  private double hillDeg;
+
+  /**
+   * Checks what was given.
+   *
+   * @param plan where a hill is to be
+   * @throws ParameterException if it contradicts itself or is outside its range
+   */
+  DriveConditions conditions(VehicleKind vehicle, RunPlan plan) {
+    require("--payload", payloadKg, 0.0, 500.0, "kg");
+    require("--slope", slopeDeg, 0.0, 20.0, "degrees");
+    require("--hill", hillDeg, 0.0, 20.0, "degrees");
+    if (slopeDeg > 0.0 && hillDeg > 0.0) {
+      throw wrong("--slope and --hill: expected one of them");
+    }
+    List<String> words = new ArrayList<>();
+    if (mismatch != null) {
+      require("--mismatch", mismatch, -50.0, 50.0, "percent");
+      if (vehicle == VehicleKind.ACKERMANN) {
+        throw wrong("--mismatch: is of two motors; expected none with --vehicle ackermann");
+      }
+      words.add("motors " + DriveConditions.figure(mismatch) + " % apart");
+    }
+    if (payloadKg > 0.0) {
+      words.add("+" + DriveConditions.figure(payloadKg) + " kg");
+    }
+    if (surface != GroundKind.LAWN) {
+      words.add(surface.name().toLowerCase(Locale.ROOT));
+    }
+    if (slopeDeg > 0.0) {
+      words.add("slope " + DriveConditions.figure(slopeDeg) + " degrees");
+    }
+    if (hillDeg > 0.0) {
+      words.add("hill " + DriveConditions.figure(hillDeg) + " degrees");
+    }
+    return new DriveConditions(
+        mismatch == null ? OptionalDouble.empty() : OptionalDouble.of(mismatch / FULL_PERCENT),
+        payloadKg,
+        surface.surface(),
+        terrain(plan),
+        String.join(", ", words));
+  }
+
+  private Terrain terrain(RunPlan plan) {
+    if (slopeDeg > 0.0) {
+      return Terrain.slope(Math.toRadians(slopeDeg), 0.0);
+    }
+    return hillDeg > 0.0 ? hill(plan) : Terrain.flat();
+  }
+
+  private Terrain hill(RunPlan plan) {
+    Geodetic home =
+        plan.home().map(at -> new Geodetic(at.longitudeDeg(), at.latitudeDeg(), 0.0)).orElseThrow();
+    double north = 0.0;
+    double east = 0.0;
+    double farthestM = SMALLEST_HILL_M;
+    for (PlannedWaypoint waypoint : plan.waypoints()) {
+      Point from = home.nedOf(new Geodetic(waypoint.longitudeDeg(), waypoint.latitudeDeg(), 0.0));
+      north += from.x() / plan.waypoints().size();
+      east += from.y() / plan.waypoints().size();
+    }
+    for (PlannedWaypoint waypoint : plan.waypoints()) {
+      Point from = home.nedOf(new Geodetic(waypoint.longitudeDeg(), waypoint.latitudeDeg(), 0.0));
+      farthestM = Math.max(farthestM, Math.hypot(from.x() - north, from.y() - east));
+    }
+    return Terrain.hill(east, north, HILL_OF_MISSION * farthestM, Math.toRadians(hillDeg));
+  }
+
+  private void require(String option, double value, double least, double most, String unit) {
+    if (!(value >= least && value <= most)) {
+      throw wrong(
+          option
+              + " "
+              + DriveConditions.figure(value)
+              + ": expected "
+              + DriveConditions.figure(least)
+              + " to "
+              + DriveConditions.figure(most)
+              + " "
+              + unit);
+    }
+  }
+
+  private ParameterException wrong(String message) {
+    return new ParameterException(command.commandLine(), message);
+  }
+}

@@ -1,0 +1,47 @@
+package org.u2sa.scenarios.ugv;
+
+import org.u2sa.sim.sensor.GpsParameters;
+
+/** How good the demo's GPS is. As from the factory: the board's service sets it up. */
+enum GpsGrade {
+  /** Real-time kinematic: 2 cm. */
+  SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0),
+  /** A telephone's: 3 m that wander, once a second, late. */
+  PHONE("phone-grade GPS", GpsParameters.phone(), 2.5, 1.5);
+
+  private final String words;
+  private final GpsParameters parameters;
+  private final double fixTimeoutS;
+  private final double leastThresholdM;
+
+  GpsGrade(String words, GpsParameters parameters, double fixTimeoutS, double leastThresholdM) {
+    this.words = words;
+    this.parameters = parameters;
+    this.fixTimeoutS = fixTimeoutS;
+    this.leastThresholdM = leastThresholdM;
+  }
+
+  /** What it is called in reports. */
+  String words() {
+    return words;
+  }
+
+  GpsParameters parameters() {
+    return parameters;
+  }
+
+  /**
+   * The State Estimator's STALE AFTER, which must be longer than the time between two fixes [s].
+   */
+  double fixTimeoutS() {
+    return fixTimeoutS;
+  }
+
+  /**
+   * Least threshold of a waypoint at which the vehicle turns to the next one [m]: where positions
+   * leap by half a metre, nearer ones are missed.
+   */
+  double leastThresholdM() {
+    return leastThresholdM;
+  }
+}

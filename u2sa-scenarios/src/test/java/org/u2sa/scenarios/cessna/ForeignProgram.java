@@ -1,0 +1,72 @@
+package org.u2sa.scenarios.cessna;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.testkit.ForeignPrograms;
+
+/**
+ * Programs beside the tests' own virtual machine: Python, Mosquitto, and u2sa as a user runs it.
+ */
+final class ForeignProgram {
+  private ForeignProgram() {}
+
+  /**
+   * What a program that ran to its end has said.
+   *
+   * @param exit its exit code
+   * @param output standard output and standard error
+   */
+  record Ended(int exit, String output) {}
+
+  static Ended run(String... command) throws IOException, InterruptedException {
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+    String output = new String(process.getInputStream().readAllBytes(), UTF_8);
+    return new Ended(process.waitFor(), output);
+  }
+
+  /** Starts a program; what it prints goes to the file. */
+  static Process start(Path output, List<String> command) throws IOException {
+    return new ProcessBuilder(command)
+        .redirectErrorStream(true)
+        .redirectOutput(output.toFile())
+        .start();
+  }
+
+  /** Starts u2sa in a virtual machine of its own. */
+  static Process u2sa(Path output, String... arguments) throws IOException {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:+UseSerialGC",
+                "-Djava.awt.headless=true",
+                "-Du2sa.home=" + CommandLineRun.repository(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                "org.u2sa.gcs.Main"));
+    command.addAll(List.of(arguments));
+    return start(output, command);
+  }
+
+  /** A Python with cbor2 and paho-mqtt. Skips the test where there is none, except under CI. */
+  static String python() {
+    return ForeignPrograms.ofThisMachine().required("python3", "cbor2", "paho.mqtt.client");
+  }
+
+  /** Mosquitto, the broker. Skips the test where it is not, except under CI. */
+  static String mosquitto() {
+    return ForeignPrograms.ofThisMachine().required("mosquitto");
+  }
+
+  static int freePort() throws IOException {
+    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return free.getLocalPort();
+    }
+  }
+}

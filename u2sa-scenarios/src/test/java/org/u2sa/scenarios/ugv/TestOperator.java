@@ -1,0 +1,93 @@
+package org.u2sa.scenarios.ugv;
+
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * Says on the channels what a scenario wants said, and hears what the Safety Manager says. Read it
+ * between steps of the lockstep clock only.
+ */
+final class TestOperator extends PeriodicService {
+  private static final double STEPS_PER_S = 100.0;
+  private static final double HEARTBEAT_S = 1.0;
+
+  private final Queue<Runnable> toSay = new ConcurrentLinkedQueue<>();
+  private FailsafeState failsafe = new FailsafeState().action(FailsafeAction.CONTINUE);
+  private ArmingState arming = new ArmingState().armed(false);
+  private int goalsDone;
+  private boolean there;
+  private double heartbeatDueS;
+
+  TestOperator(ServiceContext context) {
+    super(context, ServiceRole.OBSERVER, "TestOperator", STEPS_PER_S);
+    registerSubscriber(Channels.FAILSAFE);
+    registerSubscriber(Channels.ARMING_STATE);
+    registerSubscriber(Channels.GOAL_REPORTS);
+    for (Channel<?> channel :
+        List.of(
+            Channels.OPERATOR, Channels.ARMING, Channels.EMERGENCY_STOP, Channels.SERVICE_ORDERS)) {
+      registerPublisher(channel);
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    for (Runnable next = toSay.poll(); next != null; next = toSay.poll()) {
+      next.run();
+    }
+    if (there && nowS >= heartbeatDueS) {
+      heartbeatDueS = nowS + HEARTBEAT_S;
+      publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann").interval(HEARTBEAT_S));
+    }
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof FailsafeState state) {
+      failsafe = state;
+    } else if (data instanceof ArmingState state) {
+      arming = state;
+    } else if (data instanceof GoalInformation report && report.completed()) {
+      goalsDone++;
+    }
+  }
+
+  /** Publishes a message at its next step, at most 10 ms from now. */
+  <T extends U2SAData> void say(Channel<T> channel, T message) {
+    toSay.add(() -> publish(channel, message));
+  }
+
+  /** Begins or ceases to send a heartbeat. */
+  void isThere(boolean nowThere) {
+    there = nowThere;
+    heartbeatDueS = 0.0;
+  }
+
+  FailsafeAction action() {
+    return failsafe.action();
+  }
+
+  List<String> causes() {
+    return failsafe.causes();
+  }
+
+  boolean armed() {
+    return arming.armed();
+  }
+
+  int goalsDone() {
+    return goalsDone;
+  }
+}

@@ -1,0 +1,144 @@
+package org.u2sa.scenarios.ugv;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.RunningSystem;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.sim.ground.DriveCommand;
+import org.u2sa.sim.ground.GroundState;
+import org.u2sa.sim.ground.Hazards;
+
+/**
+ * A drive of the configured ground vehicle in lockstep, in which a scenario makes things go wrong.
+ */
+final class UgvDrive implements AutoCloseable {
+  private static final double LOOK_S = 0.01;
+  private static final double STOOD_S = 0.5; // braked wheels rock back by millimetres
+
+  private final LockstepClock clock = new LockstepClock();
+  private final RunningSystem running;
+  final UgvWorld world;
+  final TestOperator operator;
+
+  UgvDrive(Path logs, Hazards hazards, boolean armAtStart) {
+    Path root = UgvCommandLine.repository();
+    Mission mission = Mission.load(root.resolve("missions/ugv/loop.xml"));
+    world =
+        new UgvWorld(UgvFiles.home(mission), VehicleKind.DIFFERENTIAL, GpsGrade.SURVEY, 1, hazards);
+    LaunchOptions options =
+        new LaunchOptions()
+            .clock(clock)
+            .seed(1)
+            .logDirectory(logs)
+            .override("CommunicationManager", "BROKER", "none")
+            .override("SafetyManager", "ARM AT START", armAtStart)
+            .making(IoioService.class, context -> new IoioService(context, world.connection()));
+    running = RunningSystem.start(SystemFile.read(root.resolve("config/ugv/system.xml")), options);
+    operator =
+        new TestOperator(running.contextFor(XmlConfiguration.inMemory("TestOperator", Map.of())));
+    operator.start();
+  }
+
+  double nowS() {
+    return Clock.seconds(clock.micros());
+  }
+
+  void drive(double seconds) throws InterruptedException {
+    clock.advance(Clock.micros(seconds));
+  }
+
+  /** Fails if it does not come to that. */
+  void driveUntil(String what, BooleanSupplier condition, double atMostS)
+      throws InterruptedException {
+    double end = nowS() + atMostS;
+    while (!condition.getAsBoolean()) {
+      if (nowS() > end) {
+        throw new AssertionError(
+            "not within "
+                + atMostS
+                + " s: "
+                + what
+                + "; "
+                + operator.action()
+                + " "
+                + operator.causes()
+                + ", "
+                + world.truth());
+      }
+      drive(LOOK_S);
+    }
+  }
+
+  /** Until it is on its way to the first waypoint at full speed. */
+  void driveAtFullSpeed() throws InterruptedException {
+    driveUntil("drives", () -> world.truth().forwardMps() > 0.95, 20.0);
+  }
+
+  private boolean moves() {
+    return UnarmedMotion.moves(world.truth());
+  }
+
+  /** Whether neither motor is driven. */
+  boolean motorsOff() {
+    DriveCommand motors = world.motors();
+    return !drives(motors.first()) && !drives(motors.second());
+  }
+
+  private static boolean drives(double command) {
+    return Math.abs(command) > 0.005; // NaN: no pulses at all
+  }
+
+  /** How a vehicle came to rest. */
+  record Stop(double motorsOffS, double standsS, double wayM) {}
+
+  /** Measures from now on how long it takes and how far it gets until it stands. */
+  Stop stop(double atMostS) throws InterruptedException {
+    double from = nowS();
+    GroundState began = world.truth();
+    driveUntil("motors off", this::motorsOff, atMostS);
+    double motorsOffS = nowS() - from;
+    double movedS = nowS();
+    while (nowS() - movedS < STOOD_S) {
+      drive(LOOK_S);
+      movedS = moves() ? nowS() : movedS;
+      if (movedS - from > atMostS) {
+        throw new AssertionError("does not stand after " + atMostS + " s: " + world.truth());
+      }
+    }
+    GroundState ended = world.truth();
+    return new Stop(
+        motorsOffS,
+        movedS - from,
+        Math.hypot(ended.eastM() - began.eastM(), ended.northM() - began.northM()));
+  }
+
+  /** Fails if it moves in that time. */
+  void requireStanding(double forS) throws InterruptedException {
+    GroundState began = world.truth();
+    for (double end = nowS() + forS; nowS() < end; ) {
+      drive(LOOK_S);
+      if (moves() || !motorsOff()) {
+        throw new AssertionError(
+            "moved at " + nowS() + " s: " + world.truth() + ", " + world.motors());
+      }
+    }
+    double way =
+        Math.hypot(world.truth().eastM() - began.eastM(), world.truth().northM() - began.northM());
+    if (way > 0.02) {
+      throw new AssertionError("crept " + way + " m in " + forS + " s");
+    }
+  }
+
+  @Override
+  public void close() {
+    operator.kill();
+    running.close();
+  }
+}

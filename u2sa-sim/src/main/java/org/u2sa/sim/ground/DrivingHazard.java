@@ -1,0 +1,116 @@
+package org.u2sa.sim.ground;
+
+import java.util.Objects;
+import org.u2sa.sim.motion.Arguments;
+
+/** One thing that goes wrong, for a time or at a place. */
+public sealed interface DrivingHazard {
+  /** The satellites are hidden from {@code fromS} until before {@code toS}. */
+  record GpsOutage(double fromS, double toS) implements DrivingHazard {
+    /** Checks that it ends after it begins. */
+    public GpsOutage {
+      window("GPS outage", fromS, toS);
+    }
+
+    boolean lasts(double timeS) {
+      return timeS >= fromS && timeS < toS;
+    }
+  }
+
+  /**
+   * Somebody holds the radio transmitter with its switch on manual: its sticks drive the motors.
+   */
+  record Manual(double fromS, double toS, DriveCommand sticks) implements DrivingHazard {
+    /** Checks that it ends after it begins. */
+    public Manual {
+      window("manual", fromS, toS);
+      Objects.requireNonNull(sticks, "sticks");
+    }
+
+    boolean lasts(double timeS) {
+      return timeS >= fromS && timeS < toS;
+    }
+  }
+
+  /** The radio transmitter is off: no pulses, and the switch between the motors' masters falls. */
+  record RadioSilence(double fromS, double toS) implements DrivingHazard {
+    /** Checks that it ends after it begins. */
+    public RadioSilence {
+      window("radio silence", fromS, toS);
+    }
+
+    boolean lasts(double timeS) {
+      return timeS >= fromS && timeS < toS;
+    }
+  }
+
+  /** From this time on the battery has this charge, 0…1. */
+  record BatteryAt(double atS, double charge) implements DrivingHazard {
+    /** Checks both. */
+    public BatteryAt {
+      Arguments.requireInside("time of the battery's charge", atS, 0.0, 1e9);
+      Arguments.requireInside("charge", charge, 0.0, 1.0);
+    }
+  }
+
+  /** Somebody pushes with a force [N] and a moment [N m, clockwise]. */
+  record Push(double fromS, double toS, double eastN, double northN, double turnNm)
+      implements DrivingHazard {
+    /** Checks that it ends after it begins, and the forces. */
+    public Push {
+      window("push", fromS, toS);
+      Arguments.requireFinite("push east", eastN);
+      Arguments.requireFinite("push north", northN);
+      Arguments.requireFinite("push turn", turnNm);
+    }
+
+    boolean lasts(double timeS) {
+      return timeS >= fromS && timeS < toS;
+    }
+  }
+
+  /** A round patch of mud or ice: this is the coefficient of friction there. */
+  record Slippery(double eastM, double northM, double radiusM, double grip)
+      implements DrivingHazard {
+    /** Checks radius and grip. */
+    public Slippery {
+      Arguments.requirePositive("radius of the patch", radiusM);
+      Arguments.requireInside("grip", grip, 0.01, 2.0);
+    }
+
+    boolean covers(double east, double north) {
+      double toEast = east - eastM;
+      double toNorth = north - northM;
+      return toEast * toEast + toNorth * toNorth <= radiusM * radiusM;
+    }
+  }
+
+  /**
+   * Iron or a cable in the ground. At its middle the field is changed by this much [µT], at the
+   * radius by half of it, and further off by the third power of the distance, as a dipole's.
+   */
+  record Magnetic(double eastM, double northM, double radiusM, double eastUt, double northUt)
+      implements DrivingHazard {
+    /** Checks radius and field. */
+    public Magnetic {
+      Arguments.requirePositive("radius of the magnetic place", radiusM);
+      Arguments.requireInside("magnetic field east", eastUt, -1_000.0, 1_000.0);
+      Arguments.requireInside("magnetic field north", northUt, -1_000.0, 1_000.0);
+    }
+
+    /** Share of the field that is felt at a place, 0…1. */
+    double share(double east, double north) {
+      double toEast = east - eastM;
+      double toNorth = north - northM;
+      double ratio = StrictMath.sqrt(toEast * toEast + toNorth * toNorth) / radiusM;
+      return 1.0 / (1.0 + ratio * ratio * ratio);
+    }
+  }
+
+  private static void window(String name, double fromS, double toS) {
+    if (!(fromS >= 0.0 && toS > fromS)) {
+      throw new IllegalArgumentException(
+          name + ": from " + fromS + " s to " + toS + " s: expected 0 ≤ from < to");
+    }
+  }
+}

@@ -1,0 +1,214 @@
+package org.u2sa.architecture;
+
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackages;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.lang.ArchRule;
+import java.io.Externalizable;
+import java.io.ObjectInputStream;
+import java.io.ObjectOutputStream;
+import java.io.Serializable;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/**
+ * What no class may break, each rule by name. Every rule also holds for a module that has no class
+ * yet.
+ */
+final class HouseRules {
+  private static final String ROOT = "org.u2sa.";
+  private static final String SYSTEM_CLOCK = ROOT + "interfaces.time.SystemClock";
+
+  /** Which packages of ours each module's package may use, besides itself. */
+  private static final Map<String, List<String>> ARROWS =
+      Map.ofEntries(
+          Map.entry("messages", List.of()),
+          Map.entry("interfaces", List.of("messages")),
+          Map.entry("service", List.of("messages", "interfaces")),
+          Map.entry("testkit", List.of("messages", "interfaces", "service")),
+          Map.entry("core", List.of("messages", "interfaces", "service")),
+          Map.entry("drivers", List.of("messages", "interfaces", "service")),
+          Map.entry("sim", List.of("messages", "interfaces", "service")),
+          Map.entry("gcs", List.of("messages", "interfaces", "service", "core")),
+          Map.entry("flightgear", List.of("messages", "interfaces", "service", "core", "sim")),
+          Map.entry(
+              "scenarios",
+              List.of(
+                  "messages",
+                  "interfaces",
+                  "service",
+                  "core",
+                  "drivers",
+                  "sim",
+                  "gcs",
+                  "flightgear")),
+          Map.entry("android", List.of("messages", "interfaces", "service", "core", "drivers")));
+
+  /** Calls that read the time of day or of the machine. */
+  private static final Map<String, Set<String>> TIME_READERS =
+      Map.of(
+          "java.lang.System", Set.of("currentTimeMillis", "nanoTime"),
+          "java.time.Instant", Set.of("now"),
+          "java.time.LocalDate", Set.of("now"),
+          "java.time.LocalTime", Set.of("now"),
+          "java.time.LocalDateTime", Set.of("now"),
+          "java.time.OffsetDateTime", Set.of("now"),
+          "java.time.ZonedDateTime", Set.of("now"),
+          "java.time.Clock", Set.of("systemUTC", "systemDefaultZone", "system"),
+          "java.util.Calendar", Set.of("getInstance"),
+          "java.util.Date", Set.of("<init>"));
+
+  private HouseRules() {}
+
+  static Map<String, ArchRule> all() {
+    Map<String, ArchRule> rules = new LinkedHashMap<>();
+    ARROWS.forEach((module, allowed) -> rules.put("arrows of " + module, arrows(module, allowed)));
+    rules.put("known packages", knownPackages());
+    rules.put("named by subject", namedBySubject());
+    rules.put("Moquette", confined("core.communication", "io.moquette..", "io.netty.."));
+    rules.put("JmDNS", confined("core.communication", "javax.jmdns.."));
+    rules.put("Paho", confined("interfaces.communication", "org.eclipse.paho.."));
+    rules.put(
+        "one XML reader", // it takes neither DOCTYPE nor entities
+        confined(
+            "interfaces.xml",
+            "javax.xml..",
+            "org.xml.sax..",
+            "org.w3c.dom..",
+            "com.ctc.wstx..",
+            "com.fasterxml.jackson.dataformat.xml.."));
+    rules.put("no circles between packages", noCircles());
+    rules.put("one clock", oneClock());
+    rules.put("no static mutable state", noStaticMutableState());
+    rules.put("no Java serialization", noJavaSerialization());
+    rules.put("no objects from data", noObjectsFromData());
+    rules.replaceAll((name, rule) -> rule.as(name).allowEmptyShould(true));
+    return rules;
+  }
+
+  private static ArchRule arrows(String module, List<String> allowed) {
+    String[] targets =
+        Stream.concat(Stream.of(module), allowed.stream())
+            .map(name -> ROOT + name + "..")
+            .toArray(String[]::new);
+    return noClasses()
+        .that()
+        .resideInAPackage(ROOT + module + "..")
+        .should()
+        .dependOnClassesThat(resideInAPackage("org.u2sa..").and(resideOutsideOfPackages(targets)));
+  }
+
+  private static ArchRule knownPackages() {
+    String[] known =
+        ARROWS.keySet().stream().map(name -> ROOT + name + "..").toArray(String[]::new);
+    return classes().should().resideInAnyPackage(known);
+  }
+
+  private static ArchRule namedBySubject() {
+    return noClasses()
+        .should()
+        .resideInAnyPackage(
+            Stream.of("util", "utils", "impl", "misc", "helper", "helpers", "common")
+                .map(name -> ".." + name + "..")
+                .toArray(String[]::new));
+  }
+
+  private static ArchRule confined(String home, String... library) {
+    return noClasses()
+        .that()
+        .resideOutsideOfPackage(ROOT + home + "..")
+        .should()
+        .dependOnClassesThat(resideInAnyPackage(library));
+  }
+
+  private static ArchRule noCircles() {
+    return slices().matching(ROOT + "(**)").should().beFreeOfCycles();
+  }
+
+  private static ArchRule oneClock() {
+    DescribedPredicate<JavaAccess<?>> readsTheTime =
+        describe(
+            "reads the machine's time",
+            access ->
+                TIME_READERS
+                    .getOrDefault(access.getTargetOwner().getName(), Set.of())
+                    .contains(access.getName()));
+    return noClasses()
+        .that()
+        .doNotHaveFullyQualifiedName(SYSTEM_CLOCK)
+        .should()
+        .accessTargetWhere(readsTheTime);
+  }
+
+  private static ArchRule noStaticMutableState() {
+    DescribedPredicate<JavaField> written =
+        describe(
+            "static and written by people",
+            field ->
+                field.getModifiers().contains(JavaModifier.STATIC)
+                    && !field.getModifiers().contains(JavaModifier.SYNTHETIC));
+    DescribedPredicate<JavaClass> mutable =
+        describe(
+            "mutable by its type",
+            type ->
+                type.getPackageName().startsWith("java.util.concurrent.atomic")
+                    || type.isEquivalentTo(StringBuilder.class)
+                    || type.isEquivalentTo(ThreadLocal.class)
+                    || isCollectionThatCanOnlyBeMutable(type));
+    return fields().that(written).should().beFinal().andShould().notHaveRawType(mutable);
+  }
+
+  /**
+   * ArrayList, ConcurrentHashMap and the like; a field declared as List or Map may hold an
+   * unmodifiable one.
+   */
+  private static boolean isCollectionThatCanOnlyBeMutable(JavaClass type) {
+    return type.getPackageName().startsWith("java.util")
+        && !type.isInterface()
+        && (type.isAssignableTo(Collection.class) || type.isAssignableTo(Map.class));
+  }
+
+  private static ArchRule noJavaSerialization() {
+    DescribedPredicate<JavaClass> declaresIt =
+        describe(
+            "Serializable by its own declaration",
+            type ->
+                type.getRawInterfaces().stream()
+                    .anyMatch(
+                        parent ->
+                            parent.isEquivalentTo(Serializable.class)
+                                || parent.isEquivalentTo(Externalizable.class)));
+    return noClasses()
+        .should()
+        .dependOnClassesThat(
+            describe(
+                "write or read objects as Java serialization does",
+                type ->
+                    type.isEquivalentTo(ObjectOutputStream.class)
+                        || type.isEquivalentTo(ObjectInputStream.class)))
+        .orShould(com.tngtech.archunit.lang.conditions.ArchConditions.be(declaresIt));
+  }
+
+  /** Readers that make objects of classes that the data names, as Jackson's default typing does. */
+  private static ArchRule noObjectsFromData() {
+    return noClasses()
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("com.fasterxml.jackson.databind..", "java.beans..", "java.rmi..");
+  }
+}

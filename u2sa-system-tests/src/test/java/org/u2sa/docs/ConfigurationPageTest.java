@@ -1,0 +1,152 @@
+package org.u2sa.docs;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.control.VelocityControl;
+import org.u2sa.core.control.fixedwing.ThesisControl;
+import org.u2sa.core.control.ground.AckermannPursuitControl;
+import org.u2sa.core.control.ground.DifferentialDriveControl;
+import org.u2sa.core.control.ground.DifferentialPursuitControl;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.planning.VectorFieldPlanner;
+import org.u2sa.drivers.compass.CompassSensor;
+import org.u2sa.drivers.gps.GpsSensor;
+import org.u2sa.drivers.imu.ImuSensor;
+import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.drivers.mavlink.MavlinkAutopilot;
+import org.u2sa.drivers.motor.WheelMotors;
+import org.u2sa.drivers.range.LidarSensor;
+import org.u2sa.drivers.range.RangeSensor;
+import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.configuration.ConfigurationReference;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.service.Actuator;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.U2SAService;
+
+/** docs/configuration.md lists the variables that the services really declare. */
+class ConfigurationPageTest {
+  private static final String MISSION = Page.ROOT.resolve("missions/cessna/mission.xml").toString();
+
+  private static final String INTRODUCTION =
+      """
+      # Configuration
+
+      Generated from the variables that the code declares; a test fails when this page is out of date, and
+      this writes it anew:
+
+      ```
+      %s
+      ```
+
+      A service has one file, named in the system file ([config/cessna](../config/cessna) is an example):
+      ```xml
+      <configuration>
+        <variable name="LOWEST ALTITUDE" type="double" value="150" unit="m"/>
+      </configuration>
+      ```
+      - `type` is integer, double, boolean or string. `unit` may be any that converts to the unit below: `deg` for `rad`,
+        `kt` for `m/s`, `ft` for `m`. Optional `min`, `max` and `description` are kept for ground stations.
+      - A variable that is left out has its default; one that no service declares is refused, with the nearest known name.
+      - `./u2sa run FILE --set "PathPlanner:LOOK AHEAD=120.0"` sets one for a run, in the unit below, without writing the file. The
+        service is named by its class.
+      - `./u2sa config set` changes them while the service runs and writes the file, `./u2sa config undo` takes that back
+        ([remote-configuration.md](remote-configuration.md)). What a service reads in its constructor only is taken over at its next start.
+      """;
+
+  @TempDir Path logs;
+
+  @Test
+  void page_listsWhatServicesDeclare() throws Exception {
+    Map<String, List<Variable<?>>> services = new LinkedHashMap<>();
+    SystemFile system = SystemFile.read(Page.ROOT.resolve("config/cessna/system.xml"));
+    for (SystemFile.Entry entry : system.services()) {
+      services.put(entry.simpleName(), declaredBy(Class.forName(entry.className())));
+    }
+    services.put("VectorFieldPlanner", declaredBy(VectorFieldPlanner.class));
+    services.put("ThesisControl", declaredBy(ThesisControl.class));
+    services.put("DifferentialPursuitControl", declaredBy(DifferentialPursuitControl.class));
+    services.put("DifferentialDriveControl", declaredBy(DifferentialDriveControl.class));
+    services.put("AckermannPursuitControl", declaredBy(AckermannPursuitControl.class));
+    services.put("VelocityControl", declaredBy(VelocityControl.class));
+    services.put("IoioService", declaredBy(IoioService.class));
+    services.put("WheelMotors", declaredBy(WheelMotors.class));
+    services.put("GpsSensor", declaredBy(GpsSensor.class));
+    services.put("CompassSensor", declaredBy(CompassSensor.class));
+    services.put("ImuSensor", declaredBy(ImuSensor.class));
+    services.put("RangeSensor", declaredBy(RangeSensor.class));
+    services.put("LidarSensor", declaredBy(LidarSensor.class));
+    services.put("MavlinkAutopilot", declaredBy(MavlinkAutopilot.class));
+    List<Variable<?>> common = inAll(services.values());
+    StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
+    section(page, "Every service", common);
+    section(page, "CommunicationManager", declaredByManager());
+    services.forEach(
+        (name, variables) -> {
+          List<Variable<?>> own = new ArrayList<>(variables);
+          own.removeIf(variable -> names(common).contains(variable.name()));
+          section(page, name, own);
+        });
+    page.append('\n')
+        .append(ConfigurationReference.markdownFor(Actuator.class, CommandedActuators.class));
+    new Page("docs/configuration.md").mustBe(page.toString());
+  }
+
+  private static void section(StringBuilder page, String heading, List<Variable<?>> variables) {
+    page.append('\n').append(ConfigurationReference.markdownFor(heading, variables));
+  }
+
+  private List<Variable<?>> declaredBy(Class<?> service) throws ReflectiveOperationException {
+    // Neither changes what is declared: some need a mission to begin with, drivers look for
+    // devices.
+    XmlConfiguration configuration =
+        XmlConfiguration.inMemory(
+            "the page",
+            Map.of("MISSION", MISSION, "DEFAULT THRESHOLD", 1.0, "CONNECTION", "tcp:127.0.0.1:9"));
+    ServiceContext context =
+        ServiceContext.of("docs", configuration)
+            .transport(new LocalBus("docs"))
+            .logDirectory(logs)
+            .build();
+    U2SAService made =
+        service
+            .asSubclass(U2SAService.class)
+            .getConstructor(ServiceContext.class)
+            .newInstance(context);
+    made.kill();
+    return configuration.declared();
+  }
+
+  private static List<Variable<?>> declaredByManager() {
+    XmlConfiguration configuration =
+        XmlConfiguration.inMemory("the page", Map.of("BROKER", "none"));
+    CommunicationManager.start("docs", configuration, StandardTypes.registry(), line -> {}).close();
+    return configuration.declared();
+  }
+
+  private static List<Variable<?>> inAll(Iterable<List<Variable<?>>> services) {
+    List<Variable<?>> common = new ArrayList<>();
+    for (List<Variable<?>> variables : services) {
+      if (common.isEmpty()) {
+        common.addAll(variables);
+      }
+      common.removeIf(variable -> !names(variables).contains(variable.name()));
+    }
+    return common;
+  }
+
+  private static List<String> names(List<Variable<?>> variables) {
+    List<String> names = new ArrayList<>();
+    variables.forEach(variable -> names.add(variable.name()));
+    return names;
+  }
+}
