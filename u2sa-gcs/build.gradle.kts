@@ -14,6 +14,7 @@ dependencies {
     api(libs.jackson.core)
     api(libs.geographiclib)
     testImplementation(libs.jackson.databind)
+    testImplementation(libs.junit.platform.launcher)
 }
 
 // version.properties says ${project.version}, as Maven's filtering understands it.

@@ -144,7 +144,9 @@ final class Templates implements AutoCloseable {
     int bytes = 0;
     try (Stream<Path> walk = Files.walk(folder)) {
       for (Path path :
-          walk.filter(each -> !Files.isDirectory(each)).limit(MOST_FILES + 1).toList()) {
+          walk.filter(each -> !Files.isDirectory(each, LinkOption.NOFOLLOW_LINKS))
+              .limit(MOST_FILES + 1)
+              .toList()) {
         String place = folder.relativize(path).toString().replace('\\', '/');
         if (place.equals(ABOUT)) {
           continue;
