@@ -13,14 +13,13 @@ import org.u2sa.messages.schema.U2SAData;
  * A step that comes more than a period late is counted as an overrun in the health report, and what
  * was missed is not made up for.
  */
-public abstract class PeriodicService extends LoopingService {
+public abstract class PeriodicService extends U2SAService {
   private static final double FASTEST_HZ = 10_000.0;
   private static final double SLOWEST_HZ = 0.001;
 
   private final long periodMicros;
-  private volatile boolean patient;
-  private long
-      dueMicros; // touched by the service's thread, and by a predecessor's before the start
+  private final ServiceLoop loop = new ServiceLoop(this);
+  private long dueMicros; // touched by the service's thread, before by the predecessor's
   private boolean hasSucceeded;
 
   /**
@@ -53,12 +52,7 @@ public abstract class PeriodicService extends LoopingService {
    * seldom. Called in the constructor.
    */
   protected final void handleMessagesAtSteps() {
-    patient = true;
-  }
-
-  @Override
-  final boolean isPatient() {
-    return patient;
+    handling().bePatient();
   }
 
   @Override
@@ -80,8 +74,20 @@ public abstract class PeriodicService extends LoopingService {
     return Clock.seconds(periodMicros);
   }
 
+  /** Called once on the service's thread before its first message or step. */
+  protected void begin() {}
+
   @Override
-  final void loop() throws InterruptedException {
+  public final void run() {
+    loop.run(this::begin, this::stepByStep);
+  }
+
+  @Override
+  public final void kill() {
+    loop.kill();
+  }
+
+  private void stepByStep() throws InterruptedException {
     if (!hasSucceeded) {
       dueMicros = clock().micros();
     }
@@ -90,7 +96,7 @@ public abstract class PeriodicService extends LoopingService {
       if (!isRunning()) {
         return;
       }
-      guarded(() -> step(nowS()));
+      handling().guarded(() -> step(nowS()));
       dueMicros += periodMicros;
       long lateMicros = clock().micros() - dueMicros;
       if (lateMicros > periodMicros) {

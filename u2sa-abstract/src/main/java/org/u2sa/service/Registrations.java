@@ -11,14 +11,9 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** The channels that a service publishes on and asked for, whether it is connected or not. */
 final class Registrations {
-  private final ServiceRole role;
   private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
   private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
-
-  Registrations(ServiceRole role) {
-    this.role = role;
-  }
 
   List<Channel<?>> published() {
     return published;
@@ -64,21 +59,16 @@ final class Registrations {
 
   /** The registered channel on which the message goes out; the one with the nearest type wins. */
   Optional<Channel<?>> channelFor(U2SAData data) {
-    return RoleChannels.nearest(published, data);
+    Channel<?> nearest = null;
+    for (Channel<?> channel : published) {
+      if (channel.carries(data) && (nearest == null || depth(channel) > depth(nearest))) {
+        nearest = channel;
+      }
+    }
+    return Optional.ofNullable(nearest);
   }
 
-  /** The role's standard channel on which to publish messages of the class; empty if none. */
-  Optional<Channel<?>> channelToPublish(Class<? extends U2SAData> dataType) {
-    return role.channelToPublish(dataType);
-  }
-
-  /** The role's standard channel on which to receive messages of the class; empty if none. */
-  Optional<Channel<?>> channelToSubscribe(Class<? extends U2SAData> dataType) {
-    return role.channelToSubscribe(dataType);
-  }
-
-  /** Why one of these is empty. */
-  String noStandardChannel(String does, Class<? extends U2SAData> dataType) {
-    return RoleChannels.noStandard(role, does, dataType);
+  private static int depth(Channel<?> channel) {
+    return channel.type().chain().size();
   }
 }

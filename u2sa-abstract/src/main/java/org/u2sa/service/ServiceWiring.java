@@ -15,7 +15,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** A service's side of its communication: the connection and what was registered on it. */
 final class ServiceWiring {
-  private final Registrations registrations;
+  private final Registrations registrations = new Registrations();
   private final Transport transport;
   private final String serviceName;
   private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on the predecessor's
@@ -29,9 +29,7 @@ final class ServiceWiring {
   private final PublishedData data;
   private boolean closed;
 
-  ServiceWiring(
-      ServiceContext context, ServiceRole role, String serviceName, ServiceReceiver receiver) {
-    registrations = new Registrations(role);
+  ServiceWiring(ServiceContext context, String serviceName, ServiceReceiver receiver) {
     this.serviceName = serviceName;
     this.receiver = receiver;
     staged = context.predecessor().isPresent();
