@@ -12,6 +12,7 @@ import org.u2sa.messages.schema.U2SAData;
  */
 final class MessageHandling {
   private final U2SAService service;
+  private final Registrations registrations;
   private final ServiceInbox inbox;
   private final ContractResponder contract;
   private final HealthReporter reporter;
@@ -20,6 +21,7 @@ final class MessageHandling {
 
   MessageHandling(U2SAService service) {
     this.service = service;
+    registrations = service.wiring().registrations();
     maxErrorsInARow = service.getVariable(ServiceVariables.MAX_ERRORS_IN_A_ROW);
     reporter = new HealthReporter(service, service.getVariable(ServiceVariables.HEALTH_INTERVAL));
     inbox = new ServiceInbox(service.getVariable(ServiceVariables.INBOX_CAPACITY));
@@ -84,8 +86,9 @@ final class MessageHandling {
           if (contract.concerns(delivery.channel(), message)) {
             contract.answer(message);
           }
-          if (service.wiring().registrations().isSubscribed(delivery.channel())
-              && isInTime(delivery)) {
+          if (registrations.isSubscribed(delivery.channel())
+              && isInTime(delivery)
+              && !registrations.handle(delivery.channel(), message)) {
             service.callback(message);
           }
         });
@@ -93,7 +96,7 @@ final class MessageHandling {
 
   /** Whether a message has not outlived the deadline that the author set; otherwise counts it. */
   private boolean isInTime(ServiceInbox.Delivery delivery) {
-    long deadlineMicros = service.wiring().registrations().deadlineMicros(delivery.channel());
+    long deadlineMicros = registrations.deadlineMicros(delivery.channel());
     if (deadlineMicros == Clock.NEVER) {
       return true;
     }

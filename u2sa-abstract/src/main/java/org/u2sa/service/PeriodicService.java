@@ -6,12 +6,12 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A service that acts at a fixed rate: its author writes {@link #step}, and {@link #callback} if it
- * subscribes to anything.
+ * A service that acts at a fixed rate: its author writes {@link #step}, and a handler for each
+ * channel that it {@linkplain #subscribe subscribes} to.
  *
- * <p>Steps are due on a fixed grid of time. Between them messages are handed to {@link #callback}.
- * A step that comes more than a period late is counted as an overrun in the health report, and what
- * was missed is not made up for.
+ * <p>Steps are due on a fixed grid of time. Between them messages are handled. A step that comes
+ * more than a period late is counted as an overrun in the health report, and what was missed is not
+ * made up for.
  */
 public abstract class PeriodicService extends U2SAService {
   private static final double FASTEST_HZ = 10_000.0;

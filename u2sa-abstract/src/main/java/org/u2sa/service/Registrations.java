@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
@@ -14,6 +15,18 @@ final class Registrations {
   private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
   private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
+  private final Map<Channel<?>, Handler<?>> handlers = new ConcurrentHashMap<>();
+
+  /** What is done with the messages of one channel. */
+  private record Handler<T extends U2SAData>(Class<T> type, Consumer<? super T> action) {
+    boolean handle(U2SAData message) {
+      if (!type.isInstance(message)) {
+        return false; // of another channel of the same name
+      }
+      action.accept(type.cast(message));
+      return true;
+    }
+  }
 
   List<Channel<?>> published() {
     return published;
@@ -55,6 +68,17 @@ final class Registrations {
   /** {@link #deadline}; {@link Clock#NEVER} if the service's author set none. */
   long deadlineMicros(Channel<?> channel) {
     return deadlinesMicros.getOrDefault(channel, Clock.NEVER);
+  }
+
+  /** Sets what is done with the channel's messages. */
+  <T extends U2SAData> void handler(Channel<T> channel, Consumer<? super T> action) {
+    handlers.put(channel, new Handler<>(channel.type().messageClass(), action));
+  }
+
+  /** Hands a message to its channel's handler. Returns false if there is none for it. */
+  boolean handle(Channel<?> channel, U2SAData message) {
+    Handler<?> handler = handlers.get(channel);
+    return handler != null && handler.handle(message);
   }
 
   /** The registered channel on which the message goes out; the one with the nearest type wins. */

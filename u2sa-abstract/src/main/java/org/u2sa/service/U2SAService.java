@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Communicator;
@@ -96,8 +97,8 @@ public abstract class U2SAService extends Thread
   public abstract void kill();
 
   /**
-   * Handles one message, on the service's thread, one at a time. What is not expected goes to
-   * {@link #unexpected}.
+   * Handles one message that no {@linkplain #subscribe handler} takes, on the service's thread, one
+   * at a time. What is not expected goes to {@link #unexpected}.
    */
   public abstract void callback(U2SAData data);
 
@@ -107,8 +108,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Hands waiting messages to {@link #callback} and reports health, until the deadline or the end
-   * of the service. Messages that already wait are handled even if the deadline has passed.
+   * Hands waiting messages to handlers and {@link #callback}, and reports health, until the
+   * deadline or the end of the service. Messages that already wait are handled even if the deadline
+   * has passed.
    *
    * @param untilMicros time of the run's clock [µs], or {@link Clock#NEVER}
    * @throws InterruptedException if the service's thread was interrupted
@@ -221,14 +223,34 @@ public abstract class U2SAService extends Thread
 
   /**
    * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when its turn
-   * comes, or that does not say its time, counts as absent. It is not handed to the callback, but
-   * counted as expired in health. A further call sets another deadline.
+   * comes, or that does not say its time, counts as absent. It is not handed over, but counted as
+   * expired in health. A further call sets another deadline.
    *
    * @param deadlineS age at which a message counts as absent [s], positive
    */
   public final boolean registerSubscriber(Channel<?> channel, double deadlineS) {
     wiring.registrations().deadline(channel, Clock.micros(deadlineS));
     return registerSubscriber(channel);
+  }
+
+  /**
+   * {@link #registerSubscriber(Channel)} with a handler: the channel's messages go to it instead of
+   * {@link #callback}, on the service's thread. A further call sets another handler.
+   */
+  public final <T extends U2SAData> boolean subscribe(
+      Channel<T> channel, Consumer<? super T> handler) {
+    wiring.registrations().handler(channel, handler);
+    return registerSubscriber(channel);
+  }
+
+  /**
+   * {@link #subscribe(Channel, Consumer)} with a {@linkplain #registerSubscriber(Channel, double)
+   * deadline}.
+   */
+  public final <T extends U2SAData> boolean subscribe(
+      Channel<T> channel, double deadlineS, Consumer<? super T> handler) {
+    wiring.registrations().handler(channel, handler);
+    return registerSubscriber(channel, deadlineS);
   }
 
   @Override

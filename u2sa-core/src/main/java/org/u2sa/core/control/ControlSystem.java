@@ -15,7 +15,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -33,6 +32,8 @@ import org.u2sa.service.ServiceRole;
 public abstract class ControlSystem extends EventDrivenService {
   /** The subsystem of navigation points for the vehicle as a whole. */
   protected static final String VEHICLE = "VEHICLE";
+
+  private static final double FULL_PERCENT = 100.0;
 
   static final Variable<Double> STALE_AFTER =
       Variable.number("STALE AFTER", "s")
@@ -71,8 +72,8 @@ public abstract class ControlSystem extends EventDrivenService {
     blendS = getVariable(BLEND_TIME);
     states = new StateHistory();
     states.span(Clock.micros(getVariable(STALE_AFTER)));
-    registerSubscriber(Channels.NAVIGATION);
-    registerSubscriber(Channels.STATE);
+    subscribe(Channels.NAVIGATION, point -> points.put(point.subsystem(), point));
+    subscribe(Channels.STATE, this::onState);
     registerPublisher(Channels.ACTUATION);
   }
 
@@ -92,25 +93,7 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected abstract Map<String, Double> neutral();
 
-  /**
-   * A message that is neither state nor navigation point, for subclasses that register for more.
-   */
-  protected void received(U2SAData data) {
-    unexpected(data);
-  }
-
-  @Override
-  public final void callback(U2SAData data) {
-    if (data instanceof StateInformation state) {
-      stateReceived(state);
-    } else if (data instanceof NavigationPoint point) {
-      points.put(point.subsystem(), point);
-    } else {
-      received(data);
-    }
-  }
-
-  private void stateReceived(StateInformation state) {
+  private void onState(StateInformation state) {
     if (state.timestamp().isEmpty()) {
       log(LogLevelEnum.WARN, "state without a timestamp left out: " + state);
       return;
@@ -200,9 +183,24 @@ public abstract class ControlSystem extends EventDrivenService {
     publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(expiryS));
   }
 
+  /** Commands an actuator a share of all that it can [−1…1]. */
+  protected final void commandShare(String actuator, double share) {
+    command(actuator, FULL_PERCENT * share);
+  }
+
+  /** What an actuator was commanded last, by this or the control before [−1…1]; 0 if nothing. */
+  protected final double lastShare(String actuator) {
+    return lastCommand(actuator).orElse(0.0) / FULL_PERCENT;
+  }
+
   /** The percentage that was commanded last, by this control system or the one before [%]. */
   protected final OptionalDouble lastCommand(String actuator) {
     return blend.last(actuator);
+  }
+
+  /** Whether a control of the same class hands over: then its state says all. */
+  protected final boolean isOfMyClass(HandOver state) {
+    return state.className().equals(getClass().getName());
   }
 
   /** {@inheritDoc} Subclasses that override it call it too. */
@@ -224,7 +222,7 @@ public abstract class ControlSystem extends EventDrivenService {
     state
         .messages("PLACED", NavigationPoint.class)
         .forEach(point -> placed.put(point.subsystem(), point));
-    blend.takeOver(state, state.className().equals(getClass().getName()));
+    blend.takeOver(state, isOfMyClass(state));
   }
 
   /** Leaves the actuators neutral; subclasses that override it call it too. */

@@ -154,20 +154,16 @@ public final class CessnaControl extends ControlSystem {
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    if (state.className().equals(getClass().getName())) {
+    if (isOfMyClass(state)) {
       reader.takeOver(state);
       autopilot.takeOver(state);
     } else if (lastCommand(CessnaActuator.THROTTLE.actuatorName()).isPresent()) {
       autopilot.takeOver(
-          lastShare(CessnaActuator.AILERON),
-          lastShare(CessnaActuator.ELEVATOR),
-          lastShare(CessnaActuator.RUDDER),
-          lastShare(CessnaActuator.THROTTLE));
+          lastShare(CessnaActuator.AILERON.actuatorName()),
+          lastShare(CessnaActuator.ELEVATOR.actuatorName()),
+          lastShare(CessnaActuator.RUDDER.actuatorName()),
+          lastShare(CessnaActuator.THROTTLE.actuatorName()));
     }
-  }
-
-  private double lastShare(CessnaActuator actuator) {
-    return lastCommand(actuator.actuatorName()).orElse(0.0) / FULL_PERCENT;
   }
 
   private void lacking(List<String> missing) {

@@ -5,7 +5,10 @@ import static org.u2sa.core.control.ground.PursuitVariables.number;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
@@ -18,7 +21,7 @@ import org.u2sa.service.ServiceContext;
  * opposite signs. It knows no acceleration and no speed over ground: for those see {@link
  * DifferentialPursuitControl}. Without fresh navigation both wheels stop.
  */
-public final class DifferentialDriveControl extends GroundControl {
+public final class DifferentialDriveControl extends ControlSystem {
   static final Variable<Double> DISTANCE_GAIN =
       number("DISTANCE GAIN", "%/m", 0.0, 1000.0, 60.0, "Both wheels for each metre of distance.");
   static final Variable<Double> SPEED_LIMIT =
@@ -46,11 +49,12 @@ public final class DifferentialDriveControl extends GroundControl {
   private static final double ALIGNED_RAD = 0.6; // farther aside it is to turn, not to learn
   private static final double FULL_PERCENT = 100.0;
 
+  private final GroundControl ground = new GroundControl(this);
   private final WheelBalance balance = new WheelBalance();
 
   /** Called by the launcher. */
   public DifferentialDriveControl(ServiceContext context) {
-    super(context);
+    super(context, "Control");
     Motors.declare(this);
     getVariable(DISTANCE_GAIN); // wrong values must fail before the drive
     getVariable(SPEED_LIMIT);
@@ -60,7 +64,10 @@ public final class DifferentialDriveControl extends GroundControl {
   }
 
   @Override
-  void drive(Optional<GroundTarget> target, Measured measured, double stepS) {
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<GroundTarget> target =
+        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
+    GroundControl.Measured measured = ground.measured(state, stepS());
     double ahead = 0.0; // [%]
     double turn = 0.0;
     OptionalDouble error = OptionalDouble.empty();
@@ -81,7 +88,7 @@ public final class DifferentialDriveControl extends GroundControl {
                 ahead / FULL_PERCENT,
                 error,
                 feedback(),
-                stepS)
+                stepS())
             .possible();
     commandShare(Motors.left(this), shares.left());
     commandShare(Motors.right(this), shares.right());

@@ -3,8 +3,12 @@ package org.u2sa.core.control.ground;
 import static org.u2sa.core.control.ground.PursuitVariables.number;
 
 import java.util.Map;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
@@ -14,7 +18,7 @@ import org.u2sa.service.ServiceContext;
  * left and the right motor, once for each state. Without fresh navigation, or without knowing where
  * it is, the vehicle brakes and stands.
  */
-public final class DifferentialPursuitControl extends PursuitControl {
+public final class DifferentialPursuitControl extends ControlSystem {
   static final Variable<Double> TRACK =
       number("TRACK", "m", 0.05, 10.0, 0.44, "Distance between the wheels of both sides.");
   static final Variable<Double> SPOT_TURN_ABOVE =
@@ -48,19 +52,21 @@ public final class DifferentialPursuitControl extends PursuitControl {
   private static final double FULL_PERCENT = 100.0;
   private static final double TIGHTEST = 10.0; // [1/m]; tighter is as good as on the spot
 
+  private final GroundControl ground = new GroundControl(this);
   private final WheelBalance balance = new WheelBalance();
+  private final PursuitControl pursuit;
 
   /** Called by the launcher. */
   public DifferentialPursuitControl(ServiceContext context) {
-    super(context);
+    super(context, "Control");
+    pursuit = new PursuitControl(this, settings());
     Motors.declare(this);
     getVariable(TRACK);
     getVariable(SPOT_TURN_FEEDBACK);
     getVariable(PursuitVariables.YAW_RATE_GAIN);
   }
 
-  @Override
-  PursuitSettings settings() {
+  private PursuitSettings settings() {
     return PursuitVariables.settings(
         this,
         TIGHTEST,
@@ -71,18 +77,40 @@ public final class DifferentialPursuitControl extends PursuitControl {
             getVariable(SPOT_TURN_GAIN)));
   }
 
+  /** Drives on with other gains and limits. */
   @Override
-  double command(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS, double stepS) {
-    DriveCalibration motor = calibration();
-    Drive told = new Drive(drive.speedMps() + trimMps, drive.yawRateRadPerS());
+  protected void configurationChanged(Set<String> variableNames) {
+    pursuit.settings(settings());
+  }
+
+  @Override
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<GroundTarget> target =
+        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
+    GroundControl.Measured measured = ground.measured(state, stepS());
+    PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
+    pursuit
+        .commanded(demand, drive(demand), measured, stepS())
+        .ifPresent(
+            words -> {
+              trouble(words);
+              balance.relax();
+            });
+  }
+
+  /** Commands the motors; returns what they are asked for by what they can. */
+  private double drive(PursuitControl.Demand demand) {
+    DriveCalibration motor = pursuit.calibration();
+    Drive drive = demand.drive();
+    Drive told = new Drive(drive.speedMps() + demand.trimMps(), drive.yawRateRadPerS());
     WheelSpeeds wheels = WheelSpeeds.of(told, getVariable(TRACK), motor.maxMps());
     WheelShares shares =
         balance.step(
             new WheelShares(motor.share(wheels.leftMps()), motor.share(wheels.rightMps())),
             drive.speedMps() > 0.0 ? motor.share(told.speedMps()) : 0.0,
-            yawErrorRadPerS,
+            demand.yawErrorRadPerS(),
             feedback(motor),
-            stepS);
+            stepS());
     WheelShares possible = shares.possible();
     commandShare(Motors.left(this), possible.left());
     commandShare(Motors.right(this), possible.right());
@@ -100,23 +128,22 @@ public final class DifferentialPursuitControl extends PursuitControl {
   }
 
   @Override
-  void relax() {
-    balance.relax();
-  }
-
-  @Override
-  void handOverMotors(HandOver state) {
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    pursuit.handOver(state);
     balance.handOver(state);
   }
 
   @Override
-  void takeOverMotors(HandOver state) {
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
     balance.takeOver(state);
+    pursuit.takeOver(state, isOfMyClass(state), lastDrive());
   }
 
-  @Override
-  Drive lastDrive() {
-    DriveCalibration motor = calibration();
+  /** The motion that the motors were commanded last, by whatever control. */
+  private Drive lastDrive() {
+    DriveCalibration motor = pursuit.calibration();
     return new WheelSpeeds(
             motor.speedMps(lastShare(Motors.left(this))),
             motor.speedMps(lastShare(Motors.right(this))))
