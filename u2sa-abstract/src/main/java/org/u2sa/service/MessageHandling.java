@@ -86,10 +86,8 @@ final class MessageHandling {
           if (contract.concerns(delivery.channel(), message)) {
             contract.answer(message);
           }
-          if (registrations.isSubscribed(delivery.channel())
-              && isInTime(delivery)
-              && !registrations.handle(delivery.channel(), message)) {
-            service.callback(message);
+          if (registrations.isSubscribed(delivery.channel()) && isInTime(delivery)) {
+            registrations.handler(delivery.channel()).orElse(service::callback).accept(message);
           }
         });
   }

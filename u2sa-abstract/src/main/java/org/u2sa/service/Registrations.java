@@ -15,18 +15,7 @@ final class Registrations {
   private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
   private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
-  private final Map<Channel<?>, Handler<?>> handlers = new ConcurrentHashMap<>();
-
-  /** What is done with the messages of one channel. */
-  private record Handler<T extends U2SAData>(Class<T> type, Consumer<? super T> action) {
-    boolean handle(U2SAData message) {
-      if (!type.isInstance(message)) {
-        return false; // of another channel of the same name
-      }
-      action.accept(type.cast(message));
-      return true;
-    }
-  }
+  private final Map<Channel<?>, Consumer<U2SAData>> handlers = new ConcurrentHashMap<>();
 
   List<Channel<?>> published() {
     return published;
@@ -72,13 +61,13 @@ final class Registrations {
 
   /** Sets what is done with the channel's messages. */
   <T extends U2SAData> void handler(Channel<T> channel, Consumer<? super T> action) {
-    handlers.put(channel, new Handler<>(channel.type().messageClass(), action));
+    Class<T> type = channel.type().messageClass();
+    handlers.put(channel, message -> action.accept(type.cast(message)));
   }
 
-  /** Hands a message to its channel's handler. Returns false if there is none for it. */
-  boolean handle(Channel<?> channel, U2SAData message) {
-    Handler<?> handler = handlers.get(channel);
-    return handler != null && handler.handle(message);
+  /** What is done with the channel's messages; empty if that is the callback's matter. */
+  Optional<Consumer<U2SAData>> handler(Channel<?> channel) {
+    return Optional.ofNullable(handlers.get(channel));
   }
 
   /** The registered channel on which the message goes out; the one with the nearest type wins. */

@@ -15,8 +15,6 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
-import org.u2sa.messages.contract.GoalCommand;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -27,9 +25,8 @@ import org.u2sa.service.ServiceRole;
  * goal-updates, goal-commands, failsafe. Out: goals, at the start, at each change, and in answer to
  * a report of a goal that is not current.
  *
- * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A goal
- * that comes in completed or abandoned is a report, any other an update. A list without goals says
- * that the mission is over. A failsafe to return or to land has goals of its own; when it is over,
+ * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A list
+ * without goals says that the mission is over. A failsafe to return or to land has goals of its own; when it is over,
  * the mission is resumed where it was left. Started anew in the same run, it goes on where the one
  * before was, unless the mission is another file now.
  */
@@ -59,10 +56,10 @@ public final class MissionManager extends EventDrivenService {
     progress = new MissionProgress(load());
     failsafes = new FailsafeMissions(this, files);
     registerPublisher(Channels.GOALS);
-    registerSubscriber(Channels.GOAL_REPORTS);
-    registerSubscriber(Channels.GOAL_UPDATES);
-    registerSubscriber(Channels.GOAL_COMMANDS);
-    registerSubscriber(Channels.FAILSAFE);
+    subscribe(Channels.GOAL_REPORTS, this::onReport);
+    subscribe(Channels.GOAL_UPDATES, this::update);
+    subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
+    subscribe(Channels.FAILSAFE, this::onFailsafe);
   }
 
   /** Refuses a mission that cannot be read, before it takes the place of one that can. */
@@ -157,21 +154,10 @@ public final class MissionManager extends EventDrivenService {
     publishGoals();
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof FailsafeState failsafe) {
-      react(failsafe.action());
-      if (files.haveNews()) { // looked for each time that it is repeated
-        publishGoals();
-      }
-    } else if (data instanceof GoalCommand command) {
-      changeTo(command.uid());
-    } else if (!(data instanceof GoalInformation goal)) {
-      unexpected(data);
-    } else if (goal.completed() || goal.abandoned()) {
-      finish(goal);
-    } else {
-      update(goal);
+  private void onFailsafe(FailsafeState failsafe) {
+    react(failsafe.action());
+    if (files.haveNews()) { // looked for each time that it is repeated
+      publishGoals();
     }
   }
 
@@ -186,6 +172,14 @@ public final class MissionManager extends EventDrivenService {
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,
           resumes ? "resumes the mission" : "leaves the mission: " + action);
       publishGoals();
+    }
+  }
+
+  private void onReport(GoalInformation goal) {
+    if (goal.completed() || goal.abandoned()) {
+      finish(goal);
+    } else {
+      unexpected(goal); // it is under way: nothing follows from that
     }
   }
 

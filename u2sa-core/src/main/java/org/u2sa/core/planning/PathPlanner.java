@@ -11,8 +11,6 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -62,9 +60,9 @@ public class PathPlanner extends EventDrivenService {
     end = new EndOfMission(() -> settings, guidance);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
-    registerSubscriber(Channels.GOALS);
-    registerSubscriber(Channels.STATE, settings.staleAfterS());
-    registerSubscriber(Channels.FAILSAFE);
+    subscribe(Channels.GOALS, this::onGoals);
+    subscribe(Channels.STATE, settings.staleAfterS(), this::onState);
+    subscribe(Channels.FAILSAFE, state -> react(state.action()));
   }
 
   private static WaypointGuidance chosenGuidance(PathPlanner planner) {
@@ -119,24 +117,23 @@ public class PathPlanner extends EventDrivenService {
     end.leave(); // a circle of the new radius
   }
 
-  @Override
-  public final void callback(U2SAData data) {
-    if (data instanceof GoalList list && takenOver.filter(list::equals).isPresent()) {
-      takenOver = Optional.empty(); // the retained one, on which the planner before has acted
-    } else if (data instanceof GoalList list) {
-      takenOver = Optional.empty();
-      goals = Optional.of(list);
-      if (goal.isPresent() && isFinished(goal.get().uid())) {
-        goal = Optional.empty(); // if the list names it again, it is to be reached once more
-      }
-    } else if (data instanceof StateInformation state) {
-      if (isUsable(state)) {
-        plan(state);
-      }
-    } else if (data instanceof FailsafeState state) {
-      react(state.action());
+  private void onGoals(GoalList list) {
+    boolean known = takenOver.filter(list::equals).isPresent();
+    takenOver = Optional.empty();
+    if (known) {
+      return; // the retained one, on which the planner before has acted
+    }
+    goals = Optional.of(list);
+    if (goal.isPresent() && isFinished(goal.get().uid())) {
+      goal = Optional.empty(); // if the list names it again, it is to be reached once more
+    }
+  }
+
+  private void onState(StateInformation state) {
+    if (Vehicle.of(state).isPresent()) {
+      plan(state);
     } else {
-      unexpected(data);
+      complain("state lacks x, y or psi: not planned from: " + state, "state incomplete");
     }
   }
 
@@ -156,14 +153,6 @@ public class PathPlanner extends EventDrivenService {
     }
     failsafe = action;
     settings = currentSettings();
-  }
-
-  private boolean isUsable(StateInformation state) {
-    if (Vehicle.of(state).isEmpty()) {
-      complain("state lacks x, y or psi: not planned from: " + state, "state incomplete");
-      return false;
-    }
-    return true;
   }
 
   private void plan(StateInformation state) {
