@@ -2,7 +2,7 @@ package org.u2sa.service;
 
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -20,8 +20,8 @@ public abstract class Actuator extends PeriodicService {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
   private static final double ANNOUNCE_EVERY_S = 5.0;
 
-  private static final Variable<String> ACTUATOR_NAME =
-      Variable.text("ACTUATOR NAME")
+  private static final VariableDeclaration<String> ACTUATOR_NAME =
+      VariableDeclaration.text("ACTUATOR NAME")
           .ifAbsent("")
           .describedAs(
               "Name to which commands are addressed, unique in the system; empty: the service's name.");

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.PercentageCommand;
@@ -26,20 +26,20 @@ import org.u2sa.messages.schema.U2SAData;
  * constructor and hand it what comes. Belongs to its service's thread.
  */
 public final class CommandedActuators {
-  static final Variable<Double> COMMAND_EXPIRY =
-      Variable.number("COMMAND EXPIRY", "s")
+  static final VariableDeclaration<Double> COMMAND_EXPIRY =
+      VariableDeclaration.number("COMMAND EXPIRY", "s")
           .range(Range.of(0.01, 60.0))
           .ifAbsent(0.5)
           .describedAs("Time without a command after which an actuator goes neutral.");
 
-  static final Variable<Double> CLOCK_TOLERANCE =
-      Variable.number("CLOCK TOLERANCE", "s")
+  static final VariableDeclaration<Double> CLOCK_TOLERANCE =
+      VariableDeclaration.number("CLOCK TOLERANCE", "s")
           .range(Range.of(0.0, 60.0))
           .ifAbsent(1.0)
           .describedAs("How far ahead of this clock a command's time may be before it is refused.");
 
-  static final Variable<Boolean> REQUIRES_ARMING =
-      Variable.flag("REQUIRES ARMING")
+  static final VariableDeclaration<Boolean> REQUIRES_ARMING =
+      VariableDeclaration.flag("REQUIRES ARMING")
           .ifAbsent(false)
           .describedAs("Whether actuators obey only while a Safety Manager says that it is armed.");
 

@@ -1,7 +1,7 @@
 package org.u2sa.service;
 
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -33,8 +33,8 @@ public abstract class PeriodicService extends U2SAService {
     periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz))));
   }
 
-  private static Variable<Double> rate(double defaultRateHz) {
-    return Variable.number("RATE", "Hz")
+  private static VariableDeclaration<Double> rate(double defaultRateHz) {
+    return VariableDeclaration.number("RATE", "Hz")
         .range(Range.of(SLOWEST_HZ, FASTEST_HZ))
         .ifAbsent(defaultRateHz)
         .describedAs("Steps a second.");

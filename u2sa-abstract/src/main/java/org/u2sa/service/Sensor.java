@@ -1,13 +1,13 @@
 package org.u2sa.service;
 
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /**
  * A service that reads a sensor at a fixed rate and publishes what it measured (thesis 3.2.2.2).
  */
 public abstract class Sensor extends PeriodicService {
-  private static final Variable<String> SENSOR_NAME =
-      Variable.text("SENSOR NAME")
+  private static final VariableDeclaration<String> SENSOR_NAME =
+      VariableDeclaration.text("SENSOR NAME")
           .ifAbsent("")
           .describedAs(
               "Name of the sensor in its messages, unique in the system; empty: the service's name.");

@@ -11,7 +11,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Communicator;
 import org.u2sa.interfaces.communication.Publisher;
 import org.u2sa.interfaces.communication.Subscriber;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogFile;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.log.Logger;
@@ -127,7 +127,7 @@ public abstract class U2SAService extends Thread
   }
 
   @Override
-  public final <T> T getVariable(Variable<T> variable) {
+  public final <T> T getVariable(VariableDeclaration<T> variable) {
     return context.configuration().getVariable(variable);
   }
 

@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -35,20 +35,20 @@ public abstract class ControlSystem extends EventDrivenService {
 
   private static final double FULL_PERCENT = 100.0;
 
-  static final Variable<Double> STALE_AFTER =
-      Variable.number("STALE AFTER", "s")
+  static final VariableDeclaration<Double> STALE_AFTER =
+      VariableDeclaration.number("STALE AFTER", "s")
           .range(Range.of(0.02, 60.0))
           .ifAbsent(1.0)
           .describedAs("Age at which a navigation point counts as absent.");
 
-  static final Variable<Double> COMMAND_EXPIRY =
-      Variable.number("COMMAND EXPIRY", "s")
+  static final VariableDeclaration<Double> COMMAND_EXPIRY =
+      VariableDeclaration.number("COMMAND EXPIRY", "s")
           .range(Range.of(0.02, 60.0))
           .ifAbsent(0.5)
           .describedAs("How long an actuator obeys a command that is not renewed.");
 
-  static final Variable<Double> BLEND_TIME =
-      Variable.number("BLEND TIME", "s")
+  static final VariableDeclaration<Double> BLEND_TIME =
+      VariableDeclaration.number("BLEND TIME", "s")
           .range(Range.of(0.0, 10.0))
           .ifAbsent(0.5)
           .describedAs(

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -27,50 +27,50 @@ public final class VelocityControl extends ControlSystem {
 
   private static final double FULL_PERCENT = 100.0;
 
-  static final Variable<Double> FULL_SPEED =
-      Variable.number("FULL SPEED", "m/s")
+  static final VariableDeclaration<Double> FULL_SPEED =
+      VariableDeclaration.number("FULL SPEED", "m/s")
           .range(Range.of(0.01, 100.0))
           .ifAbsent(5.0)
           .describedAs("Speed forward and sideways at 100 %, as the actuators have it.");
 
-  static final Variable<Double> FULL_CLIMB =
-      Variable.number("FULL CLIMB", "m/s")
+  static final VariableDeclaration<Double> FULL_CLIMB =
+      VariableDeclaration.number("FULL CLIMB", "m/s")
           .range(Range.of(0.01, 50.0))
           .ifAbsent(2.0)
           .describedAs("Speed upwards at 100 %, as the actuators have it.");
 
-  static final Variable<Double> FULL_TURN =
-      Variable.number("FULL TURN", "rad/s")
+  static final VariableDeclaration<Double> FULL_TURN =
+      VariableDeclaration.number("FULL TURN", "rad/s")
           .range(Range.of(0.01, 10.0))
           .ifAbsent(1.0)
           .describedAs("Rate of turn at 100 %, as the actuators have it.");
 
-  static final Variable<Double> CRUISE_SPEED =
-      Variable.number("CRUISE SPEED", "m/s")
+  static final VariableDeclaration<Double> CRUISE_SPEED =
+      VariableDeclaration.number("CRUISE SPEED", "m/s")
           .range(Range.of(0.01, 100.0))
           .ifAbsent(2.0)
           .describedAs("Speed to a navigation point that says none.");
 
-  static final Variable<Double> APPROACH_GAIN =
-      Variable.number("APPROACH GAIN", "1/s")
+  static final VariableDeclaration<Double> APPROACH_GAIN =
+      VariableDeclaration.number("APPROACH GAIN", "1/s")
           .range(Range.of(0.01, 10.0))
           .ifAbsent(0.8)
           .describedAs("Most speed for each metre that is left.");
 
-  static final Variable<Double> TURN_GAIN =
-      Variable.number("TURN GAIN", "1/s")
+  static final VariableDeclaration<Double> TURN_GAIN =
+      VariableDeclaration.number("TURN GAIN", "1/s")
           .range(Range.of(0.0, 10.0))
           .ifAbsent(1.0)
           .describedAs("Rate of turn for each radian of the point's direction.");
 
-  static final Variable<Double> FACING_DISTANCE =
-      Variable.number("FACING DISTANCE", "m")
+  static final VariableDeclaration<Double> FACING_DISTANCE =
+      VariableDeclaration.number("FACING DISTANCE", "m")
           .range(Range.of(0.0, 100.0))
           .ifAbsent(1.0)
           .describedAs("Nearer points are not turned to: their direction is mostly error.");
 
-  static final Variable<Boolean> SIDEWAYS =
-      Variable.flag("SIDEWAYS")
+  static final VariableDeclaration<Boolean> SIDEWAYS =
+      VariableDeclaration.flag("SIDEWAYS")
           .ifAbsent(true)
           .describedAs("Whether the vehicle can go sideways and backwards, as a multicopter.");
 
@@ -109,7 +109,7 @@ public final class VelocityControl extends ControlSystem {
     command(TURN, percent(turn, FULL_TURN));
   }
 
-  private double percent(double value, Variable<Double> full) {
+  private double percent(double value, VariableDeclaration<Double> full) {
     return FULL_PERCENT * value / getVariable(full);
   }
 

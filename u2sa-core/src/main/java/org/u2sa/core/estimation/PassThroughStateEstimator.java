@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
@@ -23,47 +23,47 @@ import org.u2sa.service.ServiceContext;
  * same, the newest counts.
  */
 public final class PassThroughStateEstimator extends StateEstimator {
-  static final Variable<Double> STALE_AFTER =
-      Variable.number("STALE AFTER", "s")
+  static final VariableDeclaration<Double> STALE_AFTER =
+      VariableDeclaration.number("STALE AFTER", "s")
           .range(Range.of(0.01, 60.0))
           .ifAbsent(2.0)
           .describedAs(
               "Age at which what one sensor measured no longer completes what another measures.");
 
-  static final Variable<Double> VELOCITY_SIGMA =
-      Variable.number("VELOCITY SIGMA", "m/s")
+  static final VariableDeclaration<Double> VELOCITY_SIGMA =
+      VariableDeclaration.number("VELOCITY SIGMA", "m/s")
           .range(Range.nonNegative())
           .ifAbsent(0.1)
           .describedAs(
               "Standard deviation of a measured velocity that comes without one: by it a position grows unsure with age.");
 
-  static final Variable<Double> ACCELERATION =
-      Variable.number("ACCELERATION", "m/s^2")
+  static final VariableDeclaration<Double> ACCELERATION =
+      VariableDeclaration.number("ACCELERATION", "m/s^2")
           .range(Range.nonNegative())
           .ifAbsent(1.0)
           .describedAs(
               "Acceleration that may have gone unmeasured, 1 sigma: by its half times the age's square a position grows unsure.");
 
-  static final Variable<Double> UNKNOWN_SPEED =
-      Variable.number("UNKNOWN SPEED", "m/s")
+  static final VariableDeclaration<Double> UNKNOWN_SPEED =
+      VariableDeclaration.number("UNKNOWN SPEED", "m/s")
           .range(Range.nonNegative())
           .ifAbsent(1.0)
           .describedAs("Speed, 1 sigma, that is counted with where none is measured.");
 
-  static final Variable<Double> UNKNOWN_TURN =
-      Variable.number("UNKNOWN TURN RATE", "rad/s")
+  static final VariableDeclaration<Double> UNKNOWN_TURN =
+      VariableDeclaration.number("UNKNOWN TURN RATE", "rad/s")
           .range(Range.nonNegative())
           .ifAbsent(0.5)
           .describedAs("Turn rate, 1 sigma, that is counted with where none is measured.");
 
-  static final Variable<String> NEEDED =
-      Variable.text("NEEDED")
+  static final VariableDeclaration<String> NEEDED =
+      VariableDeclaration.text("NEEDED")
           .ifAbsent("x, y, psi")
           .describedAs(
               "Numbers that the vehicle cannot do without: health says which are absent for long.");
 
-  static final Variable<Double> COMPLETE_WITHIN =
-      Variable.number("COMPLETE WITHIN", "s")
+  static final VariableDeclaration<Double> COMPLETE_WITHIN =
+      VariableDeclaration.number("COMPLETE WITHIN", "s")
           .range(Range.positive())
           .ifAbsent(5.0)
           .describedAs("How long a needed number may be absent before health says so.");

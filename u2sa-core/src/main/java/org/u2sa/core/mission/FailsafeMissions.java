@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
@@ -16,14 +16,14 @@ import org.u2sa.messages.contract.FailsafeAction;
 
 /** The goals of a vehicle that returns or lands because something is wrong. */
 final class FailsafeMissions {
-  static final Variable<String> RETURN_MISSION =
-      Variable.text("RETURN MISSION")
+  static final VariableDeclaration<String> RETURN_MISSION =
+      VariableDeclaration.text("RETURN MISSION")
           .ifAbsent("")
           .describedAs(
               "The mission's XML file for the failsafe RETURN, relative to the configuration file; empty: to the mission's home.");
 
-  static final Variable<String> LAND_MISSION =
-      Variable.text("LAND MISSION")
+  static final VariableDeclaration<String> LAND_MISSION =
+      VariableDeclaration.text("LAND MISSION")
           .ifAbsent("")
           .describedAs(
               "The mission's XML file for the failsafe LAND, relative to the configuration file; empty: it returns instead.");
@@ -67,7 +67,7 @@ final class FailsafeMissions {
     goals.put(FailsafeAction.LAND, landing);
   }
 
-  private List<GoalInformation> load(FailsafeAction action, Variable<String> variable) {
+  private List<GoalInformation> load(FailsafeAction action, VariableDeclaration<String> variable) {
     String path = manager.getVariable(variable);
     if (path.isEmpty()) {
       files.forget(variable);

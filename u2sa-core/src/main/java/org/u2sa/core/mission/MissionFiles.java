@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -16,7 +16,7 @@ import org.u2sa.service.ServiceContext;
  * no longer what was loaded from it.
  */
 final class MissionFiles {
-  private static final List<Variable<String>> VARIABLES =
+  private static final List<VariableDeclaration<String>> VARIABLES =
       List.of(
           MissionVariables.MISSION, FailsafeMissions.RETURN_MISSION, FailsafeMissions.LAND_MISSION);
 
@@ -34,7 +34,7 @@ final class MissionFiles {
    * @param path as the variable has it
    * @throws BadInputException naming the variable, and what is wrong where in the file
    */
-  Mission load(Variable<String> variable, String path, double thresholdM) {
+  Mission load(VariableDeclaration<String> variable, String path, double thresholdM) {
     Path file = context.configuration().resolve(path);
     LoadedFile watched = new LoadedFile(file, each -> read(variable, each, thresholdM));
     Mission mission = read(variable, file, thresholdM);
@@ -43,11 +43,11 @@ final class MissionFiles {
   }
 
   /** The variable names no file any more. */
-  void forget(Variable<String> variable) {
+  void forget(VariableDeclaration<String> variable) {
     loaded.remove(variable.name());
   }
 
-  private Mission read(Variable<String> variable, Path file, double thresholdM) {
+  private Mission read(VariableDeclaration<String> variable, Path file, double thresholdM) {
     try {
       return Mission.load(file, context.messageTypes(), thresholdM);
     } catch (BadInputException e) {
@@ -82,7 +82,7 @@ final class MissionFiles {
     double thresholdM = (Double) values.get(MissionVariables.DEFAULT_THRESHOLD.name());
     boolean others = thresholdM != before.getVariable(MissionVariables.DEFAULT_THRESHOLD);
     try {
-      for (Variable<String> variable : VARIABLES) {
+      for (VariableDeclaration<String> variable : VARIABLES) {
         String path = (String) values.get(variable.name());
         boolean named = variable == MissionVariables.MISSION || !path.isEmpty();
         if (named && (others || !path.equals(before.getVariable(variable)))) {

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
@@ -32,7 +32,7 @@ import org.u2sa.service.ServiceRole;
  */
 public final class MissionManager extends EventDrivenService {
   /** The horizontal threshold of waypoints whose mission gives none [m]. */
-  public static final Variable<Double> DEFAULT_THRESHOLD = MissionVariables.DEFAULT_THRESHOLD;
+  public static final VariableDeclaration<Double> DEFAULT_THRESHOLD = MissionVariables.DEFAULT_THRESHOLD;
 
   /** The goal to which a vehicle returns on command. */
   static final String HOME = "home";

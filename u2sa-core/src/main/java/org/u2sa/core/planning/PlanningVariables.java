@@ -1,7 +1,7 @@
 package org.u2sa.core.planning;
 
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /**
  * The configuration variables of the {@link PathPlanner}. Only these tell an aircraft from a ground
@@ -13,83 +13,83 @@ final class PlanningVariables {
   static final String HOLD = "HOLD";
   private static final String STOP = "STOP";
 
-  static final Variable<String> GUIDANCE =
-      Variable.text("GUIDANCE")
+  static final VariableDeclaration<String> GUIDANCE =
+      VariableDeclaration.text("GUIDANCE")
           .oneOf(LINE, DIRECT)
           .ifAbsent(LINE)
           .describedAs(
               "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors"
                   + " (thesis 4.5.2.4).");
 
-  static final Variable<Double> LOOK_AHEAD =
-      Variable.number("LOOK AHEAD", "m")
+  static final VariableDeclaration<Double> LOOK_AHEAD =
+      VariableDeclaration.number("LOOK AHEAD", "m")
           .range(Range.positive())
           .ifAbsent(1.0)
           .describedAs(
               "Least distance ahead, on the line, of the point to go to. Shorter holds the line tighter.");
 
-  static final Variable<Double> LOOK_AHEAD_TIME =
-      Variable.number("LOOK AHEAD TIME", "s")
+  static final VariableDeclaration<Double> LOOK_AHEAD_TIME =
+      VariableDeclaration.number("LOOK AHEAD TIME", "s")
           .range(Range.nonNegative())
           .ifAbsent(1.0)
           .describedAs(
               "The same as a time: the point is at least as far ahead as the vehicle gets in it.");
 
-  static final Variable<Double> TURN_ACCELERATION =
-      Variable.number("TURN ACCELERATION", "m/s^2")
+  static final VariableDeclaration<Double> TURN_ACCELERATION =
+      VariableDeclaration.number("TURN ACCELERATION", "m/s^2")
           .range(Range.nonNegative())
           .ifAbsent(0.0)
           .describedAs(
               "Lateral acceleration of turns: g tan(bank) for aircraft; 0 for a vehicle that turns on the spot.");
 
-  static final Variable<Double> TURN_LAG =
-      Variable.number("TURN LAG", "s")
+  static final VariableDeclaration<Double> TURN_LAG =
+      VariableDeclaration.number("TURN LAG", "s")
           .range(Range.nonNegative())
           .ifAbsent(0.0)
           .describedAs(
               "Time from the order to turn until the turn is under way: the roll-in of an aircraft.");
 
-  static final Variable<Double> CORNER_LIMIT =
-      Variable.number("CORNER LIMIT", "m")
+  static final VariableDeclaration<Double> CORNER_LIMIT =
+      VariableDeclaration.number("CORNER LIMIT", "m")
           .range(Range.nonNegative())
           .ifAbsent(60.0)
           .describedAs(
               "Most by which a turn may cut the corner at a waypoint, however large its threshold.");
 
-  static final Variable<String> ALTITUDE_PROFILE =
-      Variable.text("ALTITUDE PROFILE")
+  static final VariableDeclaration<String> ALTITUDE_PROFILE =
+      VariableDeclaration.text("ALTITUDE PROFILE")
           .oneOf(AltitudeProfile.IMMEDIATE.name(), AltitudeProfile.LINEAR.name())
           .ifAbsent(AltitudeProfile.IMMEDIATE.name())
           .describedAs(
               "Whether a leg's altitude is that of its end at once, or changes in proportion to the way.");
 
-  static final Variable<Integer> ATTEMPTS =
-      Variable.integer("ATTEMPTS")
+  static final VariableDeclaration<Integer> ATTEMPTS =
+      VariableDeclaration.integer("ATTEMPTS")
           .range(Range.of(1, 1000))
           .ifAbsent(3)
           .describedAs("Passes at a waypoint before it is given up.");
 
-  static final Variable<String> AT_END =
-      Variable.text("AT END")
+  static final VariableDeclaration<String> AT_END =
+      VariableDeclaration.text("AT END")
           .oneOf(HOLD, STOP)
           .ifAbsent(STOP)
           .describedAs(
               "What follows the last goal: HOLD stays at the last waypoint, STOP gives no navigation points.");
 
-  static final Variable<Double> LOITER_RADIUS =
-      Variable.number("LOITER RADIUS", "m")
+  static final VariableDeclaration<Double> LOITER_RADIUS =
+      VariableDeclaration.number("LOITER RADIUS", "m")
           .range(Range.nonNegative())
           .ifAbsent(0.0)
           .describedAs("Radius of the circle on which to hold; 0 holds the place itself.");
 
-  static final Variable<Double> STALE_AFTER =
-      Variable.number("STALE AFTER", "s")
+  static final VariableDeclaration<Double> STALE_AFTER =
+      VariableDeclaration.number("STALE AFTER", "s")
           .range(Range.positive())
           .ifAbsent(1.0)
           .describedAs("Age at which a state is too old to plan from.");
 
-  static final Variable<Double> REPORT_INTERVAL =
-      Variable.number("REPORT INTERVAL", "s")
+  static final VariableDeclaration<Double> REPORT_INTERVAL =
+      VariableDeclaration.number("REPORT INTERVAL", "s")
           .range(Range.positive())
           .ifAbsent(1.0)
           .describedAs(

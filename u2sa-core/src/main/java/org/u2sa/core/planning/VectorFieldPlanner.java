@@ -1,7 +1,7 @@
 package org.u2sa.core.planning;
 
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -10,8 +10,8 @@ import org.u2sa.service.ServiceContext;
  * other's place in motion.
  */
 public final class VectorFieldPlanner extends PathPlanner {
-  static final Variable<Double> INTERCEPT_ANGLE =
-      Variable.number("INTERCEPT ANGLE", "deg")
+  static final VariableDeclaration<Double> INTERCEPT_ANGLE =
+      VariableDeclaration.number("INTERCEPT ANGLE", "deg")
           .range(Range.of(5.0, 90.0))
           .ifAbsent(60.0)
           .describedAs("Course relative to the line at which a vehicle far off comes back to it.");

@@ -23,7 +23,7 @@ final class ConfigurationValues {
   private final Map<String, FileVariable> stated;
   private final Set<String> overridden = new HashSet<>();
   private final Set<String> tolerated = new HashSet<>();
-  private final Map<String, Variable<?>> declared = new LinkedHashMap<>();
+  private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
   private final Map<String, Object> values = new LinkedHashMap<>();
 
   ConfigurationValues(String origin, boolean typed, Map<String, FileVariable> stated) {
@@ -78,7 +78,7 @@ final class ConfigurationValues {
     return Optional.ofNullable(stated.get(name));
   }
 
-  <T> T declare(Variable<T> variable) {
+  <T> T declare(VariableDeclaration<T> variable) {
     String name = variable.name();
     if (declared.get(name) != variable) {
       FileVariable statement = stated.get(name);
@@ -96,7 +96,7 @@ final class ConfigurationValues {
     return variable.cast(values.get(name));
   }
 
-  List<Variable<?>> declared() {
+  List<VariableDeclaration<?>> declared() {
     return new ArrayList<>(declared.values());
   }
 
@@ -146,7 +146,7 @@ final class ConfigurationValues {
 
   /** The declaration of a variable together with a file's statement of it. */
   BoundVariable bound(String name, Optional<FileVariable> statement) {
-    Optional<Variable<?>> declaration = Optional.ofNullable(declared.get(name));
+    Optional<VariableDeclaration<?>> declaration = Optional.ofNullable(declared.get(name));
     if (!declaration.isPresent() && !statement.isPresent()) {
       throw new ConfigurationException(
           origin + ", variable \"" + name + "\": no longer stands in the file");

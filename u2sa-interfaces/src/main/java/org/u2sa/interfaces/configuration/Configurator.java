@@ -24,7 +24,7 @@ public interface Configurator {
    * @throws ConfigurationException if it is required and absent, of another type, of a unit that
    *     cannot be converted, or outside its range; names file, line, variable, value and range
    */
-  <T> T getVariable(Variable<T> variable);
+  <T> T getVariable(VariableDeclaration<T> variable);
 
   /**
    * Changes a variable and writes it to the configuration file; a power cut leaves the old or the

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.core.control.ControlSystem;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
@@ -19,9 +19,9 @@ import org.u2sa.service.ServiceContext;
  * is, the vehicle brakes and stands.
  */
 public final class AckermannPursuitControl extends ControlSystem {
-  static final Variable<Double> WHEELBASE =
+  static final VariableDeclaration<Double> WHEELBASE =
       number("WHEELBASE", "m", 0.05, 20.0, 0.33, "Distance from the front axle to the rear one.");
-  static final Variable<Double> STEERING_ANGLE =
+  static final VariableDeclaration<Double> STEERING_ANGLE =
       number(
           "STEERING ANGLE",
           "deg",
@@ -29,12 +29,12 @@ public final class AckermannPursuitControl extends ControlSystem {
           70.0,
           24.0,
           "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.");
-  static final Variable<String> THROTTLE =
-      Variable.text("THROTTLE ACTUATOR")
+  static final VariableDeclaration<String> THROTTLE =
+      VariableDeclaration.text("THROTTLE ACTUATOR")
           .ifAbsent("THROTTLE")
           .describedAs("Name of the actuator of the drive, forwards positive.");
-  static final Variable<String> STEERING =
-      Variable.text("STEERING ACTUATOR")
+  static final VariableDeclaration<String> STEERING =
+      VariableDeclaration.text("STEERING ACTUATOR")
           .ifAbsent("STEERING")
           .describedAs("Name of the actuator of the steering, to the right positive.");
 

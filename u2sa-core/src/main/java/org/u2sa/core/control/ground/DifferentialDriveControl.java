@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.core.control.ControlSystem;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
@@ -22,11 +22,11 @@ import org.u2sa.service.ServiceContext;
  * DifferentialPursuitControl}. Without fresh navigation both wheels stop.
  */
 public final class DifferentialDriveControl extends ControlSystem {
-  static final Variable<Double> DISTANCE_GAIN =
+  static final VariableDeclaration<Double> DISTANCE_GAIN =
       number("DISTANCE GAIN", "%/m", 0.0, 1000.0, 60.0, "Both wheels for each metre of distance.");
-  static final Variable<Double> SPEED_LIMIT =
+  static final VariableDeclaration<Double> SPEED_LIMIT =
       number("SPEED LIMIT", "%", 0.0, 100.0, 60.0, "Most of what distance gives both wheels.");
-  static final Variable<Double> HEADING_GAIN =
+  static final VariableDeclaration<Double> HEADING_GAIN =
       number(
           "HEADING GAIN",
           "%/rad",
@@ -34,10 +34,10 @@ public final class DifferentialDriveControl extends ControlSystem {
           500.0,
           45.0,
           "Each wheel for each radian of direction: right wheel forwards, left wheel backwards, for a point to the left.");
-  static final Variable<Double> TOLERANCE =
+  static final VariableDeclaration<Double> TOLERANCE =
       number("TOLERANCE", "m", 0.01, 10.0, 0.15, "Distance at which both wheels stop.");
 
-  static final Variable<Double> MISMATCH_GAIN =
+  static final VariableDeclaration<Double> MISMATCH_GAIN =
       number(
           "MISMATCH GAIN",
           "1/s",

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.core.control.ControlSystem;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
@@ -19,9 +19,9 @@ import org.u2sa.service.ServiceContext;
  * it is, the vehicle brakes and stands.
  */
 public final class DifferentialPursuitControl extends ControlSystem {
-  static final Variable<Double> TRACK =
+  static final VariableDeclaration<Double> TRACK =
       number("TRACK", "m", 0.05, 10.0, 0.44, "Distance between the wheels of both sides.");
-  static final Variable<Double> SPOT_TURN_ABOVE =
+  static final VariableDeclaration<Double> SPOT_TURN_ABOVE =
       number(
           "SPOT TURN ABOVE",
           "deg",
@@ -29,7 +29,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
           180.0,
           35.0,
           "Direction of the point to go to from which on the vehicle turns on the spot.");
-  static final Variable<Double> SPOT_TURN_BELOW =
+  static final VariableDeclaration<Double> SPOT_TURN_BELOW =
       number(
           "SPOT TURN BELOW",
           "deg",
@@ -37,10 +37,10 @@ public final class DifferentialPursuitControl extends ControlSystem {
           180.0,
           8.0,
           "Direction of the point at which it has turned enough.");
-  static final Variable<Double> SPOT_TURN_GAIN =
+  static final VariableDeclaration<Double> SPOT_TURN_GAIN =
       number("SPOT TURN GAIN", "1/s", 0.1, 20.0, 2.0, "Yaw rate for each radian of direction.");
 
-  static final Variable<Double> SPOT_TURN_FEEDBACK =
+  static final VariableDeclaration<Double> SPOT_TURN_FEEDBACK =
       number(
           "SPOT TURN FEEDBACK",
           "1/s",

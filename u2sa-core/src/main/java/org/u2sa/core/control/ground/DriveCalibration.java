@@ -1,7 +1,7 @@
 package org.u2sa.core.control.ground;
 
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /**
  * Which share of all that it can a motor must be commanded for a speed over ground: nothing moves
@@ -12,7 +12,7 @@ import org.u2sa.interfaces.configuration.Variable;
  * @param startShare at which the vehicle begins to move, 0…1
  */
 record DriveCalibration(double maxMps, double startShare) {
-  static final Variable<Double> MAX_SPEED =
+  static final VariableDeclaration<Double> MAX_SPEED =
       PursuitVariables.number(
           "MAX SPEED",
           "m/s",
@@ -20,7 +20,7 @@ record DriveCalibration(double maxMps, double startShare) {
           50.0,
           2.0,
           "Speed over ground at 100 %, straight ahead on the ground that is driven on; measured.");
-  static final Variable<Double> START =
+  static final VariableDeclaration<Double> START =
       PursuitVariables.number(
           "START PERCENTAGE",
           "%",

@@ -2,20 +2,20 @@ package org.u2sa.core.control.ground;
 
 import java.util.Map;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** The names of the two motors of a differential vehicle. */
 final class Motors {
-  static final Variable<String> LEFT =
-      Variable.text("LEFT ACTUATOR")
+  static final VariableDeclaration<String> LEFT =
+      VariableDeclaration.text("LEFT ACTUATOR")
           .ifAbsent("LEFT MOTOR")
           .describedAs("Name of the actuator of the left side, forwards positive.");
-  static final Variable<String> RIGHT =
-      Variable.text("RIGHT ACTUATOR")
+  static final VariableDeclaration<String> RIGHT =
+      VariableDeclaration.text("RIGHT ACTUATOR")
           .ifAbsent("RIGHT MOTOR")
           .describedAs("Name of the actuator of the right side, forwards positive.");
 
-  static final Variable<Double> MISMATCH_LIMIT =
+  static final VariableDeclaration<Double> MISMATCH_LIMIT =
       PursuitVariables.number(
           "MISMATCH LIMIT",
           "%",

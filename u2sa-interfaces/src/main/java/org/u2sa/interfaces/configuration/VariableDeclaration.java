@@ -12,14 +12,14 @@ import java.util.Optional;
  * reference finds it. Immutable: each call returns a new one.
  *
  * <pre>{@code
- * static final Variable<Double> GAIN =
- *     Variable.number("HEADING GAIN", "%/rad").range(Range.of(0.0, 500.0)).ifAbsent(120.0)
+ * static final VariableDeclaration<Double> GAIN =
+ *     VariableDeclaration.number("HEADING GAIN", "%/rad").range(Range.of(0.0, 500.0)).ifAbsent(120.0)
  *         .describedAs("Difference of the wheels' speeds for each radian of heading error.");
  * }</pre>
  *
  * @param <T> {@link Double}, {@link Integer}, {@link String} or {@link Boolean}
  */
-public final class Variable<T> {
+public final class VariableDeclaration<T> {
   private final String name;
   private final VariableType type;
   private final Class<T> javaType;
@@ -29,7 +29,7 @@ public final class Variable<T> {
   private final List<T> choices;
   private final String description;
 
-  private Variable(
+  private VariableDeclaration(
       String name,
       VariableType type,
       Class<T> javaType,
@@ -52,34 +52,34 @@ public final class Variable<T> {
     ifAbsent.flatMap(this::refusal).ifPresent(this::refuseDeclaration);
   }
 
-  private static <T> Variable<T> of(
+  private static <T> VariableDeclaration<T> of(
       String name, VariableType type, Class<T> javaType, String unit) {
-    return new Variable<>(
+    return new VariableDeclaration<>(
         name, type, javaType, unit, Range.any(), Optional.empty(), Collections.emptyList(), "");
   }
 
   /** A decimal number in {@code unit}, for example {@code "m/s"}; empty text for a bare number. */
-  public static Variable<Double> number(String name, String unit) {
+  public static VariableDeclaration<Double> number(String name, String unit) {
     return of(name, VariableType.DOUBLE, Double.class, unit);
   }
 
   /** A whole number without a unit: a count, a port. */
-  public static Variable<Integer> integer(String name) {
+  public static VariableDeclaration<Integer> integer(String name) {
     return integer(name, "");
   }
 
   /** A whole number in {@code unit}; a file may not give it in another one. */
-  public static Variable<Integer> integer(String name, String unit) {
+  public static VariableDeclaration<Integer> integer(String name, String unit) {
     return of(name, VariableType.INTEGER, Integer.class, unit);
   }
 
   /** A text: an address, a path, a name. */
-  public static Variable<String> text(String name) {
+  public static VariableDeclaration<String> text(String name) {
     return of(name, VariableType.STRING, String.class, "");
   }
 
   /** A yes or no. */
-  public static Variable<Boolean> flag(String name) {
+  public static VariableDeclaration<Boolean> flag(String name) {
     return of(name, VariableType.BOOLEAN, Boolean.class, "");
   }
 
@@ -88,11 +88,11 @@ public final class Variable<T> {
    *
    * @throws IllegalArgumentException if it is not a number, or its default lies outside
    */
-  public Variable<T> range(Range newRange) {
+  public VariableDeclaration<T> range(Range newRange) {
     if (!type.isNumber()) {
       throw new IllegalArgumentException("variable \"" + name + "\" is not a number: no range");
     }
-    return new Variable<>(name, type, javaType, unit, newRange, ifAbsent, choices, description);
+    return new VariableDeclaration<>(name, type, javaType, unit, newRange, ifAbsent, choices, description);
   }
 
   /**
@@ -100,24 +100,24 @@ public final class Variable<T> {
    *
    * @throws IllegalArgumentException if the range or the choices exclude it
    */
-  public Variable<T> ifAbsent(T value) {
-    return new Variable<>(
+  public VariableDeclaration<T> ifAbsent(T value) {
+    return new VariableDeclaration<>(
         name, type, javaType, unit, range, Optional.of(value), choices, description);
   }
 
   /** What the variable does, in a sentence for the user who sets it. */
-  public Variable<T> describedAs(String newDescription) {
-    return new Variable<>(name, type, javaType, unit, range, ifAbsent, choices, newDescription);
+  public VariableDeclaration<T> describedAs(String newDescription) {
+    return new VariableDeclaration<>(name, type, javaType, unit, range, ifAbsent, choices, newDescription);
   }
 
   /** The only values that the variable may take; texts in exactly this case. */
   @SafeVarargs
-  public final Variable<T> oneOf(T... values) {
+  public final VariableDeclaration<T> oneOf(T... values) {
     List<T> only = new ArrayList<>();
     for (T value : values) {
       only.add(value);
     }
-    return new Variable<>(
+    return new VariableDeclaration<>(
         name,
         type,
         javaType,
@@ -205,7 +205,7 @@ public final class Variable<T> {
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof Variable<?> that
+    return other instanceof VariableDeclaration<?> that
         && name.equals(that.name)
         && type == that.type
         && unit.equals(that.unit)
