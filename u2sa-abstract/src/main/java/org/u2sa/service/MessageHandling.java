@@ -19,12 +19,12 @@ final class MessageHandling {
   private final int maxErrorsInARow;
   private volatile boolean patient;
 
-  MessageHandling(U2SAService service) {
+  MessageHandling(U2SAService service, ServiceVariables variables) {
     this.service = service;
     registrations = service.wiring().registrations();
-    maxErrorsInARow = service.getVariable(ServiceVariables.MAX_ERRORS_IN_A_ROW);
-    reporter = new HealthReporter(service, service.getVariable(ServiceVariables.HEALTH_INTERVAL));
-    inbox = new ServiceInbox(service.getVariable(ServiceVariables.INBOX_CAPACITY));
+    maxErrorsInARow = variables.maxErrorsInARow();
+    reporter = new HealthReporter(service, variables.healthInterval());
+    inbox = new ServiceInbox(variables.inboxCapacity());
     contract = new ContractResponder(service);
   }
 

@@ -20,6 +20,7 @@ final class ServiceConfiguration {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_][A-Za-z0-9 _.-]{0,63}");
 
   private final XmlConfiguration variables;
+  private final ServiceVariables own;
   private final Clock clock;
   private final String name;
   private final LogFile log;
@@ -27,17 +28,15 @@ final class ServiceConfiguration {
   ServiceConfiguration(ServiceContext context, String className) {
     variables = context.configuration();
     clock = context.clock();
-    String configuredName = variables.getVariable(ServiceVariables.SERVICE_NAME);
+    own = variables.settings(ServiceVariables.class).get();
     Optional<U2SAService> before = context.predecessor();
-    String ownName = checkedName(configuredName.isEmpty() ? className : configuredName);
+    String ownName = checkedName(own.serviceName().isEmpty() ? className : own.serviceName());
     name = before.map(U2SAService::getServiceName).orElse(ownName);
-    String configuredPath = variables.getVariable(ServiceVariables.LOG_PATH);
-    Path directory = configuredPath.isEmpty() ? context.logDirectory() : Paths.get(configuredPath);
-    LogLevelEnum lowest = LogLevelEnum.valueOf(variables.getVariable(ServiceVariables.LOG_LEVEL));
+    Path directory = own.logPath().isEmpty() ? context.logDirectory() : Paths.get(own.logPath());
     if (before.isPresent()) {
       log = before.get().logFile(); // goes on in the same file
     } else {
-      log = new LogFile(directory.resolve(name + ".log"), name, lowest, clock);
+      log = new LogFile(directory.resolve(name + ".log"), name, own.logLevel(), clock);
       context.onAbandon(log::close);
     }
   }
@@ -62,8 +61,9 @@ final class ServiceConfiguration {
     return name;
   }
 
-  XmlConfiguration variables() {
-    return variables;
+  /** What the configuration says of the variables that every service has, at its start. */
+  ServiceVariables variables() {
+    return own;
   }
 
   LogFile log() {

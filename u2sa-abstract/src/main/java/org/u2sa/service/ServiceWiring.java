@@ -10,6 +10,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -37,10 +38,26 @@ final class ServiceWiring {
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
+  /** Where the Communication Manager is, if in another process. */
+  private record ManagerAddress(
+      @Variable(
+              name = "COMMUNICATION MANAGER IP",
+              ifAbsentText = "localhost",
+              text = "Host of the Communication Manager, if it runs in another process.")
+          String host,
+      @Variable(
+              name = "COMMUNICATION MANAGER PORT",
+              min = 1,
+              max = 65_535,
+              ifAbsent = 1883,
+              text = "TCP port of the Communication Manager, if it runs in another process.")
+          int port) {}
+
   private static Transport remote(ServiceContext context) {
+    ManagerAddress address = context.configuration().settings(ManagerAddress.class).get();
     return new MqttTransport(
-        context.configuration().getVariable(ServiceVariables.MANAGER_IP),
-        context.configuration().getVariable(ServiceVariables.MANAGER_PORT),
+        address.host(),
+        address.port(),
         context.systemId(),
         new MessageCodec(context.messageTypes()),
         BrokerAccess.configured(context.configuration()));

@@ -11,6 +11,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Communicator;
 import org.u2sa.interfaces.communication.Publisher;
 import org.u2sa.interfaces.communication.Subscriber;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogFile;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -76,7 +77,7 @@ public abstract class U2SAService extends Thread
     messaging = new ServiceMessaging(this, wiring);
     life = new ServiceLife(this, context.clock());
     succession = new Succession(this, context);
-    handling = new MessageHandling(this);
+    handling = new MessageHandling(this, configuration.variables());
     try {
       wiring.begin();
     } catch (CommunicationException e) {
@@ -129,6 +130,11 @@ public abstract class U2SAService extends Thread
   @Override
   public final <T> T getVariable(VariableDeclaration<T> variable) {
     return context.configuration().getVariable(variable);
+  }
+
+  @Override
+  public final <T> Settings<T> settings(Class<T> record) {
+    return context.configuration().settings(record);
   }
 
   @Override

@@ -47,8 +47,10 @@ class ConfigurationOffThreadTest {
 
   /** Steps, and keeps what happened on which thread. */
   private static final class Controlling extends PeriodicService {
-    private static final VariableDeclaration<Double> GAIN = VariableDeclaration.number("GAIN", "").ifAbsent(1.0);
-    private static final VariableDeclaration<Double> LIMIT = VariableDeclaration.number("LIMIT", "").ifAbsent(1.0);
+    private static final VariableDeclaration<Double> GAIN =
+        VariableDeclaration.number("GAIN", "").ifAbsent(1.0);
+    private static final VariableDeclaration<Double> LIMIT =
+        VariableDeclaration.number("LIMIT", "").ifAbsent(1.0);
     private final AtomicLong steps = new AtomicLong();
     private final List<Thread> judges = new CopyOnWriteArrayList<>();
     private final List<Thread> told = new CopyOnWriteArrayList<>();

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -35,29 +35,33 @@ public abstract class ControlSystem extends EventDrivenService {
 
   private static final double FULL_PERCENT = 100.0;
 
-  static final VariableDeclaration<Double> STALE_AFTER =
-      VariableDeclaration.number("STALE AFTER", "s")
-          .range(Range.of(0.02, 60.0))
-          .ifAbsent(1.0)
-          .describedAs("Age at which a navigation point counts as absent.");
+  private record Limits(
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 0.5,
+              text = "How long an actuator obeys a command that is not renewed.")
+          double commandExpiry,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 10,
+              ifAbsent = 0.5,
+              text =
+                  "Time in which commands move over from those of another control system that this one takes over from.")
+          double blendTime,
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 1,
+              text = "Age at which a navigation point counts as absent.")
+          double staleAfter) {}
 
-  static final VariableDeclaration<Double> COMMAND_EXPIRY =
-      VariableDeclaration.number("COMMAND EXPIRY", "s")
-          .range(Range.of(0.02, 60.0))
-          .ifAbsent(0.5)
-          .describedAs("How long an actuator obeys a command that is not renewed.");
-
-  static final VariableDeclaration<Double> BLEND_TIME =
-      VariableDeclaration.number("BLEND TIME", "s")
-          .range(Range.of(0.0, 10.0))
-          .ifAbsent(0.5)
-          .describedAs(
-              "Time in which commands move over from those of another control system that this one takes over from.");
-
-  private double commandExpiryS;
-  private double blendS;
+  private final Settings<Limits> limits = settings(Limits.class);
   private final CommandBlend blend = new CommandBlend();
-  private final StateHistory states;
+  private final StateHistory states = new StateHistory();
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private final Map<String, NavigationPoint> placed =
       new HashMap<>(); // newest whose state is remembered
@@ -68,10 +72,7 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected ControlSystem(ServiceContext context, String serviceName) {
     super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
-    commandExpiryS = getVariable(COMMAND_EXPIRY);
-    blendS = getVariable(BLEND_TIME);
-    states = new StateHistory();
-    states.span(Clock.micros(getVariable(STALE_AFTER)));
+    states.span(Clock.micros(limits.get().staleAfter()));
     subscribe(Channels.NAVIGATION, point -> points.put(point.subsystem(), point));
     subscribe(Channels.STATE, this::onState);
     registerPublisher(Channels.ACTUATION);
@@ -98,6 +99,7 @@ public abstract class ControlSystem extends EventDrivenService {
       log(LogLevelEnum.WARN, "state without a timestamp left out: " + state);
       return;
     }
+    states.span(Clock.micros(limits.get().staleAfter()));
     if (!states.add(state)) {
       log(LogLevelEnum.DEBUG, "state is not newer than the one before it: left out: " + state);
       return;
@@ -167,7 +169,7 @@ public abstract class ControlSystem extends EventDrivenService {
    * @throws IllegalArgumentException if the percentage is not a number
    */
   protected final void command(String actuator, double percentage) {
-    command(actuator, percentage, commandExpiryS);
+    command(actuator, percentage, limits.get().commandExpiry());
   }
 
   /**
@@ -179,7 +181,7 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected final void command(String actuator, double percentage, double expiryS) {
     double wanted = Math.max(-100.0, Math.min(100.0, percentage));
-    double bounded = blend.command(actuator, wanted, clock().micros(), blendS);
+    double bounded = blend.command(actuator, wanted, clock().micros(), limits.get().blendTime());
     publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(expiryS));
   }
 

@@ -83,7 +83,6 @@ public final class HealthMonitor extends PeriodicService {
     return settings.watches(name) && !name.equals(getServiceName());
   }
 
-
   private void hear(HealthReport report) {
     boolean forItself = report.threadAlive().isEmpty() && !(report instanceof ConnectionLost);
     if (report.serviceName().equals(getServiceName()) && forItself) {

@@ -130,7 +130,8 @@ final class MonitorSettings {
   }
 
   private static VariableDeclaration<Double> dataTimeout(String service, double otherwise) {
-    return VariableDeclaration.number(service.isEmpty() ? DATA_TIMEOUT : service + " " + DATA_TIMEOUT, "s")
+    return VariableDeclaration.number(
+            service.isEmpty() ? DATA_TIMEOUT : service + " " + DATA_TIMEOUT, "s")
         .range(Range.of(0.0, 3600.0))
         .ifAbsent(otherwise)
         .describedAs(

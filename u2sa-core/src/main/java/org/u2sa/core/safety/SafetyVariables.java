@@ -65,7 +65,8 @@ final class SafetyVariables {
   static final VariableDeclaration<Double> LOW_VOLTAGE = voltage("LOW BATTERY VOLTAGE");
   static final VariableDeclaration<Double> LOW_REMAINING = remaining("LOW BATTERY REMAINING");
   static final VariableDeclaration<Double> CRITICAL_VOLTAGE = voltage("CRITICAL BATTERY VOLTAGE");
-  static final VariableDeclaration<Double> CRITICAL_REMAINING = remaining("CRITICAL BATTERY REMAINING");
+  static final VariableDeclaration<Double> CRITICAL_REMAINING =
+      remaining("CRITICAL BATTERY REMAINING");
 
   static final VariableDeclaration<Double> BATTERY_TIME =
       VariableDeclaration.number("BATTERY TIME", "s")

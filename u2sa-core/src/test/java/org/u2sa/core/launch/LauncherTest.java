@@ -30,7 +30,8 @@ import org.u2sa.service.U2SAService;
 /** Orders to start and restart services of one process. */
 @Timeout(120)
 class LauncherTest {
-  private static final VariableDeclaration<Double> GAIN = VariableDeclaration.number("GAIN", "").ifAbsent(0.5);
+  private static final VariableDeclaration<Double> GAIN =
+      VariableDeclaration.number("GAIN", "").ifAbsent(0.5);
 
   @TempDir private Path directory;
   private final LockstepClock clock = new LockstepClock();

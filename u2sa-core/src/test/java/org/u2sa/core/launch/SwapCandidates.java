@@ -13,7 +13,8 @@ import org.u2sa.service.ServiceRole;
 final class SwapCandidates {
   private static final VariableDeclaration<Double> GAIN =
       VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
-  private static final VariableDeclaration<Double> TRIM = VariableDeclaration.number("TRIM", "").ifAbsent(0.0);
+  private static final VariableDeclaration<Double> TRIM =
+      VariableDeclaration.number("TRIM", "").ifAbsent(0.0);
   private static final VariableDeclaration<Double> STRICT =
       VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 0.1)).ifAbsent(0.0);
 

@@ -25,7 +25,10 @@ final class BoundVariable {
    *     limits
    */
   BoundVariable(
-      String origin, String name, Optional<VariableDeclaration<?>> declared, Optional<FileVariable> stated) {
+      String origin,
+      String name,
+      Optional<VariableDeclaration<?>> declared,
+      Optional<FileVariable> stated) {
     this.origin = origin;
     this.name = name;
     this.declared = declared;

@@ -10,8 +10,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Writes the configuration reference from the code: a table for each class that declares {@link
- * Variable}s in static final fields.
+ * Writes the configuration reference from the code: a table for each class that declares variables,
+ * by {@link VariableDeclaration}s in static final fields or by a record's {@link Variable}s.
  */
 public final class ConfigurationReference {
   private static final String HEADER =
@@ -121,6 +121,10 @@ public final class ConfigurationReference {
           && Modifier.isFinal(modifiers)) {
         variables.add(value(field));
       }
+    }
+    RecordBinding.in(type).ifPresent(binding -> variables.addAll(binding.declarations()));
+    for (Class<?> nested : type.getDeclaredClasses()) {
+      RecordBinding.in(nested).ifPresent(binding -> variables.addAll(binding.declarations()));
     }
     return variables;
   }

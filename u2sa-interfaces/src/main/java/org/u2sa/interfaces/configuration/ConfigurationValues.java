@@ -24,6 +24,7 @@ final class ConfigurationValues {
   private final Set<String> overridden = new HashSet<>();
   private final Set<String> tolerated = new HashSet<>();
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
+  private final List<RecordBinding<?>> records = new ArrayList<>();
   private final Map<String, Object> values = new LinkedHashMap<>();
 
   ConfigurationValues(String origin, boolean typed, Map<String, FileVariable> stated) {
@@ -96,6 +97,58 @@ final class ConfigurationValues {
     return variable.cast(values.get(name));
   }
 
+  void declare(RecordBinding<?> binding) {
+    binding.declarations().forEach(this::declare);
+    records.add(binding);
+  }
+
+  /**
+   * The record of the present values.
+   *
+   * @throws ConfigurationException if it refuses them together
+   */
+  <T> T bind(RecordBinding<T> binding) {
+    try {
+      return binding.bind(values);
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(origin + ": " + told(binding, values, e), e);
+    }
+  }
+
+  /** Why a declared record refuses these values together; empty if none does. */
+  Optional<String> refusal(Map<String, Object> proposed) {
+    for (RecordBinding<?> binding : records) {
+      try {
+        binding.bind(proposed);
+      } catch (IllegalArgumentException e) {
+        return Optional.of(told(binding, proposed, e));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The refusal, and the variables that it names with their values and lines; else all. */
+  private String told(
+      RecordBinding<?> binding, Map<String, Object> refused, IllegalArgumentException refusal) {
+    String why = String.valueOf(refusal.getMessage());
+    List<VariableDeclaration<?>> meant = new ArrayList<>(binding.declarations());
+    if (meant.stream().anyMatch(variable -> why.contains(variable.name()))) {
+      meant.removeIf(variable -> !why.contains(variable.name()));
+    }
+    List<String> words = new ArrayList<>();
+    for (VariableDeclaration<?> variable : meant) {
+      FileVariable statement = stated.get(variable.name());
+      String value = NumberText.withUnit(refused.get(variable.name()), variable.unit());
+      words.add(
+          (statement == null ? "" : statement.place().replace(origin + ", ", "") + ": ")
+              + "variable \""
+              + variable.name()
+              + "\" is "
+              + value);
+    }
+    return why + " (" + String.join("; ", words) + ")";
+  }
+
   List<VariableDeclaration<?>> declared() {
     return new ArrayList<>(declared.values());
   }
@@ -115,6 +168,7 @@ final class ConfigurationValues {
     copy.overridden.addAll(overridden);
     copy.tolerated.addAll(tolerated);
     copy.declared.putAll(declared);
+    copy.records.addAll(records);
     copy.values.clear();
     copy.values.putAll(values);
     return copy;

@@ -27,6 +27,15 @@ public interface Configurator {
   <T> T getVariable(VariableDeclaration<T> variable);
 
   /**
+   * Declares and reads the variables of a record ({@link Variable}), which stay live.
+   *
+   * @throws ConfigurationException as {@link #getVariable(VariableDeclaration)} says, and if the
+   *     record refuses the values together
+   * @throws IllegalArgumentException if it is no such record
+   */
+  <T> Settings<T> settings(Class<T> record);
+
+  /**
    * Changes a variable and writes it to the configuration file; a power cut leaves the old or the
    * new file, whole.
    *

@@ -8,8 +8,9 @@ import java.util.Optional;
 
 /**
  * What a service says about one of its configuration variables: name, type, unit, range, default
- * and meaning. Declared as {@code static final} in the service's class, where the configuration
- * reference finds it. Immutable: each call returns a new one.
+ * and meaning. A record with {@link Variable}s says it shorter; where a record does not do, this is
+ * declared as {@code static final} in the service's class, where the configuration reference finds
+ * it too. Immutable: each call returns a new one.
  *
  * <pre>{@code
  * static final VariableDeclaration<Double> GAIN =
@@ -92,7 +93,8 @@ public final class VariableDeclaration<T> {
     if (!type.isNumber()) {
       throw new IllegalArgumentException("variable \"" + name + "\" is not a number: no range");
     }
-    return new VariableDeclaration<>(name, type, javaType, unit, newRange, ifAbsent, choices, description);
+    return new VariableDeclaration<>(
+        name, type, javaType, unit, newRange, ifAbsent, choices, description);
   }
 
   /**
@@ -107,7 +109,8 @@ public final class VariableDeclaration<T> {
 
   /** What the variable does, in a sentence for the user who sets it. */
   public VariableDeclaration<T> describedAs(String newDescription) {
-    return new VariableDeclaration<>(name, type, javaType, unit, range, ifAbsent, choices, newDescription);
+    return new VariableDeclaration<>(
+        name, type, javaType, unit, range, ifAbsent, choices, newDescription);
   }
 
   /** The only values that the variable may take; texts in exactly this case. */

@@ -135,6 +135,11 @@ public final class XmlConfiguration implements Configurator {
     return values.get(all -> all.declare(variable));
   }
 
+  @Override
+  public <T> Settings<T> settings(Class<T> record) {
+    return new Settings<>(values, RecordBinding.of(record));
+  }
+
   /**
    * Refuses variables of the file that no service declared: most are misspelt.
    *

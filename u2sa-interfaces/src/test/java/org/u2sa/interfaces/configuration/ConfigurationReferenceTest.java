@@ -21,7 +21,9 @@ class ConfigurationReferenceTest {
             .ifAbsent(120.0)
             .describedAs("Speed | turn.");
     static final VariableDeclaration<Double> WEIGHT =
-        VariableDeclaration.number("WEIGHT", "kg").range(Range.positive()).describedAs("With\n fuel.");
+        VariableDeclaration.number("WEIGHT", "kg")
+            .range(Range.positive())
+            .describedAs("With\n fuel.");
     static final VariableDeclaration<Boolean> LOUD =
         VariableDeclaration.flag("LOUD").ifAbsent(false).describedAs("Beeps.");
     static final int OTHER = 1;

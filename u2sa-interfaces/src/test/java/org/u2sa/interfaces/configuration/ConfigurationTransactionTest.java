@@ -25,7 +25,8 @@ class ConfigurationTransactionTest {
           + "</configuration>\n";
   private static final VariableDeclaration<Double> BANK =
       VariableDeclaration.number("BANK", "rad").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
-  private static final VariableDeclaration<Boolean> LOOP = VariableDeclaration.flag("LOOP").ifAbsent(false);
+  private static final VariableDeclaration<Boolean> LOOP =
+      VariableDeclaration.flag("LOOP").ifAbsent(false);
   private static final VariableDeclaration<Double> SPEED =
       VariableDeclaration.number("SPEED", "m/s").range(Range.of(20.0, 60.0)).ifAbsent(45.0);
 

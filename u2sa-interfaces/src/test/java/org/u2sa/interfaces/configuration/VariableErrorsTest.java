@@ -15,7 +15,8 @@ class VariableErrorsTest extends RefusedFile {
   private static final VariableDeclaration<String> LEVEL =
       VariableDeclaration.text("LOG LEVEL").oneOf("debug", "info").ifAbsent("info");
 
-  private void assertDeclarationRefused(VariableDeclaration<?> variable, String attributes, String after) {
+  private void assertDeclarationRefused(
+      VariableDeclaration<?> variable, String attributes, String after) {
     XmlConfiguration configuration = configuration("<variable " + attributes + "/>");
     assertRefused(() -> configuration.getVariable(variable), after);
   }

@@ -1,12 +1,11 @@
 package org.u2sa.core.control.ground;
 
-import static org.u2sa.core.control.ground.PursuitVariables.number;
-
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.core.control.ControlSystem;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
@@ -19,57 +18,63 @@ import org.u2sa.service.ServiceContext;
  * is, the vehicle brakes and stands.
  */
 public final class AckermannPursuitControl extends ControlSystem {
-  static final VariableDeclaration<Double> WHEELBASE =
-      number("WHEELBASE", "m", 0.05, 20.0, 0.33, "Distance from the front axle to the rear one.");
-  static final VariableDeclaration<Double> STEERING_ANGLE =
-      number(
-          "STEERING ANGLE",
-          "deg",
-          1.0,
-          70.0,
-          24.0,
-          "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.");
-  static final VariableDeclaration<String> THROTTLE =
-      VariableDeclaration.text("THROTTLE ACTUATOR")
-          .ifAbsent("THROTTLE")
-          .describedAs("Name of the actuator of the drive, forwards positive.");
-  static final VariableDeclaration<String> STEERING =
-      VariableDeclaration.text("STEERING ACTUATOR")
-          .ifAbsent("STEERING")
-          .describedAs("Name of the actuator of the steering, to the right positive.");
+  /** How it is steered. */
+  private record Steering(
+      @Variable(
+              unit = "m",
+              min = 0.05,
+              max = 20,
+              ifAbsent = 0.33,
+              text = "Distance from the front axle to the rear one.")
+          double wheelbase,
+      @Variable(
+              unit = "deg",
+              min = 1,
+              max = 70,
+              ifAbsent = 24,
+              text =
+                  "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.")
+          double steeringAngle,
+      @Variable(
+              ifAbsentText = "THROTTLE",
+              text = "Name of the actuator of the drive, forwards positive.")
+          String throttleActuator,
+      @Variable(
+              ifAbsentText = "STEERING",
+              text = "Name of the actuator of the steering, to the right positive.")
+          String steeringActuator) {
+    double angleRad() {
+      return Math.toRadians(steeringAngle);
+    }
+
+    /** Curvature at full steering [1/m]. */
+    double tightest() {
+      return Math.tan(angleRad()) / wheelbase;
+    }
+  }
 
   private static final double SLOWEST_MPS = 0.1; // slower, the steering stays where it is
 
   private double misalignment; // curvature that the steering lacks [1/m]; kept while it stands
 
+  private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
+  private final Settings<Steering> steering = settings(Steering.class);
   private final GroundControl ground = new GroundControl(this);
-  private final PursuitControl pursuit;
+  private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
   /** Called by the launcher. */
   public AckermannPursuitControl(ServiceContext context) {
     super(context, "Control");
-    pursuit = new PursuitControl(this, settings());
-    getVariable(THROTTLE); // wrong values must fail before the drive
-    getVariable(STEERING);
   }
 
-  private PursuitSettings settings() {
-    return PursuitVariables.settings(this, tightest(), PursuitSettings.SpotTurn.NONE);
-  }
-
-  /** Curvature at full steering [1/m]. */
-  private double tightest() {
-    return Math.tan(steeringAngleRad()) / getVariable(WHEELBASE);
-  }
-
-  private double steeringAngleRad() {
-    return Math.toRadians(getVariable(STEERING_ANGLE));
+  private PursuitSettings pursuitSettings() {
+    return tuning.get().settings(steering.get().tightest(), PursuitSettings.SpotTurn.NONE);
   }
 
   /** Drives on with other gains and limits. */
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    pursuit.settings(settings());
+    pursuit.settings(pursuitSettings());
   }
 
   @Override
@@ -84,20 +89,21 @@ public final class AckermannPursuitControl extends ControlSystem {
   /** Commands the motors; returns what the drive is asked for by what it can. */
   private double drive(PursuitControl.Demand demand) {
     Drive drive = demand.drive();
-    double steering = lastShare(getVariable(STEERING));
+    Steering now = steering.get();
+    double share = lastShare(now.steeringActuator());
     if (drive.speedMps() > SLOWEST_MPS) {
       if (demand.yawErrorRadPerS().isPresent()) {
         double error = demand.yawErrorRadPerS().getAsDouble() / drive.speedMps();
-        double more = getVariable(PursuitVariables.TURN_GAIN) * stepS() * error;
-        misalignment = Math.max(-tightest(), Math.min(tightest(), misalignment + more));
+        double more = tuning.get().turnGain() * stepS() * error;
+        misalignment = Math.max(-now.tightest(), Math.min(now.tightest(), misalignment + more));
       }
       double curvature = drive.yawRateRadPerS() / drive.speedMps() + misalignment;
       // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
-      steering = -Math.atan(getVariable(WHEELBASE) * curvature) / steeringAngleRad();
+      share = -Math.atan(now.wheelbase() * curvature) / now.angleRad();
     }
-    double throttle = pursuit.calibration().share(drive.speedMps() + demand.trimMps());
-    commandShare(getVariable(THROTTLE), throttle);
-    commandShare(getVariable(STEERING), steering);
+    double throttle = tuning.get().calibration().share(drive.speedMps() + demand.trimMps());
+    commandShare(now.throttleActuator(), throttle);
+    commandShare(now.steeringActuator(), share);
     return Math.abs(throttle);
   }
 
@@ -117,13 +123,14 @@ public final class AckermannPursuitControl extends ControlSystem {
 
   /** The motion that the motors were commanded last, by whatever control. */
   private Drive lastDrive() {
-    double speed = pursuit.calibration().speedMps(lastShare(getVariable(THROTTLE)));
-    double angle = -steeringAngleRad() * lastShare(getVariable(STEERING));
-    return new Drive(speed, speed * Math.tan(angle) / getVariable(WHEELBASE));
+    Steering now = steering.get();
+    double speed = tuning.get().calibration().speedMps(lastShare(now.throttleActuator()));
+    double angle = -now.angleRad() * lastShare(now.steeringActuator());
+    return new Drive(speed, speed * Math.tan(angle) / now.wheelbase());
   }
 
   @Override
   protected Map<String, Double> neutral() {
-    return Map.of(getVariable(THROTTLE), 0.0, getVariable(STEERING), 0.0);
+    return Map.of(steering.get().throttleActuator(), 0.0, steering.get().steeringActuator(), 0.0);
   }
 }

@@ -2,7 +2,7 @@ package org.u2sa.core.control.ground;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.configuration.Configurator;
+import java.util.function.Supplier;
 import org.u2sa.service.HandOver;
 
 /**
@@ -10,33 +10,21 @@ import org.u2sa.service.HandOver;
  * how it moved, and rests motors that are too weak. Belongs to one thread.
  */
 final class PursuitControl {
-  private final Configurator configuration;
+  private final Supplier<PursuitTuning> tuning;
   private final PursuitLaw law;
   private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
   private final MotionWatch watch = new MotionWatch();
   private Drive due = Drive.STANDING; // what the demanded motion should have become by now
   private boolean atFullPower;
 
-  /** Declares and reads the variables: wrong values must fail before the drive. */
-  PursuitControl(Configurator configuration, PursuitSettings settings) {
-    this.configuration = configuration;
-    calibration();
-    configuration.getVariable(PursuitVariables.SPEED_GAIN);
-    configuration.getVariable(PursuitVariables.TURN_GAIN);
-    configuration.getVariable(PursuitVariables.RESPONSE_TIME);
-    configuration.getVariable(PursuitVariables.STALL_TIME);
-    configuration.getVariable(PursuitVariables.STALL_PAUSE);
+  PursuitControl(Supplier<PursuitTuning> tuning, PursuitSettings settings) {
+    this.tuning = tuning;
     law = new PursuitLaw(settings);
   }
 
   /** Drives on with other gains and limits. */
   void settings(PursuitSettings settings) {
     law.settings(settings);
-  }
-
-  /** What the motors make of commands. */
-  DriveCalibration calibration() {
-    return DriveCalibration.of(configuration);
   }
 
   /**
@@ -51,14 +39,14 @@ final class PursuitControl {
   /** How to move now, after a state. */
   Demand step(Optional<GroundTarget> target, GroundControl.Measured measured, double stepS) {
     Drive drive = law.step(watch.rests(measured, stepS) ? Optional.empty() : target, stepS);
-    follow(drive, configuration.getVariable(PursuitVariables.RESPONSE_TIME), stepS);
+    follow(drive, tuning.get().responseTime(), stepS);
     double trim =
         speedTrim.step(
             drive,
             error(due.speedMps(), measured.forwardMps()),
             atFullPower,
-            configuration.getVariable(PursuitVariables.SPEED_GAIN),
-            calibration().maxMps(),
+            tuning.get().speedGain(),
+            tuning.get().maxSpeed(),
             stepS);
     return new Demand(drive, trim, error(due.yawRateRadPerS(), measured.yawRateRadPerS()));
   }
@@ -94,8 +82,8 @@ final class PursuitControl {
         demand.drive(),
         measured,
         effort,
-        configuration.getVariable(PursuitVariables.STALL_TIME),
-        configuration.getVariable(PursuitVariables.STALL_PAUSE),
+        tuning.get().stallTime(),
+        tuning.get().stallPause(),
         stepS);
   }
 
