@@ -64,7 +64,7 @@ final class HealthReporter {
       return Optional.empty();
     }
     boolean alive = state != Thread.State.TERMINATED;
-    long heardMicros = Math.max(service.startedMicros(), reportedMicros);
+    long heardMicros = Math.max(service.life().startedMicros(), reportedMicros);
     if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
       return Optional.empty();
     }
@@ -79,9 +79,9 @@ final class HealthReporter {
             .serviceName(service.getName())
             .status(service.status())
             .interval(Clock.seconds(intervalMicros))
-            .inboxDepth(service.inbox().depth())
-            .dropped(service.inbox().dropped())
-            .replaced(service.inbox().replaced())
+            .inboxDepth(service.handling().inbox().depth())
+            .dropped(service.handling().inbox().dropped())
+            .replaced(service.handling().inbox().replaced())
             .refused(service.wiring().refused())
             .missed(service.wiring().missed())
             .published(service.wiring().data().published());

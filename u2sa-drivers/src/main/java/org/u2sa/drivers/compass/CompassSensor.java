@@ -6,7 +6,7 @@ import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
@@ -20,32 +20,32 @@ import org.u2sa.service.ServiceContext;
 public final class CompassSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB1?baud=9600")
           .describedAs("Where the compass is: " + ByteLinks.FORMS);
 
-  static final Variable<String> COMPASS =
-      Variable.text("COMPASS")
+  static final VariableDeclaration<String> COMPASS =
+      VariableDeclaration.text("COMPASS")
           .oneOf("NMEA", "SPARTON")
           .ifAbsent("NMEA")
           .describedAs(
               "NMEA: any that sends HDG, HDM or HDT by itself; SPARTON: SP3004D, DC-4, GEDC-6, AHRS-8, asked at each step.");
 
-  static final Variable<Double> TIMEOUT =
-      Variable.number("TIMEOUT", "s")
+  static final VariableDeclaration<Double> TIMEOUT =
+      VariableDeclaration.number("TIMEOUT", "s")
           .range(Range.of(0.1, 60.0))
           .ifAbsent(1.5)
           .describedAs("Time without a readable heading after which the compass counts as silent.");
 
-  static final Variable<Double> MOUNTING_ANGLE =
-      Variable.number("MOUNTING ANGLE", "rad")
+  static final VariableDeclaration<Double> MOUNTING_ANGLE =
+      VariableDeclaration.number("MOUNTING ANGLE", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
           .describedAs("Where the compass's front points, clockwise from the vehicle's.");
 
-  static final Variable<Double> HEADING_SIGMA =
-      Variable.number("HEADING SIGMA", "rad")
+  static final VariableDeclaration<Double> HEADING_SIGMA =
+      VariableDeclaration.number("HEADING SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(1.0))
           .describedAs("Standard deviation of the heading, as the data sheet says it.");

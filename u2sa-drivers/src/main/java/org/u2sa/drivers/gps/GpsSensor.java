@@ -6,7 +6,7 @@ import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -17,41 +17,41 @@ import org.u2sa.service.ServiceContext;
 public final class GpsSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0; // a fix waits for its step 10 ms on average
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
           .describedAs("Where the receiver is: " + ByteLinks.FORMS);
 
-  static final Variable<String> RECEIVER =
-      Variable.text("RECEIVER")
+  static final VariableDeclaration<String> RECEIVER =
+      VariableDeclaration.text("RECEIVER")
           .oneOf("NMEA", "UBLOX 6", "UBLOX 8")
           .ifAbsent("NMEA")
           .describedAs(
               "NMEA: any, only listened to; UBLOX 6: LEA-6 and older, UBLOX 8: 7 and newer, both set up at each connection.");
 
-  static final Variable<Double> TIMEOUT =
-      Variable.number("TIMEOUT", "s")
+  static final VariableDeclaration<Double> TIMEOUT =
+      VariableDeclaration.number("TIMEOUT", "s")
           .range(Range.of(0.1, 60.0))
           .ifAbsent(2.5)
           .describedAs(
               "Time without a readable message after which the receiver counts as silent.");
 
-  static final Variable<Double> RANGE_ERROR =
-      Variable.number("RANGE ERROR", "m")
+  static final VariableDeclaration<Double> RANGE_ERROR =
+      VariableDeclaration.number("RANGE ERROR", "m")
           .range(Range.of(0.01, 100.0))
           .ifAbsent(NmeaGps.USUAL_RANGE_ERROR_M)
           .describedAs(
               "1 sigma of a distance to a satellite without corrections: times the dilution of precision it is the position's, for NMEA without GST; with DGPS and RTK the published figures count where they are less.");
 
-  static final Variable<Integer> BAUD =
-      Variable.integer("BAUD")
+  static final VariableDeclaration<Integer> BAUD =
+      VariableDeclaration.integer("BAUD")
           .range(Range.of(1_200, 921_600))
           .ifAbsent(9_600)
           .describedAs(
               "Rate of a u-blox receiver's own port, as CONNECTION has it; stays as it is.");
 
-  static final Variable<Double> SOLUTION_RATE =
-      Variable.number("SOLUTION RATE", "Hz")
+  static final VariableDeclaration<Double> SOLUTION_RATE =
+      VariableDeclaration.number("SOLUTION RATE", "Hz")
           .range(Range.of(0.1, 25.0))
           .ifAbsent(5.0)
           .describedAs("Fixes a second that a u-blox receiver is asked for.");

@@ -6,7 +6,7 @@ import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
@@ -21,25 +21,25 @@ import org.u2sa.service.ServiceContext;
 public final class ImuSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB2?baud=115200")
           .describedAs("Where the IMU, a VectorNav, is: " + ByteLinks.FORMS);
 
-  static final Variable<Double> TIMEOUT =
-      Variable.number("TIMEOUT", "s")
+  static final VariableDeclaration<Double> TIMEOUT =
+      VariableDeclaration.number("TIMEOUT", "s")
           .range(Range.of(0.05, 60.0))
           .ifAbsent(0.5)
           .describedAs("Time without a readable message after which the IMU counts as silent.");
 
-  static final Variable<Double> ATTITUDE_SIGMA =
-      Variable.number("ATTITUDE SIGMA", "rad")
+  static final VariableDeclaration<Double> ATTITUDE_SIGMA =
+      VariableDeclaration.number("ATTITUDE SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(1.0))
           .describedAs("Standard deviation of roll and pitch, as the data sheet says it.");
 
-  static final Variable<Double> HEADING_SIGMA =
-      Variable.number("HEADING SIGMA", "rad")
+  static final VariableDeclaration<Double> HEADING_SIGMA =
+      VariableDeclaration.number("HEADING SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(2.0))
           .describedAs("Standard deviation of the heading, as the data sheet says it.");

@@ -6,7 +6,7 @@ import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
@@ -20,33 +20,33 @@ public final class LidarSensor extends ExteroceptiveSensor {
   private static final double SILENT_AFTER_S = 1.0;
   private static final String HOKUYO = "hokuyo";
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=115200&dtr=off")
           .describedAs(
               "Where the laser is: serial:DEVICE?baud=N or tcp:HOST:PORT; an RPLIDAR A1's USB adapter runs the motor with dtr=off.");
 
-  static final Variable<String> LIDAR =
-      Variable.text("LIDAR")
+  static final VariableDeclaration<String> LIDAR =
+      VariableDeclaration.text("LIDAR")
           .oneOf("rplidar", HOKUYO)
           .ifAbsent("rplidar")
           .describedAs("Protocol: Slamtec's RPLIDAR, or SCIP 2 as Hokuyo speaks it.");
 
-  static final Variable<Integer> PUBLISH_EVERY =
-      Variable.integer("PUBLISH EVERY")
+  static final VariableDeclaration<Integer> PUBLISH_EVERY =
+      VariableDeclaration.integer("PUBLISH EVERY")
           .range(Range.of(1, 1000))
           .ifAbsent(1)
           .describedAs("Publish every Nth scan.");
 
-  static final Variable<Double> NEAREST =
-      Variable.number("NEAREST", "m")
+  static final VariableDeclaration<Double> NEAREST =
+      VariableDeclaration.number("NEAREST", "m")
           .range(Range.of(0.0, 100.0))
           .ifAbsent(0.1)
           .describedAs(
               "What is nearer to the laser is the vehicle itself: the scan's minRange, unless the laser's own is more.");
 
-  static final Variable<Double> FARTHEST =
-      Variable.number("FARTHEST", "m")
+  static final VariableDeclaration<Double> FARTHEST =
+      VariableDeclaration.number("FARTHEST", "m")
           .range(Range.of(0.1, 1000.0))
           .ifAbsent(100.0)
           .describedAs(

@@ -5,7 +5,7 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -20,13 +20,13 @@ public final class RangeSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
   private static final double SILENT_AFTER_S = 0.5; // the slowest measures 7 times a second
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
           .describedAs("Where the range finder is: serial:DEVICE?baud=N or tcp:HOST:PORT.");
 
-  static final Variable<String> MODEL =
-      Variable.text("MODEL")
+  static final VariableDeclaration<String> MODEL =
+      VariableDeclaration.text("MODEL")
           .oneOf("LV", "XL", "HR")
           .ifAbsent("LV")
           .describedAs("MaxBotix family: LV says inches, XL centimetres, HR millimetres.");
