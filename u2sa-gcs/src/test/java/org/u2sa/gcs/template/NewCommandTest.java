@@ -63,7 +63,8 @@ class NewCommandTest {
     "größe, expected letters",
     "two--hyphens, expected letters",
     "waypoint, message Waypoint",
-    "range, uses a class of that name",
+    "settings, uses a class of that name",
+    "tuning, uses a class of that name",
     "service-context, uses a class of that name",
   })
   void make_badName_isRefused(String name, String why) {

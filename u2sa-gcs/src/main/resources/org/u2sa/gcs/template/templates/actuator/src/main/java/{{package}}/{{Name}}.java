@@ -1,25 +1,25 @@
 package {{package}};
 
 import java.util.function.DoubleConsumer;
-import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 
 /** Moves a servo. In: actuation of its ACTUATOR NAME. Out: actuators. */
 public final class {{Name}} extends Actuator {
-  private static final Variable<Double> NEUTRAL =
-      Variable.number("NEUTRAL", "us")
-          .range(Range.of(500.0, 2500.0))
-          .ifAbsent(1500.0)
-          .describedAs("Length of the servo's pulse at 0 %.");
+  private record Tuning(
+      @Variable(unit = "us", min = 500, max = 2500, ifAbsent = 1500, text = "Pulse at 0 %.")
+          double neutral,
+      @Variable(
+              unit = "us",
+              min = -1000,
+              max = 1000,
+              ifAbsent = 500,
+              text = "How much longer the pulse is at 100 %.")
+          double full) {}
 
-  private static final Variable<Double> FULL =
-      Variable.number("FULL", "us")
-          .range(Range.of(-1000.0, 1000.0))
-          .ifAbsent(500.0)
-          .describedAs("By how much the pulse is longer at 100 %.");
-
+  private final Settings<Tuning> tuning = settings(Tuning.class);
   private final DoubleConsumer servo; // takes the length of its pulse [µs]
 
   /** Called by the launcher. Put your device in place of this one, which moves nothing. */
@@ -30,18 +30,16 @@ public final class {{Name}} extends Actuator {
   /** With any servo, as tests have one. */
   {{Name}}(ServiceContext context, DoubleConsumer servo) {
     super(context, "{{Name}}");
-    getVariable(NEUTRAL); // wrong values must fail at the start
-    getVariable(FULL);
     this.servo = servo;
   }
 
   @Override
   protected void actuate(double percentage) {
-    servo.accept(getVariable(NEUTRAL) + percentage / 100.0 * getVariable(FULL));
+    servo.accept(tuning.get().neutral() + percentage / 100.0 * tuning.get().full());
   }
 
   @Override
   protected void neutral() {
-    servo.accept(getVariable(NEUTRAL));
+    servo.accept(tuning.get().neutral());
   }
 }

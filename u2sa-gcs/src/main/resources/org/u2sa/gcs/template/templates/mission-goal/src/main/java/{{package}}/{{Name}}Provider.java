@@ -8,7 +8,10 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 
-/** Makes {@link {{Name}}} known to missions, readers of messages and path planners; named in META-INF/services. */
+/**
+ * Makes {@link {{Name}}} known to missions, readers of messages and path planners; named in
+ * META-INF/services.
+ */
 public final class {{Name}}Provider implements MessageTypeProvider, PlannerStateProvider {
   @Override
   public Collection<MessageType<?>> messageTypes() {

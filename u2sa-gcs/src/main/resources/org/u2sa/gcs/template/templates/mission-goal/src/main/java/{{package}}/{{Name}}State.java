@@ -12,7 +12,10 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/** Pursues a {@link {{Name}}}: goes there, and stands until the time is over. A state of the path planner. */
+/**
+ * Pursues a {@link {{Name}}}: goes there, and stands until the time is over. A state of the path
+ * planner.
+ */
 final class {{Name}}State implements PlannerState {
   private OptionalLong arrivedMicros = OptionalLong.empty();
 

@@ -17,7 +17,11 @@ class {{Name}}Test {
   @Test
   void plan_arrived_isCompletedAfterTheStay() {
     {{Name}} goal = new {{Name}}().stay(2.0);
-    goal.uid("here").referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).horizontalThreshold(0.5);
+    goal.uid("here")
+        .referenceFrame(ReferenceFrame.LOCAL_NED)
+        .x(0.0)
+        .y(0.0)
+        .horizontalThreshold(0.5);
     try (ServiceKit kit = new ServiceKit()) {
       kit.start(PathPlanner::new);
       kit.publish(Channels.GOALS, new GoalList().goals(List.of(goal)));

@@ -8,7 +8,7 @@ import org.u2sa.core.planning.PlannerState;
 import org.u2sa.core.planning.PlannerStateProvider;
 import org.u2sa.core.planning.Pursuit;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.NavigationPoint;
@@ -19,24 +19,22 @@ import org.u2sa.messages.frame.ReferenceFrame;
 
 /** Goes straight to waypoints, and slowly near them. A state of the path planner. */
 public final class {{Name}} implements PlannerState {
-  private static final Variable<Double> SLOW_WITHIN =
-      Variable.number("SLOW WITHIN", "m")
-          .range(Range.of(0.0, 100.0))
-          .ifAbsent(2.0)
-          .describedAs("Distance to a waypoint from which on the vehicle goes slowly.");
+  private record Tuning(
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 2,
+              text = "Distance to a waypoint within which the vehicle is slow.")
+          double slowWithin,
+      @Variable(unit = "m/s", min = 0.01, max = 20, ifAbsent = 0.5, text = "Speed near a waypoint.")
+          double slowSpeed) {}
 
-  private static final Variable<Double> SLOW_SPEED =
-      Variable.number("SLOW SPEED", "m/s")
-          .range(Range.of(0.01, 20.0))
-          .ifAbsent(0.5)
-          .describedAs("Speed near a waypoint.");
+  private final Settings<Tuning> tuning;
 
-  private final Configurator planner; // whose configuration has the variables
-
+  /** The planner's configuration has the variables. */
   {{Name}}(Configurator planner) {
-    this.planner = planner;
-    planner.getVariable(SLOW_WITHIN); // wrong values must fail before the drive
-    planner.getVariable(SLOW_SPEED);
+    tuning = planner.settings(Tuning.class);
   }
 
   /** Brings it to every path planner; named in META-INF/services. */
@@ -73,13 +71,15 @@ public final class {{Name}} implements PlannerState {
       return new Plan(List.of(point), Plan.Progress.COMPLETED, remark);
     }
     waypoint.speed().ifPresent(point::speed);
-    if (distance < planner.getVariable(SLOW_WITHIN)) {
-      point.speed(planner.getVariable(SLOW_SPEED));
+    if (distance < tuning.get().slowWithin()) {
+      point.speed(tuning.get().slowSpeed());
     }
     return Plan.underWay(List.of(point));
   }
 
-  /** The waypoint as the vehicle sees it; a coordinate that does not matter is the vehicle's own. */
+  /**
+   * The waypoint as the vehicle sees it; a coordinate that does not matter is the vehicle's own.
+   */
   private static NavigationPoint towards(Waypoint waypoint, StateInformation state) {
     StateInformation vehicle = state.in(waypoint.referenceFrame());
     double x = waypoint.x().orElse(vehicle.x().orElseThrow());

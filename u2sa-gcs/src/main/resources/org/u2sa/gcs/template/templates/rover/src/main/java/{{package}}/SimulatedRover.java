@@ -2,7 +2,7 @@ package {{package}};
 
 import java.util.List;
 import java.util.Set;
-import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.StateInformation;
@@ -14,25 +14,31 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Stands in for the device drivers of a ground vehicle with a driven wheel at each side: it rolls as it is commanded,
- * without mass or slip, and measures exactly where it is. In: actuation. Out: sensed-state, actuators.
+ * Stands in for the device drivers of a ground vehicle with a driven wheel at each side: it rolls
+ * as it is commanded, without mass or slip, and measures exactly where it is. In: actuation. Out:
+ * sensed-state, actuators.
  */
 public final class SimulatedRover extends ProprioceptiveSensor {
   private static final double RATE_HZ = 20.0;
   private static final List<String> MOTORS = List.of("LEFT MOTOR", "RIGHT MOTOR");
 
-  private static final Variable<Double> TRACK =
-      Variable.number("TRACK", "m")
-          .range(Range.of(0.05, 5.0))
-          .ifAbsent(0.5)
-          .describedAs("Distance between the wheels.");
+  private record Tuning(
+      @Variable(
+              unit = "m",
+              min = 0.05,
+              max = 5,
+              ifAbsent = 0.5,
+              text = "Distance between the wheels.")
+          double track,
+      @Variable(
+              unit = "m/s",
+              min = 0.1,
+              max = 20,
+              ifAbsent = 2,
+              text = "Speed at full power of both motors.")
+          double maxSpeed) {}
 
-  private static final Variable<Double> MAX_SPEED =
-      Variable.number("MAX SPEED", "m/s")
-          .range(Range.of(0.1, 20.0))
-          .ifAbsent(2.0)
-          .describedAs("Speed at 100 % of both motors.");
-
+  private final Settings<Tuning> tuning = settings(Tuning.class);
   private final CommandedActuators motors;
   private double northM;
   private double eastM;
@@ -41,8 +47,6 @@ public final class SimulatedRover extends ProprioceptiveSensor {
   /** Called by the launcher. */
   public SimulatedRover(ServiceContext context) {
     super(context, "SimulatedRover", RATE_HZ);
-    getVariable(TRACK); // a wrong value must fail at the start
-    getVariable(MAX_SPEED);
     motors = new CommandedActuators(this, Set.copyOf(MOTORS));
   }
 
@@ -68,7 +72,7 @@ public final class SimulatedRover extends ProprioceptiveSensor {
     double left = speedMps(MOTORS.get(0));
     double right = speedMps(MOTORS.get(1));
     double speed = (left + right) / 2.0;
-    double turnRate = (left - right) / getVariable(TRACK); // clockwise positive
+    double turnRate = (left - right) / tuning.get().track(); // clockwise positive
     double northMps = speed * Math.cos(headingRad);
     double eastMps = speed * Math.sin(headingRad);
     northM += northMps * periodS();
@@ -87,6 +91,6 @@ public final class SimulatedRover extends ProprioceptiveSensor {
   }
 
   private double speedMps(String motor) {
-    return motors.percentage(motor).orElse(0.0) / 100.0 * getVariable(MAX_SPEED);
+    return motors.percentage(motor).orElse(0.0) / 100.0 * tuning.get().maxSpeed();
   }
 }

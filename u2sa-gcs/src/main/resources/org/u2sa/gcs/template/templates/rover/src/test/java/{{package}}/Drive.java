@@ -15,7 +15,10 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Runs a system in simulated time, as fast as the machine allows, and notes the goals that it completes. */
+/**
+ * Runs a system in simulated time, as fast as the machine allows, and notes the goals that it
+ * completes.
+ */
 final class Drive implements Receiver {
   private final List<String> completed = new ArrayList<>();
 

@@ -1,7 +1,7 @@
 package {{package}};
 
 import java.util.Random;
-import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -11,18 +11,21 @@ import org.u2sa.service.ServiceContext;
 public final class {{Name}} extends ProprioceptiveSensor {
   private static final double RATE_HZ = 10.0;
 
-  private static final Variable<Double> NOISE =
-      Variable.number("NOISE", "m")
-          .range(Range.of(0.0, 100.0))
-          .ifAbsent(0.2)
-          .describedAs("Standard deviation of a reading.");
+  private record Tuning(
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 0.2,
+              text = "Standard deviation of a reading.")
+          double noise) {}
 
+  private final Settings<Tuning> tuning = settings(Tuning.class);
   private final Random random;
 
   /** Called by the launcher. */
   public {{Name}}(ServiceContext context) {
     super(context, "{{Name}}", RATE_HZ);
-    getVariable(NOISE); // a wrong value must fail at the start
     random = new Random(context.seed());
   }
 
@@ -32,11 +35,11 @@ public final class {{Name}} extends ProprioceptiveSensor {
         new StateInformation()
             .sensorName(sensorName())
             .z(altitudeM(nowS))
-            .zSigma(getVariable(NOISE)));
+            .zSigma(tuning.get().noise()));
   }
 
   /** Simulated: 100 m, and a slow swell. Read your device here; a lost one publishes nothing. */
   private double altitudeM(double nowS) {
-    return 100.0 + 5.0 * Math.sin(nowS / 10.0) + getVariable(NOISE) * random.nextGaussian();
+    return 100.0 + 5.0 * Math.sin(nowS / 10.0) + tuning.get().noise() * random.nextGaussian();
   }
 }
