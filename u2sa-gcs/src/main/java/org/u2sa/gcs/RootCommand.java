@@ -34,6 +34,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa demo cessna --realtime             watch it at the speed of the world",
       "  ./u2sa demo cessna --mission my.xml       your own waypoints",
       "  ./u2sa demo cessna --json | jq .          the result for a program",
+      "  ./u2sa new sensor barometer               a project with a sensor of yours",
       "  ./u2sa apk                                assemble the Android application",
       "  ./u2sa <command> --help                   all about one command",
       "",

@@ -61,6 +61,16 @@ class GeneratedProjectsTest {
   }
 
   @Test
+  void make_controller_takesOverFromTheDemosWhoseVariablesAreOthers() throws IOException {
+    made.make("controller", "rudder");
+    String ours = Files.readString(Path.of("../config/ugv/Control.xml"));
+    Pattern.compile("name=\"[^\"]+\"")
+        .matcher(Files.readString(here.resolve("rudder/config/rudder/Control.xml")))
+        .results()
+        .forEach(each -> assertThat(ours).doesNotContain(each.group()));
+  }
+
+  @Test
   void make_gradle_hasNoMavenFiles() {
     made.make("sensor", "depth-gauge", "--gradle");
     assertThat(made.files())

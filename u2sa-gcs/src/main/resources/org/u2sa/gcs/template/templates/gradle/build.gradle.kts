@@ -24,6 +24,12 @@ tasks.withType<JavaCompile> {
     options.release = 17
 }
 
+tasks.jar {
+    manifest { // u2sa services shows the version
+        attributes("Implementation-Version" to project.version)
+    }
+}
+
 tasks.test {
     useJUnitPlatform()
 }

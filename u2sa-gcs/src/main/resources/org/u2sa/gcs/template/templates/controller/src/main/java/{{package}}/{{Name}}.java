@@ -31,8 +31,8 @@ public final class {{Name}} extends ControlSystem {
               min = 0,
               max = 500,
               ifAbsent = 40,
-              text = "Power per radian off the point, opposite on both sides.")
-          double turnGain) {}
+              text = "Power for each radian of the bearing, opposite on both sides.")
+          double bearingGain) {}
 
   private final Settings<Tuning> tuning = settings(Tuning.class);
 
@@ -50,7 +50,7 @@ public final class {{Name}} extends ControlSystem {
     Point ahead = point.get().point(); // in the vehicle's frame: x is forward, y is left
     double bearing = Math.atan2(ahead.y(), ahead.x());
     double forward = tuning.get().power() * Math.max(0.0, Math.cos(bearing));
-    double turn = tuning.get().turnGain() * bearing;
+    double turn = tuning.get().bearingGain() * bearing;
     command(LEFT, forward - turn);
     command(RIGHT, forward + turn);
   }
