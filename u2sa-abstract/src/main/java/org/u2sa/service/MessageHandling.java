@@ -21,7 +21,7 @@ final class MessageHandling {
 
   MessageHandling(U2SAService service, ServiceVariables variables) {
     this.service = service;
-    registrations = service.wiring().registrations();
+    registrations = service.wiring.registrations();
     maxErrorsInARow = variables.maxErrorsInARow();
     reporter = new HealthReporter(service, variables.healthInterval());
     inbox = new ServiceInbox(variables.inboxCapacity());
@@ -52,10 +52,10 @@ final class MessageHandling {
 
   /** {@link U2SAService#handleMessages}. */
   void until(long untilMicros) throws InterruptedException {
-    service.health().busy(false);
+    service.health.busy(false);
     int first = inbox.depth();
     while (service.running) {
-      if (service.succession().carryOut()) {
+      if (service.succession.carryOut()) {
         service.running = false;
         return;
       }
@@ -72,15 +72,15 @@ final class MessageHandling {
       } else if (now >= untilMicros) {
         break;
       } else {
-        service.life().await(Math.min(untilMicros, reporter.dueMicros()));
+        service.life.await(Math.min(untilMicros, reporter.dueMicros()));
       }
     }
-    service.health().busy(true);
+    service.health.busy(true);
   }
 
   private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
     U2SAData message = delivery.message();
-    service.succession().note(delivery);
+    service.succession.note(delivery);
     guarded(
         () -> {
           if (contract.concerns(delivery.channel(), message)) {
@@ -107,7 +107,7 @@ final class MessageHandling {
     if (ageMicros <= deadlineMicros) {
       return true;
     }
-    long expired = service.health().expired();
+    long expired = service.health.expired();
     if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
       String age = saidMicros.isPresent() ? Clock.seconds(ageMicros) + " s old" : "of unknown age";
       String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
@@ -128,7 +128,7 @@ final class MessageHandling {
    * row.
    */
   void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
-    ServiceHealth health = service.health();
+    ServiceHealth health = service.health;
     if (health.run(code)) {
       return;
     }
@@ -139,7 +139,7 @@ final class MessageHandling {
     if (health.exceptionsInRow() >= maxErrorsInARow) {
       service.log(
           LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
-      service.life().fail();
+      service.life.fail();
     }
   }
 
