@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
@@ -12,6 +13,7 @@ import org.u2sa.messages.schema.U2SAData;
  */
 final class MessageHandling {
   private final U2SAService service;
+  private final Consumer<U2SAData> callback;
   private final Registrations registrations;
   private final ServiceInbox inbox;
   private final ContractResponder contract;
@@ -21,6 +23,7 @@ final class MessageHandling {
 
   MessageHandling(U2SAService service, ServiceVariables variables) {
     this.service = service;
+    callback = service::callback;
     registrations = service.wiring.registrations();
     maxErrorsInARow = variables.maxErrorsInARow();
     reporter = new HealthReporter(service, variables.healthInterval());
@@ -87,7 +90,7 @@ final class MessageHandling {
             contract.answer(message);
           }
           if (registrations.isSubscribed(delivery.channel()) && isInTime(delivery)) {
-            registrations.handler(delivery.channel()).orElse(service::callback).accept(message);
+            registrations.handlerOr(delivery.channel(), callback).accept(message);
           }
         });
   }
