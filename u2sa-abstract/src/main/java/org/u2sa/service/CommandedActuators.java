@@ -77,7 +77,7 @@ public final class CommandedActuators {
             limits.get().clockTolerance(),
             ranges);
     emergency = new EmergencyLatch(service.clock(), systemId);
-    service.health().hasActuators();
+    service.health.hasActuators();
     service.heedsEmergencyStops(emergency.identities());
     service.registerPublisher(Channels.ACTUATORS);
     service.registerPublisher(Channels.EMERGENCY_STOP);
@@ -101,7 +101,7 @@ public final class CommandedActuators {
   public boolean obey(ActuatorCommand command) {
     Optional<CommandRefusal> refusal = refusal(command);
     if (refusal.isEmpty()) {
-      service.health().obeyed();
+      service.health.obeyed();
       return true;
     }
     refuse(command, refusal.get());
@@ -139,7 +139,7 @@ public final class CommandedActuators {
     if (reason == CommandRefusal.NOT_ADDRESSED) {
       return; // the channel is every actuator's
     }
-    service.health().refused();
+    service.health.refused();
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
       service.log(
           LogLevelEnum.WARN, "refused " + command + ": " + reason + " (" + count + " so far)");

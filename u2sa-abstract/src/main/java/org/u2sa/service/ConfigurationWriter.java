@@ -64,12 +64,12 @@ final class ConfigurationWriter {
       waiter.await(service.clock().micros()); // for its turn
       for (Order order = next(waiter); order != null; order = next(waiter)) {
         done.add(new Done(order.write().get(), order.answer()));
-        service.life().wake();
+        service.life.wake();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error e) {
-      service.life().die(e); // what kills the thread of a service's own would kill the service
+      service.life.die(e); // what kills the thread of a service's own would kill the service
     } finally {
       end(waiter);
     }
@@ -86,7 +86,7 @@ final class ConfigurationWriter {
   private synchronized void end(Clock.Waiter waiter) {
     if (turn == waiter) {
       turn = null;
-      service.life().wake(); // a swap may wait for that
+      service.life.wake(); // a swap may wait for that
     }
     waiter.close();
   }

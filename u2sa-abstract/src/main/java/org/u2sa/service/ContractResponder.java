@@ -31,7 +31,7 @@ final class ContractResponder {
   ContractResponder(U2SAService service) {
     this.service = service;
     configuration = new ConfigurationResponder(service);
-    wiring = service.wiring();
+    wiring = service.wiring;
   }
 
   /** Whether the message is an order to this service to stop. */
@@ -78,7 +78,7 @@ final class ContractResponder {
             .serviceType(service.role().name())
             .status(service.status())
             .host(host())
-            .uptime(service.life().uptimeS())
+            .uptime(service.life.uptimeS())
             .version(version())
             .className(service.getClass().getName());
     wiring.instance().ifPresent(response::instance);

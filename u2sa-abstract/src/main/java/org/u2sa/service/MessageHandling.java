@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
@@ -12,6 +13,7 @@ import org.u2sa.messages.schema.U2SAData;
  */
 final class MessageHandling {
   private final U2SAService service;
+  private final Consumer<U2SAData> callback;
   private final Registrations registrations;
   private final ServiceInbox inbox;
   private final ContractResponder contract;
@@ -21,7 +23,8 @@ final class MessageHandling {
 
   MessageHandling(U2SAService service, ServiceVariables variables) {
     this.service = service;
-    registrations = service.wiring().registrations();
+    callback = service::callback;
+    registrations = service.wiring.registrations();
     maxErrorsInARow = variables.maxErrorsInARow();
     reporter = new HealthReporter(service, variables.healthInterval());
     inbox = new ServiceInbox(variables.inboxCapacity());
@@ -52,10 +55,10 @@ final class MessageHandling {
 
   /** {@link U2SAService#handleMessages}. */
   void until(long untilMicros) throws InterruptedException {
-    service.health().busy(false);
+    service.health.busy(false);
     int first = inbox.depth();
     while (service.running) {
-      if (service.succession().carryOut()) {
+      if (service.succession.carryOut()) {
         service.running = false;
         return;
       }
@@ -72,22 +75,22 @@ final class MessageHandling {
       } else if (now >= untilMicros) {
         break;
       } else {
-        service.life().await(Math.min(untilMicros, reporter.dueMicros()));
+        service.life.await(Math.min(untilMicros, reporter.dueMicros()));
       }
     }
-    service.health().busy(true);
+    service.health.busy(true);
   }
 
   private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
     U2SAData message = delivery.message();
-    service.succession().note(delivery);
+    service.succession.note(delivery);
     guarded(
         () -> {
           if (contract.concerns(delivery.channel(), message)) {
             contract.answer(message);
           }
           if (registrations.isSubscribed(delivery.channel()) && isInTime(delivery)) {
-            registrations.handler(delivery.channel()).orElse(service::callback).accept(message);
+            registrations.handlerOr(delivery.channel(), callback).accept(message);
           }
         });
   }
@@ -107,7 +110,7 @@ final class MessageHandling {
     if (ageMicros <= deadlineMicros) {
       return true;
     }
-    long expired = service.health().expired();
+    long expired = service.health.expired();
     if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
       String age = saidMicros.isPresent() ? Clock.seconds(ageMicros) + " s old" : "of unknown age";
       String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
@@ -128,7 +131,7 @@ final class MessageHandling {
    * row.
    */
   void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
-    ServiceHealth health = service.health();
+    ServiceHealth health = service.health;
     if (health.run(code)) {
       return;
     }
@@ -139,7 +142,7 @@ final class MessageHandling {
     if (health.exceptionsInRow() >= maxErrorsInARow) {
       service.log(
           LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
-      service.life().fail();
+      service.life.fail();
     }
   }
 

@@ -52,7 +52,7 @@ public abstract class PeriodicService extends U2SAService {
    * seldom. Called in the constructor.
    */
   protected final void handleMessagesAtSteps() {
-    handling().bePatient();
+    handling.bePatient();
   }
 
   @Override
@@ -96,12 +96,12 @@ public abstract class PeriodicService extends U2SAService {
       if (!isRunning()) {
         return;
       }
-      handling().guarded(() -> step(nowS()));
+      handling.guarded(() -> step(nowS()));
       dueMicros += periodMicros;
       long lateMicros = clock().micros() - dueMicros;
       if (lateMicros > periodMicros) {
         long missed = lateMicros / periodMicros;
-        health().overrun(missed);
+        health.overrun(missed);
         dueMicros += missed * periodMicros;
       }
     }

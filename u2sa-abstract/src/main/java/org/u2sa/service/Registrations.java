@@ -65,9 +65,9 @@ final class Registrations {
     handlers.put(channel, message -> action.accept(type.cast(message)));
   }
 
-  /** What is done with the channel's messages; empty if that is the callback's matter. */
-  Optional<Consumer<U2SAData>> handler(Channel<?> channel) {
-    return Optional.ofNullable(handlers.get(channel));
+  /** What is done with the channel's messages; the other, if it has no handler. */
+  Consumer<U2SAData> handlerOr(Channel<?> channel, Consumer<U2SAData> other) {
+    return handlers.getOrDefault(channel, other);
   }
 
   /** The registered channel on which the message goes out; the one with the nearest type wins. */

@@ -128,7 +128,7 @@ final class ServiceLife {
     askedToStop = true;
     service.running = false;
     wake();
-    service.succession().successor().ifPresent(next -> next.life().askToStop()); // just now
+    service.succession.successor().ifPresent(next -> next.life.askToStop()); // just now
   }
 
   /** {@link #askToStop} for a reason that the log and {@link #endReason} are to give. */
@@ -171,7 +171,7 @@ final class ServiceLife {
       return;
     }
     service.running = false;
-    if (service.succession().handsOverInsteadOfEnding()) {
+    if (service.succession.handsOverInsteadOfEnding()) {
       status = ServiceStatus.STOPPED;
       stopWaiting(); // everything else is the successor's now
       return;
@@ -180,9 +180,9 @@ final class ServiceLife {
     status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPING;
     atLast("closing", service::release);
     status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPED;
-    atLast("the last health report", service.handling()::reportLast);
+    atLast("the last health report", service.handling::reportLast);
     service.log(LogLevelEnum.INFO, "ended: " + status);
-    atLast("ending the communication", service.wiring()::close);
+    atLast("ending the communication", service.wiring::close);
     stopWaiting();
     service.logFile().close();
   }
@@ -201,7 +201,7 @@ final class ServiceLife {
     try {
       last.run();
     } catch (Exception | Error e) { // also undeclared checked ones
-      service.health().error(e.toString());
+      service.health.error(e.toString());
       service.logFile().log(LogLevelEnum.ERROR, what + " failed", e);
     }
   }
@@ -209,7 +209,7 @@ final class ServiceLife {
   /** Ends after what the thread cannot survive, as failed. */
   void die(Throwable error) {
     if (!ended.get()) {
-      service.health().died(error.toString());
+      service.health.died(error.toString());
       service.logFile().log(LogLevelEnum.ERROR, "the thread died", error);
       status = ServiceStatus.FAILED;
     }
@@ -226,7 +226,7 @@ final class ServiceLife {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
-      service.wiring().close();
+      service.wiring.close();
     }
   }
 

@@ -8,7 +8,7 @@ final class ServiceLoop {
 
   ServiceLoop(U2SAService service) {
     this.service = service;
-    service.life().endsSurely();
+    service.life.endsSurely();
   }
 
   /**
@@ -19,22 +19,22 @@ final class ServiceLoop {
    */
   void run(ServiceHealth.CallbackCode begin, ServiceHealth.CallbackCode loop) {
     try {
-      service.life().awaitTurn();
+      service.life.awaitTurn();
       service.log("runs as thread " + service.threadID);
-      service.handling().guarded(begin);
+      service.handling.guarded(begin);
       loop.run();
     } catch (InterruptedException e) {
       service.log("interrupted, ends");
     } catch (RuntimeException | Error e) {
-      service.life().die(e);
+      service.life.die(e);
     } finally {
-      service.life().end();
+      service.life.end();
     }
   }
 
   /** {@link U2SAService#kill}. */
   void kill() {
-    service.life().stopWaiting();
+    service.life.stopWaiting();
     if (Thread.currentThread() == service) {
       return; // the loop ends after the present callback and closes everything
     }
@@ -46,7 +46,7 @@ final class ServiceLoop {
     }
     // A thread that was never started, or that hangs in its callback, cannot close its own
     // resources.
-    service.life().end();
+    service.life.end();
     if (interrupted) {
       Thread.currentThread().interrupt();
     }

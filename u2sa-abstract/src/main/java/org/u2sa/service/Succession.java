@@ -63,7 +63,7 @@ final class Succession {
 
   /** {@link U2SAService#remember}. */
   void remember() {
-    if (!service.isRunning() || service.wiring().isSilent()) {
+    if (!service.isRunning() || service.wiring.isSilent()) {
       return; // given up or replaced: another one remembers now
     }
     try {
@@ -157,13 +157,13 @@ final class Succession {
 
   /** Closes what the subclass opened, but leaves actuators as they are: a successor moves them. */
   void releaseAsPredecessor() {
-    service.life().atLast("closing", service::releaseToSuccessor);
+    service.life.atLast("closing", service::releaseToSuccessor);
   }
 
   /** Ends without ever having run, because its predecessor goes on. */
   void discard() {
-    if (service.life().endsNow()) {
-      service.wiring().silence();
+    if (service.life.endsNow()) {
+      service.wiring.silence();
       releaseAsPredecessor();
       service.context().forgetPredecessor();
     }

@@ -49,15 +49,16 @@ public abstract class U2SAService extends Thread
    */
   protected volatile boolean running;
 
+  final ServiceWiring wiring;
+  final ServiceHealth health = new ServiceHealth();
+  final ServiceLife life;
+  final Succession succession;
+  final MessageHandling handling;
+
   private final ServiceContext context;
   private final ServiceRole role;
   private final ServiceConfiguration configuration;
-  private final ServiceWiring wiring;
   private final ServiceMessaging messaging;
-  private final ServiceHealth health = new ServiceHealth();
-  private final ServiceLife life;
-  private final Succession succession;
-  private final MessageHandling handling;
 
   /**
    * Reads the common variables, opens the log file and connects to the Communication Manager.
@@ -437,29 +438,7 @@ public abstract class U2SAService extends Thread
     return Clock.seconds(context.clock().micros());
   }
 
-  // Its parts
-
   final LogFile logFile() {
     return configuration.log();
-  }
-
-  final ServiceWiring wiring() {
-    return wiring;
-  }
-
-  final ServiceHealth health() {
-    return health;
-  }
-
-  final ServiceLife life() {
-    return life;
-  }
-
-  final Succession succession() {
-    return succession;
-  }
-
-  final MessageHandling handling() {
-    return handling;
   }
 }
