@@ -55,8 +55,7 @@ class TutorialTest {
   @Test
   void listings_areTheirFiles() throws IOException {
     Page page = new Page("docs/hot-swap.md");
-    page.mustBe(
-        with(page.text(), LISTING, file -> Files.readString(Page.ROOT.resolve(file))));
+    page.mustBe(with(page.text(), LISTING, file -> Files.readString(Page.ROOT.resolve(file))));
   }
 
   @ParameterizedTest
@@ -77,7 +76,8 @@ class TutorialTest {
     while (commands.find()) {
       String rest = commands.group(2);
       if (commands.group(1).equals("cd")) {
-        here = rest.startsWith("~") ? home.resolve(rest.replaceFirst("^~/?", "")) : here.resolve(rest);
+        here =
+            rest.startsWith("~") ? home.resolve(rest.replaceFirst("^~/?", "")) : here.resolve(rest);
       } else {
         said.add(made(here, rest));
       }

@@ -87,8 +87,8 @@ final class Templates implements AutoCloseable {
   }
 
   /** All kinds by name. */
-  Map<String, Kind> kinds() {
-    Map<String, Kind> kinds = new TreeMap<>();
+  Map<String, TemplateKind> kinds() {
+    Map<String, TemplateKind> kinds = new TreeMap<>();
     for (Source source : sources) {
       try (Stream<Path> folders = Files.list(source.root)) {
         for (Path folder :
@@ -96,7 +96,9 @@ final class Templates implements AutoCloseable {
           String name = folder.getFileName().toString().replace("/", "");
           String origin = source.origin + "/" + name + "/" + ABOUT;
           kinds.computeIfAbsent(
-              name, absent -> Kind.read(name, source.origin, read(folder.resolve(ABOUT), origin)));
+              name,
+              absent ->
+                  TemplateKind.read(name, source.origin, read(folder.resolve(ABOUT), origin)));
         }
       } catch (IOException e) {
         throw new BadInputException("templates " + source.origin + ": " + e.getMessage(), e);
@@ -110,9 +112,9 @@ final class Templates implements AutoCloseable {
    *
    * @throws BadInputException if there is none; names the nearest
    */
-  Kind kind(String name) {
-    Map<String, Kind> kinds = kinds();
-    Kind kind = kinds.get(name);
+  TemplateKind kind(String name) {
+    Map<String, TemplateKind> kinds = kinds();
+    TemplateKind kind = kinds.get(name);
     if (kind == null) {
       throw new BadInputException(
           "unknown kind \""

@@ -1,8 +1,10 @@
 package org.u2sa.gcs.template;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -11,6 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.testkit.NeedsProgram;
+import picocli.CommandLine;
 
 /** The commands that {@code u2sa new} tells, with Maven itself, without a network. */
 @Tag("long")
@@ -24,11 +27,13 @@ class MavenBuildTest {
    * A local repository that has what the user's has, but no U2SA; what is installed there stays
    * there.
    */
-  private Path repository() throws IOException {
-    Path users =
-        Path.of(
-            System.getProperty(
-                "maven.repo.local", System.getProperty("user.home") + "/.m2/repository"));
+  private Path repository() throws IOException, URISyntaxException {
+    Path jar =
+        Path.of(CommandLine.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    Path users = jar.resolve("../../../../..").normalize(); // group, name, version, jar
+    assumeTrue(
+        Files.isDirectory(users.resolve("org/apache/maven")),
+        jar + " is not in a repository of Maven's: another build runs this test");
     Path ours = Files.createDirectories(folder.resolve("repository/org")).getParent();
     link(users, ours, "org");
     link(users.resolve("org"), ours.resolve("org"), "u2sa");

@@ -15,10 +15,11 @@ import org.u2sa.interfaces.BadInputException;
  * @param with templates whose files it shares with others of the project
  * @param advice how to run what was made, with placeholders
  */
-record Kind(String name, String origin, String description, List<String> with, String advice) {
+record TemplateKind(
+    String name, String origin, String description, List<String> with, String advice) {
   private static final String WITH = "with:";
 
-  static Kind read(String name, String origin, byte[] about) {
+  static TemplateKind read(String name, String origin, byte[] about) {
     List<String> lines = new String(about, StandardCharsets.UTF_8).lines().toList();
     if (lines.isEmpty() || lines.get(0).isBlank()) {
       throw new BadInputException(
@@ -30,6 +31,6 @@ record Kind(String name, String origin, String description, List<String> with, S
             ? Stream.of(lines.get(1).substring(WITH.length()).trim().split("[ ,]+")).toList()
             : List.of();
     String advice = String.join("\n", lines.subList(shares ? 2 : 1, lines.size())).strip();
-    return new Kind(name, origin, lines.get(0), with, advice);
+    return new TemplateKind(name, origin, lines.get(0), with, advice);
   }
 }
