@@ -4,11 +4,13 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.u2sa.interfaces.Configurator;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.U2SAData;
+import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Point;
 
 /**
  * Acts before the fence is reached, if there is one: when the vehicle could no longer stop or turn
- * round inside. The floor counts once the vehicle has been above it, so that it can take off.
+ * round inside. The floor counts once the armed vehicle has been above it, so that it can take off.
  */
 final class FenceWatch implements Watch {
   private final Configurator configuration;
@@ -47,6 +49,11 @@ final class FenceWatch implements Watch {
   @Override
   public Hazard hazard() {
     return Hazard.FENCE;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    aboveFloor &= !(message instanceof ArmingState state) || state.armed();
   }
 
   @Override

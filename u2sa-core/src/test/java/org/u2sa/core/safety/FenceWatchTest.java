@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.XmlConfiguration;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
@@ -90,11 +91,13 @@ class FenceWatchTest {
     assertThat(seeing(at(76.01, 0.0).xDot(8.0)).objection(0)).as("armed on its way").isEmpty();
   }
 
-  /** At 3.4 and 4.3 m/s the way is that of 5.48 m/s: 5.48 m and 7.51 m. */
+  /** At 6 and 8 m/s, so 10 m/s: 20 m until it reacts after 2 s, and 25 m of braking. */
   @Test
-  void trouble_goesAslant_saysTheWayOfItsWholeSpeed() {
-    assertThat(seeing(at(99.0, 0.0).xDot(3.4).yDot(4.3)).trouble(0))
-        .contains("too near to stop within 13 m");
+  void trouble_goesAslantAndReactsSlowly_saysTheWayOfItsWholeSpeed() {
+    variables.put("REACTION TIME", 2.0);
+
+    assertThat(seeing(at(90.0, 0.0).xDot(6.0).yDot(8.0)).trouble(0))
+        .contains("too near to stop within 45 m");
   }
 
   /** At 20 m/s and 45° of bank: v²/g is 41 m. */
@@ -189,6 +192,21 @@ class FenceWatchTest {
     variables.put("FENCE", "");
     assertThat(seeing(at(500.0, 0.0)).trouble(0)).isEmpty();
     assertThat(watch().fence()).isEmpty();
+  }
+
+  @Test
+  void trouble_landedDisarmedAndArmedAnew_mayTakeOffAgain() {
+    FenceWatch watch = seeing(at(0.0, 0.0).z(100.0));
+    assertThat(watch.trouble(0)).isEmpty();
+    states.see(at(0.0, 0.0).z(0.0), 0);
+    assertThat(watch.trouble(0)).contains("floor 50 m at 0 m");
+
+    watch.see(new ArmingState().armed(true), 0);
+    assertThat(watch.trouble(0)).contains("floor 50 m at 0 m");
+    watch.see(new ArmingState().armed(false), 0);
+    watch.see(new ArmingState().armed(true), 0);
+
+    assertThat(watch.trouble(0)).isEmpty();
   }
 
   /** As when another fence is set in flight: the other watches must go on all the same. */

@@ -73,10 +73,12 @@ class SafetyManagerStateTest extends WatchedVehicle {
   }
 
   @Test
-  void start_disarmedWhileItListens_forgetsThatThePredecessorWasArmed() {
+  void start_disarmedWhileItListens_predecessorsWordsBeforeAndAfterwardsDoNotCount() {
     kit.start(SafetyManager::new);
     predecessorWasArmed();
     kit.publish(Channels.ARMING, new ArmCommand().requestId("7").arm(false).operator("Ann"));
+    kit.advance(0.2);
+    predecessorWasArmed();
     kit.advance(1.0);
 
     assertThat(kit.published(Channels.ARMING_STATE)).isNotEmpty().noneMatch(ArmingState::armed);
