@@ -101,7 +101,7 @@ record Manoeuvre(
     double drift = driftM(speed);
     double around = (radius + drift) / Math.cos(Math.PI / (2.0 * ARC_CORNERS)); // outside the arc
     List<Coordinate> corners = new ArrayList<>();
-    for (int i = 0; i <= ARC_CORNERS; i++) {
+    for (int i = 0; 2 * i <= ARC_CORNERS; i++) { // the inner halves lie between the outer ones
       double angle = Math.PI * i / ARC_CORNERS;
       double ahead = straight + around * Math.sin(angle);
       double aside = radius + around * Math.cos(angle);
