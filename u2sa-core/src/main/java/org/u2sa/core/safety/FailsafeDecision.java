@@ -6,8 +6,8 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BinaryOperator;
-import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /**

@@ -4,9 +4,9 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Acts before the fence is reached, if there is one: when the vehicle could no longer stop or turn
