@@ -102,7 +102,7 @@ class BrokerAccessTest {
         "PASSWORD FILE \"" + absent + "\" cannot be read: ");
     assertRefused(
         () -> BrokerAccess.of("ann", "a\u0000b", false, ""),
-        "PASSWORD FILE \"a\u0000b\" is no path: ");
+        "PASSWORD FILE \"a b\" is no path: ");
     String open = passwordFile("secret");
     Files.setPosixFilePermissions(Path.of(open), PosixFilePermissions.fromString("rw-r--r--"));
     assertRefused(
