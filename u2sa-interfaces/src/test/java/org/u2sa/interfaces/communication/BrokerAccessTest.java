@@ -8,7 +8,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.security.KeyStore;
+import java.util.Base64;
 import java.util.Map;
+import javax.net.ssl.SSLSocket;
+import javax.net.ssl.TrustManagerFactory;
+import javax.net.ssl.X509TrustManager;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
@@ -108,6 +113,29 @@ class BrokerAccessTest {
     assertRefused(
         () -> BrokerAccess.of("ann", open, false, ""),
         "PASSWORD FILE \"" + open + "\": others than its owner may use it");
+  }
+
+  /** Two of the certificates that this Java trusts. */
+  private Path authorities() throws Exception {
+    TrustManagerFactory managers =
+        TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+    managers.init((KeyStore) null);
+    X509TrustManager java = (X509TrustManager) managers.getTrustManagers()[0];
+    StringBuilder pem = new StringBuilder();
+    for (int i = 0; i < 2; i++) {
+      pem.append("-----BEGIN CERTIFICATE-----\n")
+          .append(Base64.getMimeEncoder().encodeToString(java.getAcceptedIssuers()[i].getEncoded()))
+          .append("\n-----END CERTIFICATE-----\n");
+    }
+    return Files.writeString(folder.resolve("ca.pem"), pem);
+  }
+
+  @Test
+  void of_authoritiesFile_switchesEncryptionOn() throws Exception {
+    BrokerAccess access = BrokerAccess.of("", "", false, authorities().toString());
+
+    assertThat(access.isEncrypted()).isTrue();
+    assertThat(access.sockets().createSocket()).isInstanceOf(SSLSocket.class);
   }
 
   @Test

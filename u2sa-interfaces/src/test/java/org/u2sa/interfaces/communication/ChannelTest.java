@@ -73,7 +73,7 @@ class ChannelTest {
   @ValueSource(strings = {"a", "a1", "goal-reports", "x-2-y"})
   void every_nameOfTheForm_isTheName(String name) {
     assertThat(Channel.every(name, StateInformation.TYPE)).hasToString(name);
-    assertThat(Channel.every(name, StateInformation.TYPE).name()).isEqualTo(name);
+    assertThat(Channel.latest(name, StateInformation.TYPE, state -> "").name()).isEqualTo(name);
   }
 
   @Test
