@@ -145,10 +145,7 @@ class CommandedActuatorsTest {
 
     assertThat(drive.commands.mayMove()).isTrue();
     assertThat(drive.commands.isCommanded()).isFalse();
-    assertThat(log("emergency stop by \"Ann\": smoke"))
-        .singleElement()
-        .asString()
-        .contains("WARN");
+    assertThat(log("emergency stop by \"Ann\": smoke")).singleElement().asString().contains("WARN");
     assertThat(log("emergency stop cleared by \"Bob\": all well"))
         .singleElement()
         .asString()
@@ -211,7 +208,10 @@ class CommandedActuatorsTest {
     assertThat(kit.published(Channels.EMERGENCY_STOP))
         .singleElement()
         .matches(stop -> stop.stopId().orElse("").equals("Ann 1"));
-    assertThat(log("clear by \"Bob\" leaves ")).singleElement().asString().endsWith("still stopped");
+    assertThat(log("clear by \"Bob\" leaves "))
+        .singleElement()
+        .asString()
+        .endsWith("still stopped");
   }
 
   @Test

@@ -154,8 +154,7 @@ class RefusedSwapTest {
   void await_onAServicesThread_returnsAsSoonAsItIsDone() {
     Counting successor = new Counting(inPlaceOf(configuration()));
     Launcher launcher =
-        kit.start(
-            context -> new Launcher(context, new ServiceSwap(old, successor, () -> true)));
+        kit.start(context -> new Launcher(context, new ServiceSwap(old, successor, () -> true)));
 
     update();
 

@@ -36,8 +36,7 @@ class ConfigurationOverridesTest extends RefusedFile {
     configuration.getVariable(PORT);
 
     ConfigurationOutcome outcome =
-        configuration.change(
-            Map.of("PORT", 3), OptionalLong.of(0), ANN, ConfigurationCheck.NONE);
+        configuration.change(Map.of("PORT", 3), OptionalLong.of(0), ANN, ConfigurationCheck.NONE);
 
     assertThat(outcome.refusal()).isEmpty();
     assertThat(outcome.assignments().get(0).previous()).contains("2");

@@ -64,6 +64,7 @@ class FolderLockTest {
     }
     held.close();
 
-    assertThat(said).hasValue("interrupted while another writer was at work in " + folder + " true");
+    assertThat(said)
+        .hasValue("interrupted while another writer was at work in " + folder + " true");
   }
 }

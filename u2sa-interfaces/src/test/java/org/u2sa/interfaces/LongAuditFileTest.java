@@ -31,7 +31,8 @@ class LongAuditFileTest {
 
   private void writeFile(int n) throws IOException {
     Files.writeString(
-        file, "<configuration><variable name=\"N\" type=\"int\" value=\"" + n + "\"/></configuration>");
+        file,
+        "<configuration><variable name=\"N\" type=\"int\" value=\"" + n + "\"/></configuration>");
   }
 
   private static ConfigurationOutcome set(XmlConfiguration configuration, int n) {
@@ -211,10 +212,7 @@ class LongAuditFileTest {
     append(accepted(2) + line(2, "FAILED"));
 
     assertThat(load().revision()).isOne();
-    assertThat(
-            load()
-                .undo(new ChangeOrigin(0, "T", "bob"), ConfigurationCheck.NONE)
-                .assignments())
+    assertThat(load().undo(new ChangeOrigin(0, "T", "bob"), ConfigurationCheck.NONE).assignments())
         .singleElement()
         .matches(undone -> undone.value().equals("1"));
   }

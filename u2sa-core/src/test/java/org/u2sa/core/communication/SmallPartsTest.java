@@ -15,8 +15,7 @@ import org.u2sa.interfaces.XmlConfiguration;
 /** What a connection failed by, whom an address is counted as, which limits follow from others. */
 class SmallPartsTest {
   private static BrokerLimits limits(int clients) {
-    return BrokerLimits.of(
-        XmlConfiguration.inMemory("test", Map.of("CLIENTS AT MOST", clients)));
+    return BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of("CLIENTS AT MOST", clients)));
   }
 
   private static String fault(Throwable error) {

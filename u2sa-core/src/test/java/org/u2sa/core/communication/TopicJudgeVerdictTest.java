@@ -18,9 +18,7 @@ class TopicJudgeVerdictTest {
   private static final PasswordHash NONE = new PasswordHash(1, new byte[12], new byte[64]);
 
   private static TopicJudge of(AccessRole... roles) {
-    User user =
-        new User(
-            "ann", EnumSet.of(roles[0], roles), List.of("cessna"), NONE);
+    User user = new User("ann", EnumSet.of(roles[0], roles), List.of("cessna"), NONE);
     return new TopicJudge(MessageTypes.standard(), user);
   }
 
@@ -52,8 +50,7 @@ class TopicJudgeVerdictTest {
 
   @Test
   void judge_ownChannel_isOfNoKind() {
-    TopicJudge.Verdict verdict =
-        of(AccessRole.SERVICE).judge("u2sa/cessna/tide/StateInformation");
+    TopicJudge.Verdict verdict = of(AccessRole.SERVICE).judge("u2sa/cessna/tide/StateInformation");
 
     assertThat(verdict.refusal()).isNull();
     assertThat(verdict.topic()).hasToString("u2sa/cessna/tide/StateInformation");

@@ -106,8 +106,7 @@ class BrokerAccessTest {
         () -> BrokerAccess.of("ann", absent, false, ""),
         "PASSWORD FILE \"" + absent + "\" cannot be read: ");
     assertRefused(
-        () -> BrokerAccess.of("ann", "a\u0000b", false, ""),
-        "PASSWORD FILE \"a b\" is no path: ");
+        () -> BrokerAccess.of("ann", "a\u0000b", false, ""), "PASSWORD FILE \"a b\" is no path: ");
     String open = passwordFile("secret");
     Files.setPosixFilePermissions(Path.of(open), PosixFilePermissions.fromString("rw-r--r--"));
     assertRefused(

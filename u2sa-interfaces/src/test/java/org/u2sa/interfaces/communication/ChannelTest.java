@@ -57,7 +57,8 @@ class ChannelTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "Depth", "1depth", "-depth", "depth-", "a--b", "a b", "a/b", "tiefeß"})
+  @ValueSource(
+      strings = {"", "Depth", "1depth", "-depth", "depth-", "a--b", "a b", "a/b", "tiefeß"})
   void every_nameOfAnotherForm_isRefused(String name) {
     assertThatThrownBy(() -> Channel.every(name, StateInformation.TYPE))
         .isInstanceOf(IllegalArgumentException.class)

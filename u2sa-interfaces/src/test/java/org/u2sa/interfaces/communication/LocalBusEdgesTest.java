@@ -77,8 +77,7 @@ class LocalBusEdgesTest {
 
     bus.deliver(Channels.STATE, frozen(new StateInformation()));
     assertThat(received).hasSize(1);
-    assertThatThrownBy(() -> bus.connect("a", receiver))
-        .isInstanceOf(CommunicationException.class);
+    assertThatThrownBy(() -> bus.connect("a", receiver)).isInstanceOf(CommunicationException.class);
   }
 
   @Test
