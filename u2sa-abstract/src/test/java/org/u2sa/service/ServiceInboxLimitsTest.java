@@ -130,6 +130,31 @@ class ServiceInboxLimitsTest {
   }
 
   @Test
+  void moveTo_urgentOneWaitsInTheSuccessorAlready_isThereOnceBehindTheOthers() {
+    ServiceInbox next = new ServiceInbox(CAPACITY);
+    EmergencyStop before = new EmergencyStop();
+    EmergencyStop after = new EmergencyStop();
+    put(inbox, Channels.EMERGENCY_STOP, before);
+    put(next, Channels.EMERGENCY_STOP, after);
+
+    inbox.moveTo(next, List.of());
+
+    assertThat(next.depth()).isEqualTo(2);
+    assertThat(next.poll().message()).isSameAs(before);
+    assertThat(next.poll().message()).isSameAs(after);
+  }
+
+  @Test
+  void put_afterTheMoveToAFullSuccessor_isLostThere() {
+    ServiceInbox next = new ServiceInbox(1);
+    inbox.moveTo(next, List.of());
+
+    assertThat(putNumber(inbox, "1")).isTrue();
+    assertThat(putNumber(inbox, "2")).isFalse();
+    assertThat(next.dropped()).isOne();
+  }
+
+  @Test
   void moveTo_handledBefore_isSeenFirstUnlessANewerOneWaits() {
     ServiceInbox next = new ServiceInbox(CAPACITY);
     put(inbox, Channels.STATE, state("A"));
