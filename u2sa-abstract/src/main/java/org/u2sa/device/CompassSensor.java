@@ -19,7 +19,7 @@ public final class CompassSensor extends ProprioceptiveSensor {
   static final Variable<String> CONNECTION =
       Variable.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB1?baud=9600")
-          .describedAs("Address of the compass, as its driver takes it.");
+          .describedAs("Address of the compass, as its driver takes it (docs/drivers/links.md).");
 
   static final Variable<String> COMPASS =
       Variable.text("COMPASS")

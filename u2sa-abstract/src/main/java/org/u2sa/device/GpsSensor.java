@@ -17,7 +17,7 @@ public final class GpsSensor extends ProprioceptiveSensor {
   static final Variable<String> CONNECTION =
       Variable.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
-          .describedAs("Address of the receiver, as its driver takes it.");
+          .describedAs("Address of the receiver, as its driver takes it (docs/drivers/links.md).");
 
   static final Variable<String> RECEIVER =
       Variable.text("RECEIVER")

@@ -21,7 +21,7 @@ public final class ImuSensor extends ProprioceptiveSensor {
   static final Variable<String> CONNECTION =
       Variable.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB2?baud=115200")
-          .describedAs("Address of the IMU, as its driver takes it.");
+          .describedAs("Address of the IMU, as its driver takes it (docs/drivers/links.md).");
 
   static final Variable<String> IMU =
       Variable.text("IMU").ifAbsent("VECTORNAV").describedAs("Kind of IMU: the name of a driver.");

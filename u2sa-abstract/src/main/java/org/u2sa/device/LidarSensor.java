@@ -20,7 +20,7 @@ public final class LidarSensor extends ExteroceptiveSensor {
       Variable.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=115200&dtr=off")
           .describedAs(
-              "Address of the laser, as its driver takes it; an RPLIDAR A1's USB adapter runs the motor with dtr=off.");
+              "Address of the laser, as its driver takes it (docs/drivers/links.md); an RPLIDAR A1's USB adapter runs the motor with dtr=off.");
 
   static final Variable<String> LIDAR =
       Variable.text("LIDAR")

@@ -20,7 +20,8 @@ public final class RangeSensor extends ExteroceptiveSensor {
   static final Variable<String> CONNECTION =
       Variable.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
-          .describedAs("Address of the range finder, as its driver takes it.");
+          .describedAs(
+              "Address of the range finder, as its driver takes it (docs/drivers/links.md).");
 
   static final Variable<String> MODEL =
       Variable.text("MODEL")

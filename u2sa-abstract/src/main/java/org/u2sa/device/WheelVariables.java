@@ -9,7 +9,8 @@ final class WheelVariables {
   static final Variable<String> CONNECTION =
       Variable.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyACM0?baud=115200")
-          .describedAs("Address of the motor controller, as its driver takes it.");
+          .describedAs(
+              "Address of the motor controller, as its driver takes it (docs/drivers/links.md).");
 
   static final Variable<String> CONTROLLER =
       Variable.text("CONTROLLER")
