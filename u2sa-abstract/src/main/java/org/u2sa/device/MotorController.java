@@ -20,8 +20,8 @@ public interface MotorController extends Device<MotorController.Counts> {
       implements Reading {}
 
   /**
-   * {@inheritDoc} Unlike other ports: empty also after a loss, until the controller answers and
-   * is set up again. It drives only then.
+   * {@inheritDoc} Unlike other ports: empty also after a loss, until the controller answers and is
+   * set up again. It drives only then.
    */
   @Override
   Optional<Counts> read(long nowMicros);
