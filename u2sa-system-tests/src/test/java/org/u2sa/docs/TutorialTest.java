@@ -27,7 +27,7 @@ class TutorialTest {
       Page.ROOT.resolve("u2sa-core/src/test/java/org/u2sa/examples");
 
   @ParameterizedTest
-  @ValueSource(strings = {"docs/tutorial.md", "docs/hot-swap.md"})
+  @ValueSource(strings = {"docs/tutorial.md", "docs/hot-swap.md", "docs/drivers/own.md"})
   void listings_areTheirFiles(String path) throws IOException {
     Page page = new Page(path);
     Matcher listings = LISTING.matcher(page.text());

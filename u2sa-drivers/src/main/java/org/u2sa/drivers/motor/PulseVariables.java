@@ -1,5 +1,6 @@
 package org.u2sa.drivers.motor;
 
+import org.u2sa.device.SlewLimit;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;

@@ -2,7 +2,7 @@ package org.u2sa.scenarios.ugv;
 
 import java.util.SplittableRandom;
 import org.u2sa.core.mission.Home;
-import org.u2sa.drivers.compass.MagneticModel;
+import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.ioio.BoardConnection;
 import org.u2sa.drivers.ioio.LockstepConnection;
 import org.u2sa.messages.frame.Geodetic;

@@ -9,10 +9,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.u2sa.drivers.gps.GpsFix;
-import org.u2sa.drivers.gps.GpsParser;
+import org.u2sa.device.GpsFix;
 import org.u2sa.drivers.gps.NmeaGps;
 import org.u2sa.drivers.gps.UbxGps;
+import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.GpsMessage;
@@ -45,7 +45,7 @@ class SimulatedGpsTest {
   @ParameterizedTest
   @MethodSource("receivers")
   void accept_movingReceiver_givesPlaceVelocityAndSigma(
-      UbloxSettings settings, GpsParser parser, double longestLagS) {
+      UbloxSettings settings, ByteParser<GpsFix> parser, double longestLagS) {
     UtcTime utc = new UtcTime(Instant.parse("2026-06-01T23:59:30Z")); // past midnight
     UbloxReceiver receiver =
         new UbloxReceiver(settings, GpsParameters.survey(), PLANE, utc, new NoiseStreams(11L));
