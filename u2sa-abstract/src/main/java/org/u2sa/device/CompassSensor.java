@@ -3,7 +3,7 @@ package org.u2sa.device;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -16,30 +16,30 @@ import org.u2sa.service.ServiceContext;
 public final class CompassSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB1?baud=9600")
           .describedAs("Address of the compass, as its driver takes it (docs/drivers/links.md).");
 
-  static final Variable<String> COMPASS =
-      Variable.text("COMPASS")
+  static final VariableDeclaration<String> COMPASS =
+      VariableDeclaration.text("COMPASS")
           .ifAbsent("NMEA")
           .describedAs("Kind of compass: the name of a driver.");
 
-  static final Variable<Double> TIMEOUT =
-      Variable.number("TIMEOUT", "s")
+  static final VariableDeclaration<Double> TIMEOUT =
+      VariableDeclaration.number("TIMEOUT", "s")
           .range(Range.of(0.1, 60.0))
           .ifAbsent(1.5)
           .describedAs("Time without a readable heading after which the compass counts as silent.");
 
-  static final Variable<Double> MOUNTING_ANGLE =
-      Variable.number("MOUNTING ANGLE", "rad")
+  static final VariableDeclaration<Double> MOUNTING_ANGLE =
+      VariableDeclaration.number("MOUNTING ANGLE", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
           .describedAs("Direction of the compass's front, clockwise from the vehicle's.");
 
-  static final Variable<Double> HEADING_SIGMA =
-      Variable.number("HEADING SIGMA", "rad")
+  static final VariableDeclaration<Double> HEADING_SIGMA =
+      VariableDeclaration.number("HEADING SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(1.0))
           .describedAs("Standard deviation of the heading, from the data sheet.");

@@ -1,7 +1,7 @@
 package org.u2sa.device;
 
 import java.util.List;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -36,7 +36,7 @@ public abstract class DeviceProvider<D extends Device<?>> {
    * Variables of these devices beside the service's own. Any configuration of the port's services
    * may set them, whichever device it names.
    */
-  protected List<Variable<?>> variables() {
+  protected List<VariableDeclaration<?>> variables() {
     return List.of();
   }
 

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 
 /** Finds the device that a service's configuration names among all {@link DeviceProvider}s. */
@@ -22,7 +22,7 @@ public final class Devices {
    * @throws BadInputException if nobody offers the named device, or two offer the same name
    */
   public static <D extends Device<?>> D open(
-      Class<D> port, Variable<String> choice, ServiceContext context, Optional<D> made) {
+      Class<D> port, VariableDeclaration<String> choice, ServiceContext context, Optional<D> made) {
     Map<String, DeviceProvider<?>> providers = new LinkedHashMap<>();
     for (DeviceProvider<?> provider : ServiceLoader.load(DeviceProvider.class)) {
       if (provider.port() == port) {
@@ -49,7 +49,7 @@ public final class Devices {
   }
 
   private static DeviceProvider<?> named(
-      String name, Map<String, DeviceProvider<?>> providers, Class<?> port, Variable<?> choice) {
+      String name, Map<String, DeviceProvider<?>> providers, Class<?> port, VariableDeclaration<?> choice) {
     DeviceProvider<?> provider = providers.get(name);
     if (provider == null) {
       throw new BadInputException(

@@ -3,7 +3,7 @@ package org.u2sa.device;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -14,18 +14,18 @@ import org.u2sa.service.ServiceContext;
 public final class GpsSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0; // a fix waits for its step 10 ms on average
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
           .describedAs("Address of the receiver, as its driver takes it (docs/drivers/links.md).");
 
-  static final Variable<String> RECEIVER =
-      Variable.text("RECEIVER")
+  static final VariableDeclaration<String> RECEIVER =
+      VariableDeclaration.text("RECEIVER")
           .ifAbsent("NMEA")
           .describedAs("Kind of receiver: the name of a driver.");
 
-  static final Variable<Double> TIMEOUT =
-      Variable.number("TIMEOUT", "s")
+  static final VariableDeclaration<Double> TIMEOUT =
+      VariableDeclaration.number("TIMEOUT", "s")
           .range(Range.of(0.1, 60.0))
           .ifAbsent(2.5)
           .describedAs(

@@ -3,7 +3,7 @@ package org.u2sa.device;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
@@ -18,28 +18,28 @@ import org.u2sa.service.ServiceContext;
 public final class ImuSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB2?baud=115200")
           .describedAs("Address of the IMU, as its driver takes it (docs/drivers/links.md).");
 
-  static final Variable<String> IMU =
-      Variable.text("IMU").ifAbsent("VECTORNAV").describedAs("Kind of IMU: the name of a driver.");
+  static final VariableDeclaration<String> IMU =
+      VariableDeclaration.text("IMU").ifAbsent("VECTORNAV").describedAs("Kind of IMU: the name of a driver.");
 
-  static final Variable<Double> TIMEOUT =
-      Variable.number("TIMEOUT", "s")
+  static final VariableDeclaration<Double> TIMEOUT =
+      VariableDeclaration.number("TIMEOUT", "s")
           .range(Range.of(0.05, 60.0))
           .ifAbsent(0.5)
           .describedAs("Time without a readable message after which the IMU counts as silent.");
 
-  static final Variable<Double> ATTITUDE_SIGMA =
-      Variable.number("ATTITUDE SIGMA", "rad")
+  static final VariableDeclaration<Double> ATTITUDE_SIGMA =
+      VariableDeclaration.number("ATTITUDE SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(1.0))
           .describedAs("Standard deviation of roll and pitch, from the data sheet.");
 
-  static final Variable<Double> HEADING_SIGMA =
-      Variable.number("HEADING SIGMA", "rad")
+  static final VariableDeclaration<Double> HEADING_SIGMA =
+      VariableDeclaration.number("HEADING SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(2.0))
           .describedAs("Standard deviation of the heading, from the data sheet.");

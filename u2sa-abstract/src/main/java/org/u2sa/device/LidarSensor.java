@@ -3,7 +3,7 @@ package org.u2sa.device;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
@@ -16,31 +16,31 @@ public final class LidarSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
   private static final double SILENT_AFTER_S = 1.0;
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=115200&dtr=off")
           .describedAs(
               "Address of the laser, as its driver takes it (docs/drivers/links.md); an RPLIDAR A1's USB adapter runs the motor with dtr=off.");
 
-  static final Variable<String> LIDAR =
-      Variable.text("LIDAR")
+  static final VariableDeclaration<String> LIDAR =
+      VariableDeclaration.text("LIDAR")
           .ifAbsent("rplidar")
           .describedAs("Kind of laser: the name of a driver.");
 
-  static final Variable<Integer> PUBLISH_EVERY =
-      Variable.integer("PUBLISH EVERY")
+  static final VariableDeclaration<Integer> PUBLISH_EVERY =
+      VariableDeclaration.integer("PUBLISH EVERY")
           .range(Range.of(1, 1000))
           .ifAbsent(1)
           .describedAs("Publish every Nth scan.");
 
-  static final Variable<Double> NEAREST =
-      Variable.number("NEAREST", "m")
+  static final VariableDeclaration<Double> NEAREST =
+      VariableDeclaration.number("NEAREST", "m")
           .range(Range.of(0.0, 100.0))
           .ifAbsent(0.1)
           .describedAs("Nearer echoes are of the vehicle itself: least minRange of the scans.");
 
-  static final Variable<Double> FARTHEST =
-      Variable.number("FARTHEST", "m")
+  static final VariableDeclaration<Double> FARTHEST =
+      VariableDeclaration.number("FARTHEST", "m")
           .range(Range.of(0.1, 1000.0))
           .ifAbsent(100.0)
           .describedAs("Farther echoes do not count: largest maxRange of the scans.");

@@ -2,7 +2,7 @@ package org.u2sa.device;
 
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
@@ -16,38 +16,38 @@ import org.u2sa.messages.frame.Rotation;
  * @param yaw turned to the left positive [rad], as BODY's psi
  */
 public record MountingPose(Point position, double roll, double pitch, double yaw) {
-  static final Variable<Double> X =
-      Variable.number("MOUNTED X", "m")
+  static final VariableDeclaration<Double> X =
+      VariableDeclaration.number("MOUNTED X", "m")
           .range(Range.of(-100.0, 100.0))
           .ifAbsent(0.0)
           .describedAs("Place of the sensor on the vehicle, forward.");
 
-  static final Variable<Double> Y =
-      Variable.number("MOUNTED Y", "m")
+  static final VariableDeclaration<Double> Y =
+      VariableDeclaration.number("MOUNTED Y", "m")
           .range(Range.of(-100.0, 100.0))
           .ifAbsent(0.0)
           .describedAs("Place of the sensor on the vehicle, to the left.");
 
-  static final Variable<Double> Z =
-      Variable.number("MOUNTED Z", "m")
+  static final VariableDeclaration<Double> Z =
+      VariableDeclaration.number("MOUNTED Z", "m")
           .range(Range.of(-100.0, 100.0))
           .ifAbsent(0.0)
           .describedAs("Place of the sensor on the vehicle, down.");
 
-  static final Variable<Double> ROLL =
-      Variable.number("MOUNTED ROLL", "rad")
+  static final VariableDeclaration<Double> ROLL =
+      VariableDeclaration.number("MOUNTED ROLL", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
           .describedAs("How the sensor is turned about its x axis, left side down positive.");
 
-  static final Variable<Double> PITCH =
-      Variable.number("MOUNTED PITCH", "rad")
+  static final VariableDeclaration<Double> PITCH =
+      VariableDeclaration.number("MOUNTED PITCH", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
           .describedAs("How the sensor is tilted, front up positive.");
 
-  static final Variable<Double> YAW =
-      Variable.number("MOUNTED YAW", "rad")
+  static final VariableDeclaration<Double> YAW =
+      VariableDeclaration.number("MOUNTED YAW", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
           .describedAs("How the sensor is turned about the vertical, to the left positive.");

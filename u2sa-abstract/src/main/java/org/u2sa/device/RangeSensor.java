@@ -2,7 +2,7 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -17,14 +17,14 @@ public final class RangeSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
   private static final double SILENT_AFTER_S = 0.5; // the slowest measures 7 times a second
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
           .describedAs(
               "Address of the range finder, as its driver takes it (docs/drivers/links.md).");
 
-  static final Variable<String> MODEL =
-      Variable.text("MODEL")
+  static final VariableDeclaration<String> MODEL =
+      VariableDeclaration.text("MODEL")
           .ifAbsent("LV")
           .describedAs("Kind of range finder: the name of a driver.");
 

@@ -6,7 +6,7 @@ import java.time.ZonedDateTime;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -19,15 +19,15 @@ public final class TrueNorth {
   private static final double SAME_PLACE_DEG =
       0.02; // about 2 km: less than 0.01 deg of declination
 
-  private static final Variable<String> NORTH =
-      Variable.text("NORTH")
+  private static final VariableDeclaration<String> NORTH =
+      VariableDeclaration.text("NORTH")
           .oneOf("MODEL", "FIXED")
           .ifAbsent("MODEL")
           .describedAs(
               "MODEL: World Magnetic Model at the vehicle's position, no heading before that is known; FIXED: DECLINATION.");
 
-  private static final Variable<Double> DECLINATION =
-      Variable.number("DECLINATION", "rad")
+  private static final VariableDeclaration<Double> DECLINATION =
+      VariableDeclaration.number("DECLINATION", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
           .describedAs("Magnetic declination, east positive, where NORTH is FIXED.");

@@ -20,11 +20,12 @@ public abstract class Actuator extends PeriodicService {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
   private static final double ANNOUNCE_EVERY_S = 5.0;
 
-  private static final Variable<String> ACTUATOR_NAME =
-      Variable.text("ACTUATOR NAME")
-          .ifAbsent("")
-          .describedAs(
-              "Name to which commands are addressed, unique in the system; empty: the service's name.");
+  private record Names(
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "Name to which commands are addressed, unique in the system; empty: the service's name.")
+          String actuatorName) {}
 
   private final String actuatorName;
   private final CommandedActuators commands;
@@ -34,7 +35,7 @@ public abstract class Actuator extends PeriodicService {
   /** See {@link U2SAService#U2SAService}. */
   protected Actuator(ServiceContext context, String serviceName) {
     super(context, ServiceRole.ACTUATOR, serviceName, EXPIRY_CHECKS_PER_S);
-    String configured = getVariable(ACTUATOR_NAME);
+    String configured = settings(Names.class).get().actuatorName();
     actuatorName = configured.isEmpty() ? getServiceName() : configured;
     commands = new CommandedActuators(this, Set.of(actuatorName));
   }

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.ActuatorCommand;
@@ -26,28 +27,32 @@ import org.u2sa.messages.schema.U2SAData;
  * constructor and hand it what comes. Belongs to its service's thread.
  */
 public final class CommandedActuators {
-  static final Variable<Double> COMMAND_EXPIRY =
-      Variable.number("COMMAND EXPIRY", "s")
-          .range(Range.of(0.01, 60.0))
-          .ifAbsent(0.5)
-          .describedAs("Time without a command after which an actuator goes neutral.");
-
-  static final Variable<Double> CLOCK_TOLERANCE =
-      Variable.number("CLOCK TOLERANCE", "s")
-          .range(Range.of(0.0, 60.0))
-          .ifAbsent(1.0)
-          .describedAs("How far ahead of this clock a command's time may be before it is refused.");
-
-  static final Variable<Boolean> REQUIRES_ARMING =
-      Variable.flag("REQUIRES ARMING")
-          .ifAbsent(false)
-          .describedAs("Whether actuators obey only while a Safety Manager says that it is armed.");
+  private record Limits(
+      @Variable(
+              unit = "s",
+              min = 0.01,
+              max = 60,
+              ifAbsent = 0.5,
+              text = "Time without a command after which an actuator goes neutral.")
+          double commandExpiry,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 60,
+              ifAbsent = 1,
+              text = "How far ahead of this clock a command's time may be before it is refused.")
+          double clockTolerance,
+      @Variable(
+              ifAbsentText = "false",
+              text = "Whether actuators obey only while a Safety Manager says that it is armed.")
+          boolean requiresArming) {}
 
   private static final String COMMANDS = "ACTUATOR COMMANDS";
   private static final String ARMED = "ARMED";
   private static final Range ANY_PERCENTAGE = Range.of(-100.0, 100.0);
 
   private final U2SAService service;
+  private final Settings<Limits> limits;
   private final CommandHold commands;
   private final EmergencyLatch emergency;
   private final Map<CommandRefusal, Long> refusals = new EnumMap<>(CommandRefusal.class);
@@ -60,6 +65,7 @@ public final class CommandedActuators {
    */
   public CommandedActuators(U2SAService service, Set<String> names) {
     this.service = service;
+    limits = service.settings(Limits.class);
     String systemId = service.context().systemId();
     Map<String, Range> ranges = new LinkedHashMap<>();
     names.forEach(name -> ranges.put(name, ANY_PERCENTAGE));
@@ -67,12 +73,11 @@ public final class CommandedActuators {
         new CommandHold(
             service.clock(),
             systemId,
-            service.getVariable(COMMAND_EXPIRY),
-            service.getVariable(CLOCK_TOLERANCE),
+            limits.get().commandExpiry(),
+            limits.get().clockTolerance(),
             ranges);
     emergency = new EmergencyLatch(service.clock(), systemId);
-    service.health().hasActuators();
-    service.getVariable(REQUIRES_ARMING); // declared before the first command comes
+    service.health.hasActuators();
     service.heedsEmergencyStops(emergency.identities());
     service.registerPublisher(Channels.ACTUATORS);
     service.registerPublisher(Channels.EMERGENCY_STOP);
@@ -96,7 +101,7 @@ public final class CommandedActuators {
   public boolean obey(ActuatorCommand command) {
     Optional<CommandRefusal> refusal = refusal(command);
     if (refusal.isEmpty()) {
-      service.health().obeyed();
+      service.health.obeyed();
       return true;
     }
     refuse(command, refusal.get());
@@ -134,7 +139,7 @@ public final class CommandedActuators {
     if (reason == CommandRefusal.NOT_ADDRESSED) {
       return; // the channel is every actuator's
     }
-    service.health().refused();
+    service.health.refused();
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
       service.log(
           LogLevelEnum.WARN, "refused " + command + ": " + reason + " (" + count + " so far)");
@@ -183,7 +188,7 @@ public final class CommandedActuators {
 
   /** Whether actuators may move: no emergency stop holds, and it is armed if it must be. */
   public boolean mayMove() {
-    return !emergency.isStopped() && (armed || !service.getVariable(REQUIRES_ARMING));
+    return !emergency.isStopped() && (armed || !limits.get().requiresArming());
   }
 
   /**

@@ -52,9 +52,9 @@ final class ConfigurationResponder {
   private final ChangeRate rate = new ChangeRate();
   private long refused; // requests beyond the rate
 
-  ConfigurationResponder(U2SAService service, XmlConfiguration configuration) {
+  ConfigurationResponder(U2SAService service) {
     this.service = service;
-    this.configuration = configuration;
+    configuration = service.context().configuration();
     writer = new ConfigurationWriter(service);
   }
 

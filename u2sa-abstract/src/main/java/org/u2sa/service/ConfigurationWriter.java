@@ -33,13 +33,13 @@ final class ConfigurationWriter {
 
   private record Done(WrittenChange change, Answer answer) {}
 
-  private final LivingService service;
+  private final U2SAService service;
   private final Queue<Order> orders = new ArrayDeque<>(); // guarded by this
   private final Queue<Done> done = new ConcurrentLinkedQueue<>();
   private Clock.Waiter turn; // of the writing thread; null if there is none; guarded by this
   private boolean closed; // guarded by this
 
-  ConfigurationWriter(LivingService service) {
+  ConfigurationWriter(U2SAService service) {
     this.service = service;
   }
 
@@ -64,12 +64,12 @@ final class ConfigurationWriter {
       waiter.await(service.clock().micros()); // for its turn
       for (Order order = next(waiter); order != null; order = next(waiter)) {
         done.add(new Done(order.write().get(), order.answer()));
-        service.wake();
+        service.life.wake();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (RuntimeException | Error e) {
-      service.die(e); // what kills the thread of a service's own would kill the service
+      service.life.die(e); // what kills the thread of a service's own would kill the service
     } finally {
       end(waiter);
     }
@@ -86,7 +86,7 @@ final class ConfigurationWriter {
   private synchronized void end(Clock.Waiter waiter) {
     if (turn == waiter) {
       turn = null;
-      service.wake(); // a swap may wait for that
+      service.life.wake(); // a swap may wait for that
     }
     waiter.close();
   }

@@ -1,11 +1,12 @@
 package org.u2sa.service;
 
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
@@ -27,10 +28,10 @@ final class ContractResponder {
   private final ConfigurationResponder configuration;
   private final ServiceWiring wiring;
 
-  ContractResponder(U2SAService service, XmlConfiguration configuration, ServiceWiring wiring) {
+  ContractResponder(U2SAService service) {
     this.service = service;
-    this.configuration = new ConfigurationResponder(service, configuration);
-    this.wiring = wiring;
+    configuration = new ConfigurationResponder(service);
+    wiring = service.wiring;
   }
 
   /** Whether the message is an order to this service to stop. */
@@ -76,12 +77,20 @@ final class ContractResponder {
             .serviceName(service.getServiceName())
             .serviceType(service.role().name())
             .status(service.status())
-            .host(HostName.get())
-            .uptime(service.uptimeS())
+            .host(host())
+            .uptime(service.life.uptimeS())
             .version(version())
             .className(service.getClass().getName());
     wiring.instance().ifPresent(response::instance);
     return response;
+  }
+
+  private static String host() {
+    try {
+      return InetAddress.getLocalHost().getHostName();
+    } catch (UnknownHostException e) {
+      return "localhost"; // the machine has no entry for its own name; it is still this host
+    }
   }
 
   private String version() {

@@ -48,7 +48,7 @@ final class HealthReporter {
   /** Reports that the service has ended. */
   void reportLast() {
     HealthReport last = report();
-    if (service.health().hasDied()) {
+    if (service.health.hasDied()) {
       last.threadAlive(false);
     }
     lastSaid = service.publish(Channels.HEALTH, last);
@@ -64,12 +64,12 @@ final class HealthReporter {
       return Optional.empty();
     }
     boolean alive = state != Thread.State.TERMINATED;
-    long heardMicros = Math.max(service.startedMicros(), reportedMicros);
+    long heardMicros = Math.max(service.life.startedMicros(), reportedMicros);
     if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
       return Optional.empty();
     }
     HealthReport report = report().threadAlive(alive);
-    service.health().runningS().ifPresent(report::callbackRunning);
+    service.health.runningS().ifPresent(report::callbackRunning);
     return Optional.of(report);
   }
 
@@ -79,18 +79,18 @@ final class HealthReporter {
             .serviceName(service.getName())
             .status(service.status())
             .interval(Clock.seconds(intervalMicros))
-            .inboxDepth(service.inbox().depth())
-            .dropped(service.inbox().dropped())
-            .replaced(service.inbox().replaced())
-            .refused(service.wiring().refused())
-            .missed(service.wiring().missed())
-            .published(service.wiring().data().published());
-    service.wiring().instance().ifPresent(report::instance);
-    service.wiring().data().ageS().ifPresent(report::dataAge);
-    Set<String> deafTo = service.wiring().refusedSubscriptions();
+            .inboxDepth(service.handling.inbox().depth())
+            .dropped(service.handling.inbox().dropped())
+            .replaced(service.handling.inbox().replaced())
+            .refused(service.wiring.refused())
+            .missed(service.wiring.missed())
+            .published(service.wiring.data().published());
+    service.wiring.instance().ifPresent(report::instance);
+    service.wiring.data().ageS().ifPresent(report::dataAge);
+    Set<String> deafTo = service.wiring.refusedSubscriptions();
     if (!deafTo.isEmpty()) {
       report.refusedSubscriptions(String.join(",", deafTo));
     }
-    return service.health().addTo(report);
+    return service.health.addTo(report);
   }
 }

@@ -1,26 +1,25 @@
 package org.u2sa.service;
 
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * A service that acts at a fixed rate: its author writes {@link #step}, and {@link #callback} if it
- * subscribes to anything.
+ * A service that acts at a fixed rate: its author writes {@link #step}, and a handler for each
+ * channel that it {@linkplain #subscribe subscribes} to.
  *
- * <p>Steps are due on a fixed grid of time. Between them messages are handed to {@link #callback}.
- * A step that comes more than a period late is counted as an overrun in the health report, and what
- * was missed is not made up for.
+ * <p>Steps are due on a fixed grid of time. Between them messages are handled. A step that comes
+ * more than a period late is counted as an overrun in the health report, and what was missed is not
+ * made up for.
  */
-public abstract class PeriodicService extends LoopingService {
+public abstract class PeriodicService extends U2SAService {
   private static final double FASTEST_HZ = 10_000.0;
   private static final double SLOWEST_HZ = 0.001;
 
   private final long periodMicros;
-  private volatile boolean patient;
-  private long
-      dueMicros; // touched by the service's thread, and by a predecessor's before the start
+  private final ServiceLoop loop = new ServiceLoop(this);
+  private long dueMicros; // touched by the service's thread, before by the predecessor's
   private boolean hasSucceeded;
 
   /**
@@ -34,8 +33,8 @@ public abstract class PeriodicService extends LoopingService {
     periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz))));
   }
 
-  private static Variable<Double> rate(double defaultRateHz) {
-    return Variable.number("RATE", "Hz")
+  private static VariableDeclaration<Double> rate(double defaultRateHz) {
+    return VariableDeclaration.number("RATE", "Hz")
         .range(Range.of(SLOWEST_HZ, FASTEST_HZ))
         .ifAbsent(defaultRateHz)
         .describedAs("Steps a second.");
@@ -53,12 +52,7 @@ public abstract class PeriodicService extends LoopingService {
    * seldom. Called in the constructor.
    */
   protected final void handleMessagesAtSteps() {
-    patient = true;
-  }
-
-  @Override
-  final boolean isPatient() {
-    return patient;
+    handling.bePatient();
   }
 
   @Override
@@ -80,8 +74,20 @@ public abstract class PeriodicService extends LoopingService {
     return Clock.seconds(periodMicros);
   }
 
+  /** Called once on the service's thread before its first message or step. */
+  protected void begin() {}
+
   @Override
-  final void loop() throws InterruptedException {
+  public final void run() {
+    loop.run(this::begin, this::stepByStep);
+  }
+
+  @Override
+  public final void kill() {
+    loop.kill();
+  }
+
+  private void stepByStep() throws InterruptedException {
     if (!hasSucceeded) {
       dueMicros = clock().micros();
     }
@@ -90,12 +96,12 @@ public abstract class PeriodicService extends LoopingService {
       if (!isRunning()) {
         return;
       }
-      guarded(() -> step(nowS()));
+      handling.guarded(() -> step(nowS()));
       dueMicros += periodMicros;
       long lateMicros = clock().micros() - dueMicros;
       if (lateMicros > periodMicros) {
         long missed = lateMicros / periodMicros;
-        health().overrun(missed);
+        health.overrun(missed);
         dueMicros += missed * periodMicros;
       }
     }

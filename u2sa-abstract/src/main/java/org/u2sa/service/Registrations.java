@@ -5,20 +5,17 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
 /** The channels that a service publishes on and asked for, whether it is connected or not. */
 final class Registrations {
-  private final ServiceRole role;
   private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
   private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
-
-  Registrations(ServiceRole role) {
-    this.role = role;
-  }
+  private final Map<Channel<?>, Consumer<U2SAData>> handlers = new ConcurrentHashMap<>();
 
   List<Channel<?>> published() {
     return published;
@@ -62,23 +59,29 @@ final class Registrations {
     return deadlinesMicros.getOrDefault(channel, Clock.NEVER);
   }
 
+  /** Sets what is done with the channel's messages. */
+  <T extends U2SAData> void handler(Channel<T> channel, Consumer<? super T> action) {
+    Class<T> type = channel.type().messageClass();
+    handlers.put(channel, message -> action.accept(type.cast(message)));
+  }
+
+  /** What is done with the channel's messages; the other, if it has no handler. */
+  Consumer<U2SAData> handlerOr(Channel<?> channel, Consumer<U2SAData> other) {
+    return handlers.getOrDefault(channel, other);
+  }
+
   /** The registered channel on which the message goes out; the one with the nearest type wins. */
   Optional<Channel<?>> channelFor(U2SAData data) {
-    return RoleChannels.nearest(published, data);
+    Channel<?> nearest = null;
+    for (Channel<?> channel : published) {
+      if (channel.carries(data) && (nearest == null || depth(channel) > depth(nearest))) {
+        nearest = channel;
+      }
+    }
+    return Optional.ofNullable(nearest);
   }
 
-  /** The role's standard channel on which to publish messages of the class; empty if none. */
-  Optional<Channel<?>> channelToPublish(Class<? extends U2SAData> dataType) {
-    return role.channelToPublish(dataType);
-  }
-
-  /** The role's standard channel on which to receive messages of the class; empty if none. */
-  Optional<Channel<?>> channelToSubscribe(Class<? extends U2SAData> dataType) {
-    return role.channelToSubscribe(dataType);
-  }
-
-  /** Why one of these is empty. */
-  String noStandardChannel(String does, Class<? extends U2SAData> dataType) {
-    return RoleChannels.noStandard(role, does, dataType);
+  private static int depth(Channel<?> channel) {
+    return channel.type().chain().size();
   }
 }

@@ -6,17 +6,18 @@ import org.u2sa.interfaces.configuration.Variable;
  * A service that reads a sensor at a fixed rate and publishes what it measured (thesis 3.2.2.2).
  */
 public abstract class Sensor extends PeriodicService {
-  private static final Variable<String> SENSOR_NAME =
-      Variable.text("SENSOR NAME")
-          .ifAbsent("")
-          .describedAs(
-              "Name of the sensor in its messages, unique in the system; empty: the service's name.");
+  private record Names(
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "Name of the sensor in its messages, unique in the system; empty: the service's name.")
+          String sensorName) {}
 
   private final String sensorName;
 
   Sensor(ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
     super(context, role, serviceName, defaultRateHz);
-    String configured = getVariable(SENSOR_NAME);
+    String configured = settings(Names.class).get().sensorName();
     sensorName = configured.isEmpty() ? getServiceName() : configured;
   }
 

@@ -50,12 +50,12 @@ final class ServiceReceiver implements Receiver {
     Served now = served;
     if (!channel.carries(message)) {
       refuse(now.present, channel, message);
-    } else if (now.present.contract().isOrderToStop(channel, message)) {
-      now.present.stopFor("told to stop on \"" + channel + "\": " + message);
-    } else if (now.present.wiring().registrations().isSubscribed(channel)
-        || now.present.contract().concerns(channel, message)) {
+    } else if (now.present.handling.contract().isOrderToStop(channel, message)) {
+      now.present.life.stopFor("told to stop on \"" + channel + "\": " + message);
+    } else if (now.present.wiring.registrations().isSubscribed(channel)
+        || now.present.handling.contract().concerns(channel, message)) {
       put(now.present, channel, message);
-    } else if (now.next != null && now.next.wiring().registrations().isSubscribed(channel)) {
+    } else if (now.next != null && now.next.wiring.registrations().isSubscribed(channel)) {
       put(now.next, channel, message);
     }
   }
@@ -78,15 +78,15 @@ final class ServiceReceiver implements Receiver {
   }
 
   private void put(U2SAService service, Channel<?> channel, U2SAData message) {
-    ServiceInbox inbox = service.inbox();
-    boolean ages = service.wiring().registrations().deadlineMicros(channel) != Clock.NEVER;
+    ServiceInbox inbox = service.handling.inbox();
+    boolean ages = service.wiring.registrations().deadlineMicros(channel) != Clock.NEVER;
     long arrivedMicros = ages ? service.clock().micros() : 0L; // asking costs time
     if (!inbox.put(channel, message, arrivedMicros) && Long.bitCount(inbox.dropped()) == 1) {
       service.log(LogLevelEnum.WARN, "inbox full: " + inbox.dropped() + " messages dropped so far");
     }
     U2SAService waiting = served.present; // asked anew: it may have been moved to a successor
-    if (channel.isUrgent() || !waiting.isPatient()) {
-      waiting.wake();
+    if (channel.isUrgent() || !waiting.handling.isPatient()) {
+      waiting.life.wake();
     }
   }
 

@@ -62,7 +62,7 @@ public final class ServiceSwap {
     Optional<String> obstacle = obstacle();
     if (obstacle.isPresent()) {
       refuse(Stage.PREPARING, obstacle.get());
-    } else if (!old.succession().order(this)) {
+    } else if (!old.succession.order(this)) {
       refuse(Stage.PREPARING, "it is being swapped already");
     } else {
       prepare();
@@ -73,13 +73,13 @@ public final class ServiceSwap {
   private void prepare() {
     prepared = true;
     try {
-      successor.wiring().prepare(old.wiring(), successor);
+      successor.wiring.prepare(old.wiring, successor);
     } catch (RuntimeException e) {
       refuse(Stage.PREPARING, "subscribing failed: " + e.getMessage());
       return;
     }
     move(Stage.PREPARING, Stage.ORDERED);
-    old.wake();
+    old.life.wake();
     if (!old.isRunning()) { // if it ended before it could know of the order
       refuse("it ended before");
     }
@@ -116,7 +116,7 @@ public final class ServiceSwap {
   public Optional<String> await(double withinS) throws InterruptedException {
     if (Thread.currentThread() instanceof U2SAService caller) {
       waiting = caller;
-      caller.awaitUntil(this::isDecided, caller.clock().micros() + Clock.micros(withinS));
+      caller.life.awaitUntil(this::isDecided, caller.clock().micros() + Clock.micros(withinS));
     } else {
       decided.await(Clock.micros(withinS), TimeUnit.MICROSECONDS);
     }
@@ -159,13 +159,13 @@ public final class ServiceSwap {
       refusal = reason;
     }
     if (prepared) {
-      old.wiring().forget(successor.wiring());
+      old.wiring.forget(successor.wiring);
     }
-    old.succession().forget(this);
+    old.succession.forget(this);
     old.log(
         LogLevelEnum.WARN,
         "not swapped for " + successor.getClass().getName() + ": " + reason + ": goes on");
-    successor.discard();
+    successor.succession.discard();
     decide();
   }
 
@@ -173,7 +173,7 @@ public final class ServiceSwap {
     decided.countDown();
     U2SAService caller = waiting;
     if (caller != null) {
-      caller.wake();
+      caller.life.wake();
     }
   }
 
@@ -181,7 +181,7 @@ public final class ServiceSwap {
    * On the old service's thread between two messages. Returns whether the successor has taken over.
    */
   boolean carryOut() {
-    if (old.contract().configurationWriter().isBusy()) {
+    if (old.handling.contract().configurationWriter().isBusy()) {
       return false; // not yet: the service is woken when the change is written
     }
     if (!move(Stage.ORDERED, Stage.UNDER_WAY)) {
@@ -195,28 +195,28 @@ public final class ServiceSwap {
     if (!handOver()) {
       return false;
     }
-    if (!old.wiring().moveTo(successor.wiring())) {
+    if (!old.wiring.moveTo(successor.wiring)) {
       refuse(Stage.UNDER_WAY, "it ended meanwhile");
       return false;
     }
-    old.inbox().moveTo(successor.inbox(), old.succession().retained().all());
-    old.succession().succeeded(successor);
-    old.wiring().receiver().turnTo(successor);
+    old.handling.inbox().moveTo(successor.handling.inbox(), old.succession.retained());
+    old.succession.succeeded(successor);
+    old.wiring.receiver().turnTo(successor);
     successor.succeeds(old);
     boolean agreed = agreement.getAsBoolean();
-    old.releaseAsPredecessor();
+    old.succession.releaseAsPredecessor();
     if (agreed) {
       old.log("handed over to " + successor.getClass().getName());
-      successor.startAsSuccessor();
+      successor.life.startAsSuccessor();
     } else {
       successor.kill();
     }
-    if (old.isAskedToStop()) { // while it handed over
-      successor.askToStop();
+    if (old.life.isAskedToStop()) { // while it handed over
+      successor.life.askToStop();
     }
     move(Stage.UNDER_WAY, Stage.DONE);
     decide();
-    successor.wiring().dropSubscriptionsOnlyOf(old.wiring());
+    successor.wiring.dropSubscriptionsOnlyOf(old.wiring);
     return true;
   }
 

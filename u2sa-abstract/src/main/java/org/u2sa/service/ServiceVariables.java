@@ -1,61 +1,39 @@
 package org.u2sa.service;
 
-import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 
 /** The configuration variables that every service has. */
-final class ServiceVariables {
-  static final Variable<String> SERVICE_NAME =
-      Variable.text("SERVICE NAME")
-          .ifAbsent("")
-          .describedAs(
-              "Name of the service, unique within the system; empty: the class's own name for itself.");
-
-  static final Variable<String> LOG_LEVEL =
-      Variable.text("LOG LEVEL")
-          .ifAbsent(LogLevelEnum.INFO.name())
-          .oneOf(
-              LogLevelEnum.DEBUG.name(),
-              LogLevelEnum.INFO.name(),
-              LogLevelEnum.WARN.name(),
-              LogLevelEnum.ERROR.name())
-          .describedAs("Lowest level that is written to the log file.");
-
-  static final Variable<String> LOG_PATH =
-      Variable.text("LOG PATH")
-          .ifAbsent("")
-          .describedAs("Directory of the log file; empty: the run's own directory.");
-
-  static final Variable<String> MANAGER_IP =
-      Variable.text("COMMUNICATION MANAGER IP")
-          .ifAbsent("localhost")
-          .describedAs("Host of the Communication Manager, if it runs in another process.");
-
-  static final Variable<Integer> MANAGER_PORT =
-      Variable.integer("COMMUNICATION MANAGER PORT")
-          .range(Range.of(1, 65_535))
-          .ifAbsent(1883)
-          .describedAs("TCP port of the Communication Manager, if it runs in another process.");
-
-  static final Variable<Integer> INBOX_CAPACITY =
-      Variable.integer("INBOX CAPACITY")
-          .range(Range.of(1, 1_000_000))
-          .ifAbsent(1024)
-          .describedAs(
-              "Messages that wait for the service before further ones are dropped and counted.");
-
-  static final Variable<Double> HEALTH_INTERVAL =
-      Variable.number("HEALTH INTERVAL", "s")
-          .range(Range.of(0.01, 3600.0))
-          .ifAbsent(0.25)
-          .describedAs("Time between two health reports.");
-
-  static final Variable<Integer> MAX_ERRORS_IN_A_ROW =
-      Variable.integer("MAX ERRORS IN A ROW")
-          .range(Range.of(1, 1_000_000))
-          .ifAbsent(10)
-          .describedAs("Exceptions one after the other at which the service kills itself.");
-
-  private ServiceVariables() {}
-}
+record ServiceVariables(
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Name of the service, unique within the system; empty: the class's own name for itself.")
+        String serviceName,
+    @Variable(
+            ifAbsentText = "",
+            text = "Directory of the log file; empty: the run's own directory.")
+        String logPath,
+    @Variable(ifAbsentText = "INFO", text = "Lowest level that is written to the log file.")
+        LogLevelEnum logLevel,
+    @Variable(
+            name = "MAX ERRORS IN A ROW",
+            min = 1,
+            max = 1_000_000,
+            ifAbsent = 10,
+            text = "Exceptions one after the other at which the service kills itself.")
+        int maxErrorsInARow,
+    @Variable(
+            unit = "s",
+            min = 0.01,
+            max = 3600,
+            ifAbsent = 0.25,
+            text = "Time between two health reports.")
+        double healthInterval,
+    @Variable(
+            min = 1,
+            max = 1_000_000,
+            ifAbsent = 1024,
+            text =
+                "Messages that wait for the service before further ones are dropped and counted.")
+        int inboxCapacity) {}

@@ -10,12 +10,13 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /** A service's side of its communication: the connection and what was registered on it. */
 final class ServiceWiring {
-  private final Registrations registrations;
+  private final Registrations registrations = new Registrations();
   private final Transport transport;
   private final String serviceName;
   private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on the predecessor's
@@ -29,9 +30,7 @@ final class ServiceWiring {
   private final PublishedData data;
   private boolean closed;
 
-  ServiceWiring(
-      ServiceContext context, ServiceRole role, String serviceName, ServiceReceiver receiver) {
-    registrations = new Registrations(role);
+  ServiceWiring(ServiceContext context, String serviceName, ServiceReceiver receiver) {
     this.serviceName = serviceName;
     this.receiver = receiver;
     staged = context.predecessor().isPresent();
@@ -39,10 +38,26 @@ final class ServiceWiring {
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
+  /** Where the Communication Manager is, if in another process. */
+  private record ManagerAddress(
+      @Variable(
+              name = "COMMUNICATION MANAGER IP",
+              ifAbsentText = "localhost",
+              text = "Host of the Communication Manager, if it runs in another process.")
+          String host,
+      @Variable(
+              name = "COMMUNICATION MANAGER PORT",
+              min = 1,
+              max = 65_535,
+              ifAbsent = 1883,
+              text = "TCP port of the Communication Manager, if it runs in another process.")
+          int port) {}
+
   private static Transport remote(ServiceContext context) {
+    ManagerAddress address = context.configuration().settings(ManagerAddress.class).get();
     return new MqttTransport(
-        context.configuration().getVariable(ServiceVariables.MANAGER_IP),
-        context.configuration().getVariable(ServiceVariables.MANAGER_PORT),
+        address.host(),
+        address.port(),
         context.systemId(),
         new MessageCodec(context.messageTypes()),
         BrokerAccess.configured(context.configuration()));

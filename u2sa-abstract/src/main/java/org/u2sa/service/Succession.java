@@ -1,13 +1,82 @@
 package org.u2sa.service;
 
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import org.u2sa.interfaces.log.LogLevelEnum;
 
-/** What a service knows of the one that takes its place. */
+/**
+ * How a service goes on where another one was, and another one where it was: a service of another
+ * class while it runs (user story 8), or itself before it was started anew.
+ */
 final class Succession {
+  private static final int KEPT_OF_EVERY = 64;
+
+  private final U2SAService service;
+  private final ProgressFile progress;
   private final AtomicReference<ServiceSwap> ordered = new AtomicReference<>();
-  private final RetainedMessages retained = new RetainedMessages();
+  private final Map<String, Map<String, Deque<ServiceInbox.Delivery>>> retained =
+      new LinkedHashMap<>(); // newest by channel and source; belongs to the service's thread
   private volatile U2SAService successor; // written on the service's thread
+  private boolean hasPredecessor; // whose place it has in this process
+  private long notRemembered;
+
+  Succession(U2SAService service, ServiceContext context) {
+    this.service = service;
+    progress = new ProgressFile(context, service.getServiceName());
+  }
+
+  /** Before the first start: takes up what was remembered before a restart, or forgets it. */
+  void resume() {
+    if (hasPredecessor) {
+      return;
+    }
+    try {
+      Optional<HandOver> before =
+          service.context().isRestart() ? progress.read() : Optional.empty();
+      if (before.isPresent()) {
+        takeOver(before.get());
+      } else {
+        progress.delete(); // of another run
+      }
+    } catch (IOException e) {
+      service.log(LogLevelEnum.ERROR, "begins from nothing: " + e.getMessage());
+    }
+  }
+
+  private void takeOver(HandOver before) throws IOException {
+    try {
+      service.takeOver(before);
+      service.log("goes on where it was before the restart");
+    } catch (RuntimeException e) {
+      service.logFile().log(LogLevelEnum.ERROR, "cannot go on from " + progress.path(), e);
+      progress.delete();
+      throw e;
+    }
+  }
+
+  /** {@link U2SAService#remember}. */
+  void remember() {
+    if (!service.isRunning() || service.wiring.isSilent()) {
+      return; // given up or replaced: another one remembers now
+    }
+    try {
+      HandOver state = new HandOver(service.getClass().getName());
+      service.handOver(state);
+      progress.write(state);
+    } catch (IOException | RuntimeException e) { // such as a full disk: no reason not to go on
+      notRemembered++;
+      if (Long.bitCount(notRemembered) == 1) { // 1, 2, 4, 8…: it may last
+        service.log(LogLevelEnum.ERROR, "a restart would not go on from here: " + e);
+      }
+    }
+  }
 
   /** Takes note of an order. Returns false if there is one already. */
   boolean order(ServiceSwap swap) {
@@ -30,20 +99,32 @@ final class Succession {
     return swap != null && swap.carryOut();
   }
 
-  /** Refuses an order that can no longer be carried out. */
-  void serviceEnds() {
-    ServiceSwap swap = ordered.get();
-    if (swap != null) {
-      swap.refuse("it ended before");
+  /**
+   * Takes note that a message is being handled. On retained channels a successor is handed the last
+   * ones again, as if it subscribed anew, without a word with the Communication Manager. Where each
+   * message matters, several are kept, since the last one may mean nothing alone, as an order to
+   * clear an older stop.
+   */
+  void note(ServiceInbox.Delivery delivery) {
+    if (!delivery.channel().isRetained()) {
+      return;
+    }
+    Deque<ServiceInbox.Delivery> ofSource =
+        retained
+            .computeIfAbsent(delivery.channel().name(), name -> new LinkedHashMap<>())
+            .computeIfAbsent(
+                delivery.channel().sourceOf(delivery.message()), source -> new ArrayDeque<>());
+    ofSource.add(delivery);
+    if (ofSource.size() > (delivery.channel().deliversEvery() ? KEPT_OF_EVERY : 1)) {
+      ofSource.remove();
     }
   }
 
-  void note(ServiceInbox.Delivery delivery) {
-    retained.note(delivery);
-  }
-
-  RetainedMessages retained() {
-    return retained;
+  /** The last messages of retained channels, of one source in the order of their handling. */
+  List<ServiceInbox.Delivery> retained() {
+    List<ServiceInbox.Delivery> all = new ArrayList<>();
+    retained.values().forEach(ofChannel -> ofChannel.values().forEach(all::addAll));
+    return all;
   }
 
   /** The place is the successor's from now on. */
@@ -54,5 +135,37 @@ final class Succession {
   /** Who has taken the place. */
   Optional<U2SAService> successor() {
     return Optional.ofNullable(successor);
+  }
+
+  /** Takes note that this service has another one's place. */
+  void succeeds() {
+    hasPredecessor = true;
+    service.context().forgetPredecessor();
+  }
+
+  /** Whether another service has the place and all that belongs to it, so that there is no end. */
+  boolean handsOverInsteadOfEnding() {
+    if (successor != null) {
+      return true;
+    }
+    ServiceSwap swap = ordered.get();
+    if (swap != null) {
+      swap.refuse("it ended before");
+    }
+    return false;
+  }
+
+  /** Closes what the subclass opened, but leaves actuators as they are: a successor moves them. */
+  void releaseAsPredecessor() {
+    service.life.atLast("closing", service::releaseToSuccessor);
+  }
+
+  /** Ends without ever having run, because its predecessor goes on. */
+  void discard() {
+    if (service.life.endsNow()) {
+      service.wiring.silence();
+      releaseAsPredecessor();
+      service.context().forgetPredecessor();
+    }
   }
 }

@@ -1,13 +1,24 @@
 package org.u2sa.service;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
 import java.util.Set;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Communicator;
+import org.u2sa.interfaces.communication.Publisher;
+import org.u2sa.interfaces.communication.Subscriber;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.log.LogFile;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.log.Logger;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -27,12 +38,27 @@ import org.u2sa.messages.schema.U2SAData;
  * <p>Registering, reading variables and logging work from the constructor on. Discovery, stop,
  * configuration and health are answered for every service here.
  */
-public abstract class U2SAService extends ReplaceableService {
+public abstract class U2SAService extends Thread
+    implements Communicator, Publisher, Subscriber, Logger {
+  /** Identifies the service's thread in the log (thesis 8.2.3.1). */
+  protected final int threadID;
+
+  /**
+   * Whether the service's loop should go on (thesis 8.2.3.1). Cleared by {@link #kill} and the stop
+   * command.
+   */
+  protected volatile boolean running;
+
+  final ServiceWiring wiring;
+  final ServiceHealth health = new ServiceHealth();
+  final ServiceLife life;
+  final Succession succession;
+  final MessageHandling handling;
+
+  private final ServiceContext context;
   private final ServiceRole role;
-  private final ServiceInbox inbox;
-  private final ContractResponder contract;
-  private final HealthReporter reporter;
-  private final int maxErrorsInARow;
+  private final ServiceConfiguration configuration;
+  private final ServiceMessaging messaging;
 
   /**
    * Reads the common variables, opens the log file and connects to the Communication Manager.
@@ -42,14 +68,19 @@ public abstract class U2SAService extends ReplaceableService {
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
-    super(context, role, serviceName);
+    this.context = context;
     this.role = role;
-    maxErrorsInARow = getVariable(ServiceVariables.MAX_ERRORS_IN_A_ROW);
-    reporter = new HealthReporter(this, getVariable(ServiceVariables.HEALTH_INTERVAL));
-    inbox = new ServiceInbox(getVariable(ServiceVariables.INBOX_CAPACITY));
-    contract = new ContractResponder(this, context.configuration(), wiring());
+    threadID = (int) getId();
+    configuration = new ServiceConfiguration(context, serviceName);
+    setName(configuration.name());
+    wiring = new ServiceWiring(context, getName(), new ServiceReceiver(this));
+    context.onAbandon(wiring::close);
+    messaging = new ServiceMessaging(this, wiring);
+    life = new ServiceLife(this, context.clock());
+    succession = new Succession(this, context);
+    handling = new MessageHandling(this, configuration.variables());
     try {
-      wiring().begin();
+      wiring.begin();
     } catch (CommunicationException e) {
       log(LogLevelEnum.ERROR, e.getMessage());
       context.abandon();
@@ -57,9 +88,19 @@ public abstract class U2SAService extends ReplaceableService {
     }
   }
 
+  /** The service's life; called by {@link #start} on the new thread. */
+  @Override
+  public abstract void run();
+
   /**
-   * Handles one message, on the service's thread, one at a time. What is not expected goes to
-   * {@link #unexpected}.
+   * Ends the service: its loop stops, its resources are closed, its actuators left neutral. Safe to
+   * call twice and from any thread; returns when the service has ended.
+   */
+  public abstract void kill();
+
+  /**
+   * Handles one message that no {@linkplain #subscribe handler} takes, on the service's thread, one
+   * at a time. What is not expected goes to {@link #unexpected}.
    */
   public abstract void callback(U2SAData data);
 
@@ -69,12 +110,53 @@ public abstract class U2SAService extends ReplaceableService {
   }
 
   /**
-   * Says in the log, and as the last error in the health report, what is wrong with something that
-   * the service works with, such as a lost device; the service goes on. From any thread.
+   * Hands waiting messages to handlers and {@link #callback}, and reports health, until the
+   * deadline or the end of the service. Messages that already wait are handled even if the deadline
+   * has passed.
+   *
+   * @param untilMicros time of the run's clock [µs], or {@link Clock#NEVER}
+   * @throws InterruptedException if the service's thread was interrupted
    */
-  public final void trouble(String what) {
-    health().error(what);
-    log(LogLevelEnum.WARN, what);
+  protected final void handleMessages(long untilMicros) throws InterruptedException {
+    handling.until(untilMicros);
+  }
+
+  // Configuration and log (thesis 3.2.1.1, 3.2.1.5)
+
+  @Override
+  public final Object getVariable(String variableName) {
+    return context.configuration().getVariable(variableName);
+  }
+
+  @Override
+  public final <T> T getVariable(VariableDeclaration<T> variable) {
+    return context.configuration().getVariable(variable);
+  }
+
+  @Override
+  public final <T> Settings<T> settings(Class<T> record) {
+    return context.configuration().settings(record);
+  }
+
+  @Override
+  public final boolean setVariable(String variableName, Object value) {
+    return configuration.setVariable(variableName, value, this::configurationRefusal);
+  }
+
+  @Override
+  public final ArrayList<Map.Entry<String, Object>> enumerateFields() {
+    return context.configuration().enumerateFields();
+  }
+
+  /**
+   * Why these values would not do together, though each is allowed; empty if they would. Asked
+   * before a change or an undo is written, which is refused with this reason. May be asked from any
+   * thread that calls {@link #setVariable}: judges its argument alone.
+   *
+   * @param values every variable of this service as it would be, in the declared units
+   */
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return Optional.empty();
   }
 
   /**
@@ -85,100 +167,119 @@ public abstract class U2SAService extends ReplaceableService {
    */
   protected void configurationChanged(Set<String> variableNames) {}
 
+  /** Writes a line of level INFO to the service's log file (thesis 8.2.3.1). */
+  public final void log(String message) {
+    log(LogLevelEnum.INFO, message);
+  }
+
+  @Override
+  public final void log(LogLevelEnum level, String logMessage) {
+    configuration.log().log(level, logMessage);
+  }
+
   /**
-   * Hands waiting messages to {@link #callback} and reports health, until the deadline or the end
-   * of the service. Messages that already wait are handled even if the deadline has passed.
+   * Says in the log, and as the last error in the health report, what is wrong with something that
+   * the service works with, such as a lost device; the service goes on. From any thread.
+   */
+  public final void trouble(String what) {
+    health.error(what);
+    log(LogLevelEnum.WARN, what);
+  }
+
+  // Messages (thesis 3.2.1.2–3.2.1.4)
+
+  @Override
+  public final boolean beginCommunication() {
+    return messaging.begin();
+  }
+
+  @Override
+  public final boolean registerPublisher(Class<? extends U2SAData> dataType) {
+    return messaging.toPublish(dataType).filter(messaging::registerPublisher).isPresent();
+  }
+
+  /** {@link #registerPublisher(Class)} on the channel of that name (thesis 8.2.3.1). */
+  public final boolean registerPublisher(String channelName) {
+    return messaging.named(channelName).filter(messaging::registerPublisher).isPresent();
+  }
+
+  /** {@link #registerPublisher(Class)} on a channel. */
+  public final boolean registerPublisher(Channel<?> channel) {
+    return messaging.registerPublisher(channel);
+  }
+
+  @Override
+  public final boolean unregisterPublisher(Class<? extends U2SAData> dataType) {
+    return messaging.toPublish(dataType).filter(wiring::unregisterPublisher).isPresent();
+  }
+
+  @Override
+  public final boolean registerSubscriber(Class<? extends U2SAData> dataType) {
+    return messaging.toSubscribe(dataType).filter(messaging::registerSubscriber).isPresent();
+  }
+
+  /** {@link #registerSubscriber(Class)} on the channel of that name (thesis 8.2.3.1). */
+  public final boolean registerSubscriber(String channelName) {
+    return messaging.named(channelName).filter(messaging::registerSubscriber).isPresent();
+  }
+
+  /** {@link #registerSubscriber(Class)} on a channel. */
+  public final boolean registerSubscriber(Channel<?> channel) {
+    return messaging.registerSubscriber(channel);
+  }
+
+  /**
+   * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when its turn
+   * comes, or that does not say its time, counts as absent. It is not handed over, but counted as
+   * expired in health. A further call sets another deadline.
    *
-   * @param untilMicros time of the run's clock [µs], or {@link Clock#NEVER}
-   * @throws InterruptedException if the service's thread was interrupted
+   * @param deadlineS age at which a message counts as absent [s], positive
    */
-  protected final void handleMessages(long untilMicros) throws InterruptedException {
-    health().busy(false);
-    int first = inbox.depth();
-    while (running) {
-      if (succession().carryOut()) {
-        running = false;
-        return;
-      }
-      if (contract.configurationWriter().hasWritten()) {
-        guarded(contract.configurationWriter()::handOver);
-        continue;
-      }
-      long now = clock().micros();
-      reporter.reportIfDue(now);
-      boolean mayHandle = first-- > 0 || now < untilMicros;
-      ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
-      if (delivery != null) {
-        handle(delivery);
-      } else if (now >= untilMicros) {
-        break;
-      } else {
-        await(Math.min(untilMicros, reporter.dueMicros()));
-      }
-    }
-    health().busy(true);
-  }
-
-  private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
-    U2SAData message = delivery.message();
-    succession().note(delivery);
-    guarded(
-        () -> {
-          if (contract.concerns(delivery.channel(), message)) {
-            contract.answer(message);
-          }
-          if (wiring().registrations().isSubscribed(delivery.channel()) && isInTime(delivery)) {
-            callback(message);
-          }
-        });
-  }
-
-  /** Whether a message has not outlived the deadline that the author set; otherwise counts it. */
-  private boolean isInTime(ServiceInbox.Delivery delivery) {
-    long deadlineMicros = wiring().registrations().deadlineMicros(delivery.channel());
-    if (deadlineMicros == Clock.NEVER) {
-      return true;
-    }
-    OptionalLong saidMicros = delivery.message().timestamp();
-    long ageMicros =
-        saidMicros.isPresent()
-            ? MessageAge.micros(delivery.message(), delivery.arrivedMicros(), clock().micros())
-            : Clock.NEVER;
-    if (ageMicros <= deadlineMicros) {
-      return true;
-    }
-    long expired = health().expired();
-    if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
-      String age = saidMicros.isPresent() ? Clock.seconds(ageMicros) + " s old" : "of unknown age";
-      String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
-      log(
-          LogLevelEnum.WARN,
-          delivery.channel()
-              + ": message "
-              + age
-              + " counts as absent after "
-              + deadline
-              + delivery.message());
-    }
-    return false;
+  public final boolean registerSubscriber(Channel<?> channel, double deadlineS) {
+    wiring.registrations().deadline(channel, Clock.micros(deadlineS));
+    return registerSubscriber(channel);
   }
 
   /**
-   * Runs author's code; an exception is logged, counted and survived, until there are too many in a
-   * row.
+   * {@link #registerSubscriber(Channel)} with a handler: the channel's messages go to it instead of
+   * {@link #callback}, on the service's thread. A further call sets another handler.
    */
-  final void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
-    if (health().run(code)) {
-      return;
-    }
-    String what = health().lastError().orElse("");
-    String inRow = " (exception " + health().exceptionsInRow() + " in a row)";
-    boolean where = Long.bitCount(health().exceptions()) == 1; // 1, 2, 4…: no flood of stack traces
-    logFile().log(LogLevelEnum.ERROR, what + inRow, where ? health().lastException() : null);
-    if (health().exceptionsInRow() >= maxErrorsInARow) {
-      log(LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
-      fail();
-    }
+  public final <T extends U2SAData> boolean subscribe(
+      Channel<T> channel, Consumer<? super T> handler) {
+    wiring.registrations().handler(channel, handler);
+    return registerSubscriber(channel);
+  }
+
+  /**
+   * {@link #subscribe(Channel, Consumer)} with a {@linkplain #registerSubscriber(Channel, double)
+   * deadline}.
+   */
+  public final <T extends U2SAData> boolean subscribe(
+      Channel<T> channel, double deadlineS, Consumer<? super T> handler) {
+    wiring.registrations().handler(channel, handler);
+    return registerSubscriber(channel, deadlineS);
+  }
+
+  @Override
+  public final boolean unregisterSubscriber(Class<? extends U2SAData> dataType) {
+    return messaging.toSubscribe(dataType).filter(messaging::unregisterSubscriber).isPresent();
+  }
+
+  @Override
+  public final boolean publish(U2SAData data) {
+    return messaging.publish(data);
+  }
+
+  /** Publishes on the channel of that name (thesis 8.2.3.1). */
+  public final boolean publish(String channelName, U2SAData data) {
+    return messaging.named(channelName).filter(channel -> publish(channel, data)).isPresent();
+  }
+
+  /**
+   * Publishes on a channel. Missing system ID and timestamp are filled in; the message is frozen.
+   */
+  public final boolean publish(Channel<?> channel, U2SAData data) {
+    return messaging.publish(channel, data);
   }
 
   /**
@@ -189,27 +290,77 @@ public abstract class U2SAService extends ReplaceableService {
    * @param identities as {@link EmergencyLatch#identities} says
    */
   public final void heedsEmergencyStops(List<String> identities) {
-    if (health().emergencyStops(identities)) {
-      reporter.reportSoon();
+    if (health.emergencyStops(identities)) {
+      handling.reporter().reportSoon();
     }
   }
 
+  // Life (thesis 8.2.3.1)
+
+  /**
+   * Starts the thread. A service that was told to stop before ends without having run. One that was
+   * started anew goes on where it was.
+   *
+   * @throws org.u2sa.interfaces.configuration.ConfigurationException if the configuration holds a
+   *     variable that the service does not know
+   * @throws IllegalThreadStateException if it was started or killed before
+   */
   @Override
-  final ServiceReceiver receiver() {
-    return new ServiceReceiver(this);
+  public void start() {
+    succession.resume();
+    life.start();
   }
 
-  final ContractResponder contract() {
-    return contract;
+  final void startThread() {
+    super.start();
   }
 
-  final ServiceInbox inbox() {
-    return inbox;
+  /**
+   * Closes what the subclass opened and leaves its actuators neutral. Called once when the service
+   * ends.
+   */
+  protected void release() {}
+
+  /**
+   * Closes what the subclass opened in a service whose place another one takes: in place of {@link
+   * #release}, where nothing can be published. What moves is to be left as it is, because the
+   * successor moves it on.
+   */
+  protected void releaseToSuccessor() {
+    release();
   }
 
-  /** What the service is for. */
-  public final ServiceRole role() {
-    return role;
+  /**
+   * Releases everything, once: the last act of {@link #run} and of a direct subclass's {@link
+   * #kill}.
+   */
+  protected final void end() {
+    life.end();
+  }
+
+  /**
+   * Gives a service up whose code does not return: Java cannot end its thread. It is interrupted;
+   * if that does not help, its actuators are left neutral from another thread and it is cut off:
+   * what it still publishes is refused, nothing reaches it any more, and its name is free. Returns
+   * within a few seconds in any case.
+   */
+  public final void abandon() {
+    life.abandon();
+  }
+
+  /** Whether the service's loop goes on. */
+  public final boolean isRunning() {
+    return running;
+  }
+
+  /** Where the service is in its life. */
+  public final ServiceStatus status() {
+    return life.status();
+  }
+
+  /** Why the service ends or has ended, if a message made it end; otherwise empty. */
+  public final Optional<String> endReason() {
+    return life.endReason();
   }
 
   /**
@@ -218,17 +369,76 @@ public abstract class U2SAService extends ReplaceableService {
    * For whoever hosts the service; from any thread.
    */
   public final Optional<HealthReport> overdueHealth() {
-    return reporter.onBehalf(clock().micros());
+    return handling.reporter().onBehalf(clock().micros());
   }
 
-  @Override
-  final void reportLast() {
-    contract.configurationWriter().close();
-    reporter.reportLast();
+  // Succession (thesis 5.1, user story 8)
+
+  /**
+   * Writes down what a service of another class needs to know to take this one's place without a
+   * bump: what was learnt since the start, such as the goal pursued or an integrator. Called on the
+   * service's thread between two messages; this service goes on if the other one refuses.
+   */
+  protected void handOver(HandOver state) {}
+
+  /**
+   * Takes over what the service before it wrote down, which may be of any class of the same role.
+   * Or what this service {@linkplain #remember remembered} before it was started anew. Called once,
+   * before its thread runs, and not at a first start. Nothing can be published yet.
+   *
+   * @throws RuntimeException if the service cannot go on from there: in a {@link ServiceSwap} the
+   *     one before stays; a restart fails, and the next one begins from nothing
+   */
+  protected void takeOver(HandOver state) {}
+
+  /**
+   * Keeps what {@link #handOver} writes at this moment, in a file beside the log. Should the
+   * service be started anew in this run, in the same process or after its process was killed,
+   * {@link #takeOver} gets it. Called on the service's thread at each change of what must not be
+   * lost.
+   */
+  protected final void remember() {
+    succession.remember();
   }
 
-  @Override
-  boolean endsSurely() {
-    return false; // a direct subclass writes its own run
+  /** Takes note of whose place it takes, before it starts. */
+  void succeeds(U2SAService predecessor) {
+    succession.succeeds();
+  }
+
+  // What it is
+
+  /** The name under which others find this service. */
+  public final String getServiceName() {
+    return getName();
+  }
+
+  /** {@link #threadID}. */
+  public final int getThreadID() {
+    return threadID;
+  }
+
+  /** What the service is for. */
+  public final ServiceRole role() {
+    return role;
+  }
+
+  /** What the service was given at its construction. */
+  protected final ServiceContext context() {
+    return context;
+  }
+
+  /** The time of the run. */
+  protected final Clock clock() {
+    return context.clock();
+  }
+
+  /** The time now [s] of the run's clock. */
+  protected final double nowS() {
+    return Clock.seconds(context.clock().micros());
+  }
+
+  final LogFile logFile() {
+    return configuration.log();
   }
 }

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.testkit.ServiceKit;
 
@@ -24,8 +24,8 @@ class DevicesTest {
 
   /** Two that offer the same name. */
   public static class One extends DeviceProvider<RangeFinder> {
-    private static final Variable<Double> GAIN =
-        Variable.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
+    private static final VariableDeclaration<Double> GAIN =
+        VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
 
     /** For {@link java.util.ServiceLoader}. */
     public One() {
@@ -33,7 +33,7 @@ class DevicesTest {
     }
 
     @Override
-    protected List<Variable<?>> variables() {
+    protected List<VariableDeclaration<?>> variables() {
       return List.of(GAIN);
     }
 

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
@@ -47,8 +47,10 @@ class ConfigurationOffThreadTest {
 
   /** Steps, and keeps what happened on which thread. */
   private static final class Controlling extends PeriodicService {
-    private static final Variable<Double> GAIN = Variable.number("GAIN", "").ifAbsent(1.0);
-    private static final Variable<Double> LIMIT = Variable.number("LIMIT", "").ifAbsent(1.0);
+    private static final VariableDeclaration<Double> GAIN =
+        VariableDeclaration.number("GAIN", "").ifAbsent(1.0);
+    private static final VariableDeclaration<Double> LIMIT =
+        VariableDeclaration.number("LIMIT", "").ifAbsent(1.0);
     private final AtomicLong steps = new AtomicLong();
     private final List<Thread> judges = new CopyOnWriteArrayList<>();
     private final List<Thread> told = new CopyOnWriteArrayList<>();

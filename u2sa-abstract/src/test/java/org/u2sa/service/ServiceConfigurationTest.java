@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
@@ -30,12 +30,12 @@ class ServiceConfigurationTest {
   private Tuned service;
 
   private static final class Tuned extends EventDrivenService {
-    private static final Variable<Double> LOW =
-        Variable.number("LOW", "m").range(Range.of(0.0, 10.0)).ifAbsent(2.0);
-    private static final Variable<Double> HIGH =
-        Variable.number("HIGH", "m").range(Range.of(0.0, 10.0)).ifAbsent(5.0);
-    private static final Variable<String> MODE =
-        Variable.text("MODE").oneOf("SLOW", "FAST").ifAbsent("SLOW");
+    private static final VariableDeclaration<Double> LOW =
+        VariableDeclaration.number("LOW", "m").range(Range.of(0.0, 10.0)).ifAbsent(2.0);
+    private static final VariableDeclaration<Double> HIGH =
+        VariableDeclaration.number("HIGH", "m").range(Range.of(0.0, 10.0)).ifAbsent(5.0);
+    private static final VariableDeclaration<String> MODE =
+        VariableDeclaration.text("MODE").oneOf("SLOW", "FAST").ifAbsent("SLOW");
     private final List<Set<String>> changed = new ArrayList<>();
 
     Tuned(ServiceContext context) {

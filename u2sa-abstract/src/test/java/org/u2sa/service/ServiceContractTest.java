@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ConfigurationChange;
@@ -35,8 +35,8 @@ class ServiceContractTest {
   private Planner planner;
 
   private static final class Planner extends EventDrivenService {
-    private static final Variable<Double> GAIN =
-        Variable.number("GAIN", "").range(Range.of(0.0, 10.0)).ifAbsent(2.0);
+    private static final VariableDeclaration<Double> GAIN =
+        VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 10.0)).ifAbsent(2.0);
     private final List<String> changed = new ArrayList<>();
 
     Planner(ServiceContext context) {

@@ -26,19 +26,20 @@ class ServiceNameTest {
   @ParameterizedTest
   @ValueSource(strings = {"Lidar", "LEFT WHEEL", "gps_2", "imu-1.front", "9"})
   void checked_plainName_isTaken(String name) {
-    assertThat(ServiceName.checked(name)).isEqualTo(name);
+    assertThat(ServiceConfiguration.checkedName(name)).isEqualTo(name);
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"", " ", "../x", "a/b", ".hidden", "-x", "a\nb", "a+b", "é"})
   void checked_otherText_isRefused(String name) {
-    assertThatThrownBy(() -> ServiceName.checked(name)).isInstanceOf(ConfigurationException.class);
+    assertThatThrownBy(() -> ServiceConfiguration.checkedName(name))
+        .isInstanceOf(ConfigurationException.class);
   }
 
   @Test
   void checked_longerThan64_isRefused() {
-    assertThat(ServiceName.checked("a".repeat(64))).hasSize(64);
-    assertThatThrownBy(() -> ServiceName.checked("a".repeat(65)))
+    assertThat(ServiceConfiguration.checkedName("a".repeat(64))).hasSize(64);
+    assertThatThrownBy(() -> ServiceConfiguration.checkedName("a".repeat(65)))
         .isInstanceOf(ConfigurationException.class);
   }
 

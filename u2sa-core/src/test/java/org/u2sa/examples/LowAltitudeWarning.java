@@ -3,7 +3,7 @@ package org.u2sa.examples;
 import java.util.Locale;
 import java.util.Set;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -14,14 +14,14 @@ import org.u2sa.service.ServiceRole;
 
 /** Warns once each time that the vehicle gets too low. In: state. Out: altitude-warnings. */
 public final class LowAltitudeWarning extends EventDrivenService {
-  private static final Variable<Double> LOWEST_ALTITUDE =
-      Variable.number("LOWEST ALTITUDE", "m")
+  private static final VariableDeclaration<Double> LOWEST_ALTITUDE =
+      VariableDeclaration.number("LOWEST ALTITUDE", "m")
           .range(Range.of(-500.0, 20_000.0))
           .ifAbsent(100.0)
           .describedAs("Altitude above mean sea level below which the vehicle is too low.");
 
-  private static final Variable<Double> MARGIN =
-      Variable.number("MARGIN", "m")
+  private static final VariableDeclaration<Double> MARGIN =
+      VariableDeclaration.number("MARGIN", "m")
           .range(Range.of(0.0, 1_000.0))
           .ifAbsent(10.0)
           .describedAs("How far above the lowest altitude a warning ends.");

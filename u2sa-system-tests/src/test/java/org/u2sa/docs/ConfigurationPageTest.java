@@ -25,7 +25,7 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.drivers.mavlink.MavlinkAutopilot;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.ConfigurationReference;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.service.Actuator;
@@ -67,7 +67,7 @@ class ConfigurationPageTest {
 
   @Test
   void page_listsWhatServicesDeclare() throws Exception {
-    Map<String, List<Variable<?>>> services = new LinkedHashMap<>();
+    Map<String, List<VariableDeclaration<?>>> services = new LinkedHashMap<>();
     SystemFile system = SystemFile.read(Page.ROOT.resolve("config/cessna/system.xml"));
     for (SystemFile.Entry entry : system.services()) {
       services.put(entry.simpleName(), declaredBy(Class.forName(entry.className())));
@@ -86,13 +86,13 @@ class ConfigurationPageTest {
     services.put("RangeSensor", declaredBy(RangeSensor.class));
     services.put("LidarSensor", declaredBy(LidarSensor.class));
     services.put("MavlinkAutopilot", declaredBy(MavlinkAutopilot.class));
-    List<Variable<?>> common = inAll(services.values());
+    List<VariableDeclaration<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
     section(page, "Every service", common);
     section(page, "CommunicationManager", declaredByManager());
     services.forEach(
         (name, variables) -> {
-          List<Variable<?>> own = new ArrayList<>(variables);
+          List<VariableDeclaration<?>> own = new ArrayList<>(variables);
           own.removeIf(variable -> names(common).contains(variable.name()));
           section(page, name, own);
         });
@@ -101,11 +101,11 @@ class ConfigurationPageTest {
     new Page("docs/configuration.md").mustBe(page.toString());
   }
 
-  private static void section(StringBuilder page, String heading, List<Variable<?>> variables) {
+  private static void section(StringBuilder page, String heading, List<VariableDeclaration<?>> variables) {
     page.append('\n').append(ConfigurationReference.markdownFor(heading, variables));
   }
 
-  private List<Variable<?>> declaredBy(Class<?> service) throws ReflectiveOperationException {
+  private List<VariableDeclaration<?>> declaredBy(Class<?> service) throws ReflectiveOperationException {
     // Neither changes what is declared: some need a mission to begin with, drivers look for
     // devices.
     XmlConfiguration configuration =
@@ -126,16 +126,16 @@ class ConfigurationPageTest {
     return configuration.declared();
   }
 
-  private static List<Variable<?>> declaredByManager() {
+  private static List<VariableDeclaration<?>> declaredByManager() {
     XmlConfiguration configuration =
         XmlConfiguration.inMemory("the page", Map.of("BROKER", "none"));
     CommunicationManager.start("docs", configuration, StandardTypes.registry(), line -> {}).close();
     return configuration.declared();
   }
 
-  private static List<Variable<?>> inAll(Iterable<List<Variable<?>>> services) {
-    List<Variable<?>> common = new ArrayList<>();
-    for (List<Variable<?>> variables : services) {
+  private static List<VariableDeclaration<?>> inAll(Iterable<List<VariableDeclaration<?>>> services) {
+    List<VariableDeclaration<?>> common = new ArrayList<>();
+    for (List<VariableDeclaration<?>> variables : services) {
       if (common.isEmpty()) {
         common.addAll(variables);
       }
@@ -144,7 +144,7 @@ class ConfigurationPageTest {
     return common;
   }
 
-  private static List<String> names(List<Variable<?>> variables) {
+  private static List<String> names(List<VariableDeclaration<?>> variables) {
     List<String> names = new ArrayList<>();
     variables.forEach(variable -> names.add(variable.name()));
     return names;

@@ -5,7 +5,7 @@ import org.u2sa.device.GpsFix
 import org.u2sa.interfaces.time.Clock
 import org.u2sa.interfaces.log.LogLevelEnum
 import org.u2sa.interfaces.configuration.Range
-import org.u2sa.interfaces.configuration.Variable
+import org.u2sa.interfaces.configuration.VariableDeclaration
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.messages.StateInformation
 import org.u2sa.messages.frame.Point
@@ -141,19 +141,19 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     override fun release() = sensors.close()
 
     companion object {
-        private val MOUNTING: Variable<String> = Variable.text("MOUNTING")
+        private val MOUNTING: VariableDeclaration<String> = VariableDeclaration.text("MOUNTING")
             .oneOf(*Mounting.entries.map(Mounting::name).toTypedArray())
             .ifAbsent(Mounting.FLAT.name)
             .describedAs("How the phone is fixed: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.")
-        private val FIX_TIMEOUT: Variable<Double> = Variable.number("FIX TIMEOUT", "s")
+        private val FIX_TIMEOUT: VariableDeclaration<Double> = VariableDeclaration.number("FIX TIMEOUT", "s")
             .range(Range.of(0.1, 60.0))
             .ifAbsent(2.5)
             .describedAs("Age at which a GPS fix counts as lost: it is not published, and the log says so.")
-        private val ATTITUDE_TIMEOUT: Variable<Double> = Variable.number("ATTITUDE TIMEOUT", "s")
+        private val ATTITUDE_TIMEOUT: VariableDeclaration<Double> = VariableDeclaration.number("ATTITUDE TIMEOUT", "s")
             .range(Range.of(0.1, 60.0))
             .ifAbsent(0.5)
             .describedAs("Age at which the phone's attitude counts as lost: it is not published, and the log says so.")
-        private val HEADING_SIGMA: Variable<Double> = Variable.number("HEADING SIGMA", "rad")
+        private val HEADING_SIGMA: VariableDeclaration<Double> = VariableDeclaration.number("HEADING SIGMA", "rad")
             .range(Range.positive())
             .ifAbsent(0.17)
             .describedAs("Standard deviation of the heading where the phone does not say one.")

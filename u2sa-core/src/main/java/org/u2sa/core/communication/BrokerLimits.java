@@ -2,7 +2,7 @@ package org.u2sa.core.communication;
 
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 
 /**
@@ -31,69 +31,69 @@ record BrokerLimits(
   /** How many topics clients may retain, how many bytes, and how many bytes one user may. */
   record Retained(int topics, long bytes, long bytesOfOne) {}
 
-  static final Variable<Integer> CLIENTS =
-      Variable.integer("CLIENTS AT MOST")
+  static final VariableDeclaration<Integer> CLIENTS =
+      VariableDeclaration.integer("CLIENTS AT MOST")
           .range(Range.of(4, 100_000))
           .ifAbsent(512)
           .describedAs("Connections that the embedded broker takes at once.");
 
-  static final Variable<Integer> MESSAGES_PER_S =
-      Variable.integer("CLIENT MESSAGES PER SECOND")
+  static final VariableDeclaration<Integer> MESSAGES_PER_S =
+      VariableDeclaration.integer("CLIENT MESSAGES PER SECOND")
           .range(Range.of(10, 10_000_000))
           .ifAbsent(10_000)
           .describedAs(
               "Packets a second that the embedded broker reads from one client; more wait at the client.");
 
-  static final Variable<Integer> BYTES_PER_S =
-      Variable.integer("CLIENT BYTES PER SECOND")
+  static final VariableDeclaration<Integer> BYTES_PER_S =
+      VariableDeclaration.integer("CLIENT BYTES PER SECOND")
           .range(Range.of(10_000, 2_000_000_000))
           .ifAbsent(20_000_000)
           .describedAs(
               "Bytes of payload a second that the embedded broker reads from one client; more wait at the client.");
 
-  static final Variable<Integer> QUESTIONS_PER_S =
-      Variable.integer("CLIENT QUESTIONS PER SECOND")
+  static final VariableDeclaration<Integer> QUESTIONS_PER_S =
+      VariableDeclaration.integer("CLIENT QUESTIONS PER SECOND")
           .range(Range.of(1, 1_000_000))
           .ifAbsent(200)
           .describedAs(
               "Questions to every service and subscriptions a second that the embedded broker reads from one user; more wait at the client.");
 
-  static final Variable<Integer> ORDERS_PER_S =
-      Variable.integer("CLIENT ORDERS PER SECOND")
+  static final VariableDeclaration<Integer> ORDERS_PER_S =
+      VariableDeclaration.integer("CLIENT ORDERS PER SECOND")
           .range(Range.of(1, 1_000_000))
           .ifAbsent(50)
           .describedAs(
               "Changes of configuration, services and goals a second that the embedded broker takes from one client; more are refused. One of more than 4 KiB counts as several.");
 
-  static final Variable<Integer> RETAINED_TOPICS =
-      Variable.integer("RETAINED TOPICS AT MOST")
+  static final VariableDeclaration<Integer> RETAINED_TOPICS =
+      VariableDeclaration.integer("RETAINED TOPICS AT MOST")
           .range(Range.of(16, 1_000_000))
           .ifAbsent(4_096)
           .describedAs(
               "Topics of which the embedded broker keeps a message of its clients; one user may take half. Emergency stop, failsafe and arming state have room of their own.");
 
-  static final Variable<Integer> RETAINED_BYTES =
-      Variable.integer("RETAINED BYTES AT MOST")
+  static final VariableDeclaration<Integer> RETAINED_BYTES =
+      VariableDeclaration.integer("RETAINED BYTES AT MOST")
           .range(Range.of(65_536, 2_000_000_000))
           .ifAbsent(32 << 20)
           .describedAs("Bytes of those messages in all.");
 
-  static final Variable<Integer> CLIENT_RETAINED_BYTES =
-      Variable.integer("CLIENT RETAINED BYTES AT MOST")
+  static final VariableDeclaration<Integer> CLIENT_RETAINED_BYTES =
+      VariableDeclaration.integer("CLIENT RETAINED BYTES AT MOST")
           .range(Range.of(16_384, 2_000_000_000))
           .ifAbsent(8 << 20)
           .describedAs(
               "Bytes of those messages of one user, or of one client where there are no users.");
 
-  static final Variable<Integer> UNACKNOWLEDGED_BYTES =
-      Variable.integer("UNACKNOWLEDGED BYTES AT MOST")
+  static final VariableDeclaration<Integer> UNACKNOWLEDGED_BYTES =
+      VariableDeclaration.integer("UNACKNOWLEDGED BYTES AT MOST")
           .range(Range.of(1 << 20, 2_000_000_000))
           .ifAbsent(32 << 20)
           .describedAs(
               "Bytes published behind a message after which the embedded broker puts a client out that has not acknowledged it.");
 
-  static final Variable<Double> PATIENCE =
-      Variable.number("CLIENT PATIENCE", "s")
+  static final VariableDeclaration<Double> PATIENCE =
+      VariableDeclaration.number("CLIENT PATIENCE", "s")
           .range(Range.of(0.5, 3_600.0))
           .ifAbsent(15.0)
           .describedAs(

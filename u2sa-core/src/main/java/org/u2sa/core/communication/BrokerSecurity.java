@@ -13,27 +13,27 @@ import javax.net.ssl.SSLException;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /**
  * How the embedded broker is secured: by users and encryption, or by being heard on this host only.
  */
 final class BrokerSecurity {
-  static final Variable<String> DIRECTORY =
-      Variable.text("SECURITY DIRECTORY")
+  static final VariableDeclaration<String> DIRECTORY =
+      VariableDeclaration.text("SECURITY DIRECTORY")
           .ifAbsent("")
           .describedAs(
               "Folder made by ./u2sa security init; with it the embedded broker takes users with passwords over TLS only.");
 
-  static final Variable<Boolean> ALLOW_INSECURE_NETWORK =
-      Variable.flag("ALLOW INSECURE NETWORK")
+  static final VariableDeclaration<Boolean> ALLOW_INSECURE_NETWORK =
+      VariableDeclaration.flag("ALLOW INSECURE NETWORK")
           .ifAbsent(false)
           .describedAs(
               "Whether the embedded broker may listen to a network without SECURITY DIRECTORY: everyone there commands the vehicle.");
 
   /** Who commands over the loopback address where there are no users. */
-  static final Variable<String> LOCAL_COMMANDS =
-      Variable.text("LOCAL COMMANDS")
+  static final VariableDeclaration<String> LOCAL_COMMANDS =
+      VariableDeclaration.text("LOCAL COMMANDS")
           .oneOf("account", "everybody")
           .ifAbsent("account")
           .describedAs(

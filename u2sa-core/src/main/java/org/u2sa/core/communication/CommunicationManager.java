@@ -15,7 +15,7 @@ import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
@@ -32,44 +32,44 @@ public final class CommunicationManager implements AutoCloseable {
   private static final String LOOPBACK = "127.0.0.1";
 
   /** Which broker carries the messages. */
-  public static final Variable<String> BROKER =
-      Variable.text("BROKER")
+  public static final VariableDeclaration<String> BROKER =
+      VariableDeclaration.text("BROKER")
           .oneOf("embedded", "external", "none")
           .ifAbsent("embedded")
           .describedAs(
               "embedded: a broker in this process; external: another MQTT broker; none: this process only.");
 
   /** Address on which the embedded broker listens. */
-  public static final Variable<String> BIND_ADDRESS =
-      Variable.text("BIND ADDRESS")
+  public static final VariableDeclaration<String> BIND_ADDRESS =
+      VariableDeclaration.text("BIND ADDRESS")
           .ifAbsent(LOOPBACK)
           .describedAs(
               "Address on which the embedded broker listens; 0.0.0.0 opens it to the network, which needs SECURITY DIRECTORY.");
 
-  static final Variable<String> HOST =
-      Variable.text("COMMUNICATION MANAGER IP")
+  static final VariableDeclaration<String> HOST =
+      VariableDeclaration.text("COMMUNICATION MANAGER IP")
           .ifAbsent("localhost")
           .describedAs(
               "Host of the external broker; auto: the one that announces itself by mDNS for this system.");
 
   /** TCP port of the broker. */
-  public static final Variable<Integer> PORT =
-      Variable.integer("COMMUNICATION MANAGER PORT")
+  public static final VariableDeclaration<Integer> PORT =
+      VariableDeclaration.integer("COMMUNICATION MANAGER PORT")
           .range(Range.of(1, 65_535))
           .ifAbsent(1883)
           .describedAs("TCP port of the broker, embedded or external.");
 
   /** How long to wait for a broker that is not there yet. */
-  public static final Variable<Double> WAIT =
-      Variable.number("COMMUNICATION MANAGER WAIT", "s")
+  public static final VariableDeclaration<Double> WAIT =
+      VariableDeclaration.number("COMMUNICATION MANAGER WAIT", "s")
           .range(Range.of(0.0, 3600.0))
           .ifAbsent(0.0)
           .describedAs(
               "How long to wait at the start for an external broker that does not answer yet, so that hosts may be started in any order.");
 
   /** Whether the embedded broker announces itself by mDNS. */
-  public static final Variable<String> ANNOUNCE =
-      Variable.text("ANNOUNCE")
+  public static final VariableDeclaration<String> ANNOUNCE =
+      VariableDeclaration.text("ANNOUNCE")
           .oneOf("auto", "yes", "no")
           .ifAbsent("auto")
           .describedAs(

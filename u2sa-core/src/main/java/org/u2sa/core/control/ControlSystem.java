@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
@@ -15,7 +15,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -34,29 +33,35 @@ public abstract class ControlSystem extends EventDrivenService {
   /** The subsystem of navigation points for the vehicle as a whole. */
   protected static final String VEHICLE = "VEHICLE";
 
-  static final Variable<Double> STALE_AFTER =
-      Variable.number("STALE AFTER", "s")
-          .range(Range.of(0.02, 60.0))
-          .ifAbsent(1.0)
-          .describedAs("Age at which a navigation point counts as absent.");
+  private static final double FULL_PERCENT = 100.0;
 
-  static final Variable<Double> COMMAND_EXPIRY =
-      Variable.number("COMMAND EXPIRY", "s")
-          .range(Range.of(0.02, 60.0))
-          .ifAbsent(0.5)
-          .describedAs("How long an actuator obeys a command that is not renewed.");
+  private record Limits(
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 0.5,
+              text = "How long an actuator obeys a command that is not renewed.")
+          double commandExpiry,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 10,
+              ifAbsent = 0.5,
+              text =
+                  "Time in which commands move over from those of another control system that this one takes over from.")
+          double blendTime,
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 1,
+              text = "Age at which a navigation point counts as absent.")
+          double staleAfter) {}
 
-  static final Variable<Double> BLEND_TIME =
-      Variable.number("BLEND TIME", "s")
-          .range(Range.of(0.0, 10.0))
-          .ifAbsent(0.5)
-          .describedAs(
-              "Time in which commands move over from those of another control system that this one takes over from.");
-
-  private double commandExpiryS;
-  private double blendS;
+  private final Settings<Limits> limits = settings(Limits.class);
   private final CommandBlend blend = new CommandBlend();
-  private final StateHistory states;
+  private final StateHistory states = new StateHistory();
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private final Map<String, NavigationPoint> placed =
       new HashMap<>(); // newest whose state is remembered
@@ -67,12 +72,9 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected ControlSystem(ServiceContext context, String serviceName) {
     super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
-    commandExpiryS = getVariable(COMMAND_EXPIRY);
-    blendS = getVariable(BLEND_TIME);
-    states = new StateHistory();
-    states.span(Clock.micros(getVariable(STALE_AFTER)));
-    registerSubscriber(Channels.NAVIGATION);
-    registerSubscriber(Channels.STATE);
+    states.span(Clock.micros(limits.get().staleAfter()));
+    subscribe(Channels.NAVIGATION, point -> points.put(point.subsystem(), point));
+    subscribe(Channels.STATE, this::onState);
     registerPublisher(Channels.ACTUATION);
   }
 
@@ -92,29 +94,12 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected abstract Map<String, Double> neutral();
 
-  /**
-   * A message that is neither state nor navigation point, for subclasses that register for more.
-   */
-  protected void received(U2SAData data) {
-    unexpected(data);
-  }
-
-  @Override
-  public final void callback(U2SAData data) {
-    if (data instanceof StateInformation state) {
-      stateReceived(state);
-    } else if (data instanceof NavigationPoint point) {
-      points.put(point.subsystem(), point);
-    } else {
-      received(data);
-    }
-  }
-
-  private void stateReceived(StateInformation state) {
+  private void onState(StateInformation state) {
     if (state.timestamp().isEmpty()) {
       log(LogLevelEnum.WARN, "state without a timestamp left out: " + state);
       return;
     }
+    states.span(Clock.micros(limits.get().staleAfter()));
     if (!states.add(state)) {
       log(LogLevelEnum.DEBUG, "state is not newer than the one before it: left out: " + state);
       return;
@@ -184,7 +169,7 @@ public abstract class ControlSystem extends EventDrivenService {
    * @throws IllegalArgumentException if the percentage is not a number
    */
   protected final void command(String actuator, double percentage) {
-    command(actuator, percentage, commandExpiryS);
+    command(actuator, percentage, limits.get().commandExpiry());
   }
 
   /**
@@ -196,13 +181,28 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected final void command(String actuator, double percentage, double expiryS) {
     double wanted = Math.max(-100.0, Math.min(100.0, percentage));
-    double bounded = blend.command(actuator, wanted, clock().micros(), blendS);
+    double bounded = blend.command(actuator, wanted, clock().micros(), limits.get().blendTime());
     publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(expiryS));
+  }
+
+  /** Commands an actuator a share of all that it can [−1…1]. */
+  protected final void commandShare(String actuator, double share) {
+    command(actuator, FULL_PERCENT * share);
+  }
+
+  /** What an actuator was commanded last, by this or the control before [−1…1]; 0 if nothing. */
+  protected final double lastShare(String actuator) {
+    return lastCommand(actuator).orElse(0.0) / FULL_PERCENT;
   }
 
   /** The percentage that was commanded last, by this control system or the one before [%]. */
   protected final OptionalDouble lastCommand(String actuator) {
     return blend.last(actuator);
+  }
+
+  /** Whether a control of the same class hands over: then its state says all. */
+  protected final boolean isOfMyClass(HandOver state) {
+    return state.className().equals(getClass().getName());
   }
 
   /** {@inheritDoc} Subclasses that override it call it too. */
@@ -224,7 +224,7 @@ public abstract class ControlSystem extends EventDrivenService {
     state
         .messages("PLACED", NavigationPoint.class)
         .forEach(point -> placed.put(point.subsystem(), point));
-    blend.takeOver(state, state.className().equals(getClass().getName()));
+    blend.takeOver(state, isOfMyClass(state));
   }
 
   /** Leaves the actuators neutral; subclasses that override it call it too. */

@@ -3,7 +3,7 @@ package org.u2sa.core.control;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -27,64 +27,66 @@ public final class VelocityControl extends ControlSystem {
 
   private static final double FULL_PERCENT = 100.0;
 
-  static final Variable<Double> FULL_SPEED =
-      Variable.number("FULL SPEED", "m/s")
-          .range(Range.of(0.01, 100.0))
-          .ifAbsent(5.0)
-          .describedAs("Speed forward and sideways at 100 %, as the actuators have it.");
+  private record Tuning(
+      @Variable(
+              unit = "m/s",
+              min = 0.01,
+              max = 100,
+              ifAbsent = 5,
+              text = "Speed forward and sideways at 100 %, as the actuators have it.")
+          double fullSpeed,
+      @Variable(
+              unit = "m/s",
+              min = 0.01,
+              max = 50,
+              ifAbsent = 2,
+              text = "Speed upwards at 100 %, as the actuators have it.")
+          double fullClimb,
+      @Variable(
+              unit = "rad/s",
+              min = 0.01,
+              max = 10,
+              ifAbsent = 1,
+              text = "Rate of turn at 100 %, as the actuators have it.")
+          double fullTurn,
+      @Variable(
+              unit = "m/s",
+              min = 0.01,
+              max = 100,
+              ifAbsent = 2,
+              text = "Speed to a navigation point that says none.")
+          double cruiseSpeed,
+      @Variable(
+              unit = "1/s",
+              min = 0.01,
+              max = 10,
+              ifAbsent = 0.8,
+              text = "Most speed for each metre that is left.")
+          double approachGain,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 10,
+              ifAbsent = 1,
+              text = "Rate of turn for each radian of the point's direction.")
+          double turnGain,
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 1,
+              text = "Nearer points are not turned to: their direction is mostly error.")
+          double facingDistance,
+      @Variable(
+              ifAbsentText = "true",
+              text = "Whether the vehicle can go sideways and backwards, as a multicopter.")
+          boolean sideways) {}
 
-  static final Variable<Double> FULL_CLIMB =
-      Variable.number("FULL CLIMB", "m/s")
-          .range(Range.of(0.01, 50.0))
-          .ifAbsent(2.0)
-          .describedAs("Speed upwards at 100 %, as the actuators have it.");
-
-  static final Variable<Double> FULL_TURN =
-      Variable.number("FULL TURN", "rad/s")
-          .range(Range.of(0.01, 10.0))
-          .ifAbsent(1.0)
-          .describedAs("Rate of turn at 100 %, as the actuators have it.");
-
-  static final Variable<Double> CRUISE_SPEED =
-      Variable.number("CRUISE SPEED", "m/s")
-          .range(Range.of(0.01, 100.0))
-          .ifAbsent(2.0)
-          .describedAs("Speed to a navigation point that says none.");
-
-  static final Variable<Double> APPROACH_GAIN =
-      Variable.number("APPROACH GAIN", "1/s")
-          .range(Range.of(0.01, 10.0))
-          .ifAbsent(0.8)
-          .describedAs("Most speed for each metre that is left.");
-
-  static final Variable<Double> TURN_GAIN =
-      Variable.number("TURN GAIN", "1/s")
-          .range(Range.of(0.0, 10.0))
-          .ifAbsent(1.0)
-          .describedAs("Rate of turn for each radian of the point's direction.");
-
-  static final Variable<Double> FACING_DISTANCE =
-      Variable.number("FACING DISTANCE", "m")
-          .range(Range.of(0.0, 100.0))
-          .ifAbsent(1.0)
-          .describedAs("Nearer points are not turned to: their direction is mostly error.");
-
-  static final Variable<Boolean> SIDEWAYS =
-      Variable.flag("SIDEWAYS")
-          .ifAbsent(true)
-          .describedAs("Whether the vehicle can go sideways and backwards, as a multicopter.");
+  private final Settings<Tuning> tuning = settings(Tuning.class);
 
   /** Called by the launcher. */
   public VelocityControl(ServiceContext context) {
     super(context, "VelocityControl");
-    getVariable(FULL_SPEED); // wrong values must fail before the drive
-    getVariable(FULL_CLIMB);
-    getVariable(FULL_TURN);
-    getVariable(CRUISE_SPEED);
-    getVariable(APPROACH_GAIN);
-    getVariable(TURN_GAIN);
-    getVariable(FACING_DISTANCE);
-    getVariable(SIDEWAYS);
   }
 
   @Override
@@ -94,23 +96,23 @@ public final class VelocityControl extends ControlSystem {
       neutral().forEach(this::command);
       return;
     }
+    Tuning now = tuning.get();
     Point toGo = way.get(); // forward, left, up
     double distance = toGo.distance();
-    double wanted = point.get().speed().orElse(getVariable(CRUISE_SPEED));
-    double speed = Math.min(wanted, getVariable(APPROACH_GAIN) * distance);
+    double wanted = point.get().speed().orElse(now.cruiseSpeed());
+    double speed = Math.min(wanted, now.approachGain() * distance);
     double perMetre = distance > 0.0 ? speed / distance : 0.0;
-    boolean sideways = getVariable(SIDEWAYS);
-    double forward = sideways ? toGo.x() : Math.max(0.0, toGo.x());
-    command(FORWARD, percent(forward * perMetre, FULL_SPEED));
-    command(LEFT, sideways ? percent(toGo.y() * perMetre, FULL_SPEED) : 0.0);
-    command(CLIMB, percent(toGo.z() * perMetre, FULL_CLIMB));
-    boolean faces = Math.hypot(toGo.x(), toGo.y()) >= getVariable(FACING_DISTANCE);
-    double turn = faces ? getVariable(TURN_GAIN) * toGo.azimuth() : 0.0;
-    command(TURN, percent(turn, FULL_TURN));
+    double forward = now.sideways() ? toGo.x() : Math.max(0.0, toGo.x());
+    command(FORWARD, percent(forward * perMetre, now.fullSpeed()));
+    command(LEFT, now.sideways() ? percent(toGo.y() * perMetre, now.fullSpeed()) : 0.0);
+    command(CLIMB, percent(toGo.z() * perMetre, now.fullClimb()));
+    boolean faces = Math.hypot(toGo.x(), toGo.y()) >= now.facingDistance();
+    double turn = faces ? now.turnGain() * toGo.azimuth() : 0.0;
+    command(TURN, percent(turn, now.fullTurn()));
   }
 
-  private double percent(double value, Variable<Double> full) {
-    return FULL_PERCENT * value / getVariable(full);
+  private static double percent(double value, double full) {
+    return FULL_PERCENT * value / full;
   }
 
   /**

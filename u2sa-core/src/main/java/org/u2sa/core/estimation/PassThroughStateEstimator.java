@@ -1,12 +1,8 @@
 package org.u2sa.core.estimation;
 
-import java.util.List;
 import java.util.Optional;
-import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -23,50 +19,61 @@ import org.u2sa.service.ServiceContext;
  * same, the newest counts.
  */
 public final class PassThroughStateEstimator extends StateEstimator {
-  static final Variable<Double> STALE_AFTER =
-      Variable.number("STALE AFTER", "s")
-          .range(Range.of(0.01, 60.0))
-          .ifAbsent(2.0)
-          .describedAs(
-              "Age at which what one sensor measured no longer completes what another measures.");
-
-  static final Variable<Double> VELOCITY_SIGMA =
-      Variable.number("VELOCITY SIGMA", "m/s")
-          .range(Range.nonNegative())
-          .ifAbsent(0.1)
-          .describedAs(
-              "Standard deviation of a measured velocity that comes without one: by it a position grows unsure with age.");
-
-  static final Variable<Double> ACCELERATION =
-      Variable.number("ACCELERATION", "m/s^2")
-          .range(Range.nonNegative())
-          .ifAbsent(1.0)
-          .describedAs(
-              "Acceleration that may have gone unmeasured, 1 sigma: by its half times the age's square a position grows unsure.");
-
-  static final Variable<Double> UNKNOWN_SPEED =
-      Variable.number("UNKNOWN SPEED", "m/s")
-          .range(Range.nonNegative())
-          .ifAbsent(1.0)
-          .describedAs("Speed, 1 sigma, that is counted with where none is measured.");
-
-  static final Variable<Double> UNKNOWN_TURN =
-      Variable.number("UNKNOWN TURN RATE", "rad/s")
-          .range(Range.nonNegative())
-          .ifAbsent(0.5)
-          .describedAs("Turn rate, 1 sigma, that is counted with where none is measured.");
-
-  static final Variable<String> NEEDED =
-      Variable.text("NEEDED")
-          .ifAbsent("x, y, psi")
-          .describedAs(
-              "Numbers that the vehicle cannot do without: health says which are absent for long.");
-
-  static final Variable<Double> COMPLETE_WITHIN =
-      Variable.number("COMPLETE WITHIN", "s")
-          .range(Range.positive())
-          .ifAbsent(5.0)
-          .describedAs("How long a needed number may be absent before health says so.");
+  private record Limits(
+      @Variable(
+              unit = "m/s",
+              min = 0,
+              ifAbsent = 0.1,
+              text =
+                  "Standard deviation of a measured velocity that comes without one: by it a position grows unsure with age.")
+          double velocitySigma,
+      @Variable(
+              unit = "m/s^2",
+              min = 0,
+              ifAbsent = 1,
+              text =
+                  "Acceleration that may have gone unmeasured, 1 sigma: by its half times the age's square a position grows unsure.")
+          double acceleration,
+      @Variable(
+              unit = "m/s",
+              min = 0,
+              ifAbsent = 1,
+              text = "Speed, 1 sigma, that is counted with where none is measured.")
+          double unknownSpeed,
+      @Variable(
+              unit = "rad/s",
+              min = 0,
+              ifAbsent = 0.5,
+              text = "Turn rate, 1 sigma, that is counted with where none is measured.")
+          double unknownTurnRate,
+      @Variable(
+              unit = "s",
+              min = 0.01,
+              max = 60,
+              ifAbsent = 2,
+              text =
+                  "Age at which what one sensor measured no longer completes what another measures.")
+          double staleAfter,
+      @Variable(
+              ifAbsentText = "x, y, psi",
+              text =
+                  "Numbers that the vehicle cannot do without: health says which are absent for long.")
+          String needed,
+      @Variable(
+              unit = "s",
+              min = 0,
+              minExcluded = true,
+              ifAbsent = 5,
+              text = "How long a needed number may be absent before health says so.")
+          double completeWithin) {
+    Limits {
+      try {
+        Completeness.fields(needed);
+      } catch (IllegalArgumentException e) {
+        throw new IllegalArgumentException("NEEDED: " + e.getMessage(), e);
+      }
+    }
+  }
 
   private final NewestMeasurements measurements;
   private final Completeness completeness;
@@ -74,24 +81,17 @@ public final class PassThroughStateEstimator extends StateEstimator {
   /** Called by the launcher. */
   public PassThroughStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
+    Limits limits = settings(Limits.class).get(); // another one counts from the next start
     DeadReckoning reckoning =
         new DeadReckoning(
-            getVariable(VELOCITY_SIGMA),
-            getVariable(ACCELERATION),
-            getVariable(UNKNOWN_SPEED),
-            getVariable(UNKNOWN_TURN));
-    measurements = new NewestMeasurements(Clock.micros(getVariable(STALE_AFTER)), reckoning);
+            limits.velocitySigma(),
+            limits.acceleration(),
+            limits.unknownSpeed(),
+            limits.unknownTurnRate());
+    measurements = new NewestMeasurements(Clock.micros(limits.staleAfter()), reckoning);
     completeness =
         new Completeness(
-            this, needed(getVariable(NEEDED)), Clock.micros(getVariable(COMPLETE_WITHIN)));
-  }
-
-  private static List<StateField> needed(String names) {
-    try {
-      return Completeness.fields(names);
-    } catch (IllegalArgumentException e) {
-      throw new BadInputException("variable \"NEEDED\": " + e.getMessage(), e);
-    }
+            this, Completeness.fields(limits.needed()), Clock.micros(limits.completeWithin()));
   }
 
   @Override

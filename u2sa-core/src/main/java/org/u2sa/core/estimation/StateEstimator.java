@@ -4,7 +4,6 @@ import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -23,7 +22,7 @@ public abstract class StateEstimator extends EventDrivenService {
    */
   protected StateEstimator(ServiceContext context, String serviceName) {
     super(context, ServiceRole.STATE_ESTIMATOR, serviceName);
-    registerSubscriber(Channels.SENSED_STATE);
+    subscribe(Channels.SENSED_STATE, this::onMeasurement);
     registerPublisher(Channels.STATE);
   }
 
@@ -36,12 +35,7 @@ public abstract class StateEstimator extends EventDrivenService {
    */
   protected abstract Optional<StateInformation> estimate(StateInformation sensed);
 
-  @Override
-  public final void callback(U2SAData data) {
-    if (!(data instanceof StateInformation sensed)) {
-      unexpected(data);
-      return;
-    }
+  private void onMeasurement(StateInformation sensed) {
     if (sensed.timestamp().isEmpty()) {
       log(LogLevelEnum.WARN, "measurement without a timestamp left out: " + sensed);
       return;

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
@@ -18,8 +18,8 @@ import org.u2sa.messages.contract.HealthReport;
  * arrival.
  */
 final class ClockOffsets {
-  static final Variable<Double> CLOCK_TOLERANCE =
-      Variable.number("CLOCK TOLERANCE", "s")
+  static final VariableDeclaration<Double> CLOCK_TOLERANCE =
+      VariableDeclaration.number("CLOCK TOLERANCE", "s")
           .range(Range.of(0.01, 60.0))
           .ifAbsent(1.0)
           .describedAs(

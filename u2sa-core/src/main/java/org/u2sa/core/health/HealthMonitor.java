@@ -14,7 +14,6 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
@@ -51,10 +50,12 @@ public final class HealthMonitor extends PeriodicService {
     clocks = new ClockOffsets(this);
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
-    registerSubscriber(Channels.CONDITIONS);
-    registerSubscriber(Channels.HEALTH);
-    registerSubscriber(Channels.STOP);
-    registerSubscriber(Channels.SERVICE_ORDERS);
+    subscribe(Channels.CONDITIONS, this::remember);
+    subscribe(Channels.HEALTH, this::hear);
+    subscribe(
+        Channels.STOP,
+        stop -> stop.serviceName().flatMap(this::known).ifPresent(WatchedService::toldToStop));
+    subscribe(Channels.SERVICE_ORDERS, this::onOrder);
   }
 
   @Override
@@ -82,21 +83,6 @@ public final class HealthMonitor extends PeriodicService {
     return settings.watches(name) && !name.equals(getServiceName());
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof HealthReport report) {
-      hear(report);
-    } else if (data instanceof StopCommand stop) {
-      stop.serviceName().flatMap(this::known).ifPresent(WatchedService::toldToStop);
-    } else if (data instanceof ServiceOrderResult result) {
-      hear(result);
-    } else if (data instanceof ServiceCondition before) {
-      remember(before);
-    } else if (!(data instanceof ServiceOrder)) {
-      unexpected(data);
-    }
-  }
-
   private void hear(HealthReport report) {
     boolean forItself = report.threadAlive().isEmpty() && !(report instanceof ConnectionLost);
     if (report.serviceName().equals(getServiceName()) && forItself) {
@@ -114,7 +100,13 @@ public final class HealthMonitor extends PeriodicService {
     }
   }
 
-  private void hear(ServiceOrderResult result) {
+  private void onOrder(U2SAData message) { // orders come on the same channel
+    if (message instanceof ServiceOrderResult result) {
+      onResult(result);
+    }
+  }
+
+  private void onResult(ServiceOrderResult result) {
     Optional<WatchedService> service = known(result.serviceName());
     if (service.isEmpty()) {
       return;

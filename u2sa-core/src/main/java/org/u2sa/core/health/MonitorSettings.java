@@ -7,64 +7,64 @@ import java.util.Map;
 import java.util.Set;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** The health monitor's variables, and what they say of each service. */
 final class MonitorSettings {
-  static final Variable<String> WATCHED =
-      Variable.text("WATCHED")
+  static final VariableDeclaration<String> WATCHED =
+      VariableDeclaration.text("WATCHED")
           .ifAbsent("")
           .describedAs(
               "Names of the services that are watched, separated by commas; they are missed if they never appear. "
                   + "Empty: every service that was ever heard.");
 
-  static final Variable<Double> HUNG_AFTER =
-      Variable.number("HUNG AFTER", "s")
+  static final VariableDeclaration<Double> HUNG_AFTER =
+      VariableDeclaration.number("HUNG AFTER", "s")
           .range(Range.of(0.1, 3600.0))
           .ifAbsent(2.0)
           .describedAs("Time that a callback may run before its service counts as hung.");
 
-  static final Variable<Double> LOST_AFTER =
-      Variable.number("LOST AFTER", "s")
+  static final VariableDeclaration<Double> LOST_AFTER =
+      VariableDeclaration.number("LOST AFTER", "s")
           .range(Range.of(0.1, 3600.0))
           .ifAbsent(4.0)
           .describedAs("Time without a word of a service after which it counts as lost.");
 
-  static final Variable<Double> RECONNECT_WITHIN =
-      Variable.number("RECONNECT WITHIN", "s")
+  static final VariableDeclaration<Double> RECONNECT_WITHIN =
+      VariableDeclaration.number("RECONNECT WITHIN", "s")
           .range(Range.of(0.0, 3600.0))
           .ifAbsent(4.0)
           .describedAs(
               "Time that a service whose connection broke, while nobody says that its process has ended, has to connect again before it is restarted.");
 
-  static final Variable<Double> START_WITHIN =
-      Variable.number("START WITHIN", "s")
+  static final VariableDeclaration<Double> START_WITHIN =
+      VariableDeclaration.number("START WITHIN", "s")
           .range(Range.of(0.1, 3600.0))
           .ifAbsent(15.0)
           .describedAs(
               "Time that a service has to be heard after the monitor's start or an order to start it.");
 
-  static final Variable<Double> RESTART_DELAY =
-      Variable.number("RESTART DELAY", "s")
+  static final VariableDeclaration<Double> RESTART_DELAY =
+      VariableDeclaration.number("RESTART DELAY", "s")
           .range(Range.of(0.0, 3600.0))
           .ifAbsent(0.25)
           .describedAs(
               "Delay of the first restart; each further one within the window waits twice.");
 
-  static final Variable<Integer> RESTART_LIMIT =
-      Variable.integer("RESTART LIMIT")
+  static final VariableDeclaration<Integer> RESTART_LIMIT =
+      VariableDeclaration.integer("RESTART LIMIT")
           .range(Range.of(1, 1000))
           .ifAbsent(3)
           .describedAs("Restarts of a service within the window before it is given up.");
 
-  static final Variable<Double> RESTART_WINDOW =
-      Variable.number("RESTART WINDOW", "s")
+  static final VariableDeclaration<Double> RESTART_WINDOW =
+      VariableDeclaration.number("RESTART WINDOW", "s")
           .range(Range.of(1.0, 86_400.0))
           .ifAbsent(60.0)
           .describedAs("Time in which restarts are counted.");
 
-  static final Variable<String> AFTER_RESTARTS =
-      Variable.text("AFTER RESTARTS")
+  static final VariableDeclaration<String> AFTER_RESTARTS =
+      VariableDeclaration.text("AFTER RESTARTS")
           .oneOf(Policy.ALERT.name(), Policy.FAILSAFE.name())
           .ifAbsent(Policy.FAILSAFE.name())
           .describedAs("What follows when restarts did not help.");
@@ -122,15 +122,16 @@ final class MonitorSettings {
     return names;
   }
 
-  private static Variable<String> policy(String service, String otherwise) {
-    return Variable.text(service.isEmpty() ? POLICY : service + " " + POLICY)
+  private static VariableDeclaration<String> policy(String service, String otherwise) {
+    return VariableDeclaration.text(service.isEmpty() ? POLICY : service + " " + POLICY)
         .oneOf(Policy.RESTART.name(), Policy.ALERT.name(), Policy.FAILSAFE.name())
         .ifAbsent(otherwise)
         .describedAs("What is done about " + subject(service) + " that no longer works.");
   }
 
-  private static Variable<Double> dataTimeout(String service, double otherwise) {
-    return Variable.number(service.isEmpty() ? DATA_TIMEOUT : service + " " + DATA_TIMEOUT, "s")
+  private static VariableDeclaration<Double> dataTimeout(String service, double otherwise) {
+    return VariableDeclaration.number(
+            service.isEmpty() ? DATA_TIMEOUT : service + " " + DATA_TIMEOUT, "s")
         .range(Range.of(0.0, 3600.0))
         .ifAbsent(otherwise)
         .describedAs(

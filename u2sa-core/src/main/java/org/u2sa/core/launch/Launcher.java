@@ -38,17 +38,12 @@ public final class Launcher extends EventDrivenService {
     this.host = host;
     registerPublisher(Channels.SERVICE_ORDERS);
     registerPublisher(Channels.HEALTH);
-    registerSubscriber(Channels.SERVICE_ORDERS);
+    subscribe(Channels.SERVICE_ORDERS, this::onOrder);
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ServiceOrder order) {
-      if (host.isFor(order)) {
-        answer(order, carryOut(order));
-      }
-    } else if (!(data instanceof ServiceOrderResult)) {
-      unexpected(data);
+  private void onOrder(U2SAData message) { // results come back on the same channel
+    if (message instanceof ServiceOrder order && host.isFor(order)) {
+      answer(order, carryOut(order));
     }
   }
 

@@ -40,6 +40,6 @@ public final class VehicleMission {
     return Mission.load(
         file,
         MessageTypes.discovered(),
-        configuration.getVariable(MissionManager.DEFAULT_THRESHOLD));
+        configuration.settings(MissionManager.Defaults.class).get().defaultThreshold());
   }
 }

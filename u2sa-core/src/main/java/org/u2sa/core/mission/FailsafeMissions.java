@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
@@ -16,20 +16,9 @@ import org.u2sa.messages.contract.FailsafeAction;
 
 /** The goals of a vehicle that returns or lands because something is wrong. */
 final class FailsafeMissions {
-  static final Variable<String> RETURN_MISSION =
-      Variable.text("RETURN MISSION")
-          .ifAbsent("")
-          .describedAs(
-              "The mission's XML file for the failsafe RETURN, relative to the configuration file; empty: to the mission's home.");
-
-  static final Variable<String> LAND_MISSION =
-      Variable.text("LAND MISSION")
-          .ifAbsent("")
-          .describedAs(
-              "The mission's XML file for the failsafe LAND, relative to the configuration file; empty: it returns instead.");
-
   private final MissionManager manager;
   private final MissionFiles files;
+  private final Supplier<MissionSettings> settings;
   private final Map<FailsafeAction, List<GoalInformation>> goals =
       new EnumMap<>(FailsafeAction.class);
 
@@ -38,16 +27,17 @@ final class FailsafeMissions {
    *
    * @throws org.u2sa.interfaces.BadInputException if one is wrong
    */
-  FailsafeMissions(MissionManager manager, MissionFiles files) {
+  FailsafeMissions(MissionManager manager, MissionFiles files, Supplier<MissionSettings> settings) {
     this.manager = manager;
     this.files = files;
+    this.settings = settings;
     load();
   }
 
   static boolean areConfiguredBy(Set<String> variables) {
-    return variables.contains(RETURN_MISSION.name())
-        || variables.contains(LAND_MISSION.name())
-        || variables.contains(MissionVariables.DEFAULT_THRESHOLD.name());
+    return variables.contains(MissionSettings.RETURN_MISSION)
+        || variables.contains(MissionSettings.LAND_MISSION)
+        || variables.contains(MissionSettings.DEFAULT_THRESHOLD);
   }
 
   /** How many goals there are to land by. */
@@ -61,21 +51,22 @@ final class FailsafeMissions {
    * @throws org.u2sa.interfaces.BadInputException if one is wrong; then nothing has changed
    */
   void load() {
-    List<GoalInformation> returning = load(FailsafeAction.RETURN, RETURN_MISSION);
-    List<GoalInformation> landing = load(FailsafeAction.LAND, LAND_MISSION);
+    MissionSettings now = settings.get();
+    List<GoalInformation> returning =
+        load(FailsafeAction.RETURN, MissionSettings.RETURN_MISSION, now.returnMission());
+    List<GoalInformation> landing =
+        load(FailsafeAction.LAND, MissionSettings.LAND_MISSION, now.landMission());
     goals.put(FailsafeAction.RETURN, returning);
     goals.put(FailsafeAction.LAND, landing);
   }
 
-  private List<GoalInformation> load(FailsafeAction action, Variable<String> variable) {
-    String path = manager.getVariable(variable);
+  private List<GoalInformation> load(FailsafeAction action, String variable, String path) {
     if (path.isEmpty()) {
       files.forget(variable);
       return Collections.emptyList();
     }
-    double thresholdM = manager.getVariable(MissionVariables.DEFAULT_THRESHOLD);
-    Mission mission = files.load(variable, path, thresholdM);
-    manager.log(variable.name() + " " + mission.origin() + " loaded");
+    Mission mission = files.load(variable, path, manager.thresholdM());
+    manager.log(variable + " " + mission.origin() + " loaded");
     return mission.goals().stream()
         .map(goal -> renamed(goal, action + " "))
         .collect(Collectors.toList());

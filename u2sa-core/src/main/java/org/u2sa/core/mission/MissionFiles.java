@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -16,9 +15,9 @@ import org.u2sa.service.ServiceContext;
  * no longer what was loaded from it.
  */
 final class MissionFiles {
-  private static final List<Variable<String>> VARIABLES =
+  private static final List<String> VARIABLES =
       List.of(
-          MissionVariables.MISSION, FailsafeMissions.RETURN_MISSION, FailsafeMissions.LAND_MISSION);
+          MissionSettings.MISSION, MissionSettings.RETURN_MISSION, MissionSettings.LAND_MISSION);
 
   private final ServiceContext context;
   private final Map<String, LoadedFile> loaded = new TreeMap<>(); // by variable
@@ -34,27 +33,27 @@ final class MissionFiles {
    * @param path as the variable has it
    * @throws BadInputException naming the variable, and what is wrong where in the file
    */
-  Mission load(Variable<String> variable, String path, double thresholdM) {
+  Mission load(String variable, String path, double thresholdM) {
     Path file = context.configuration().resolve(path);
     LoadedFile watched = new LoadedFile(file, each -> read(variable, each, thresholdM));
     Mission mission = read(variable, file, thresholdM);
-    loaded.put(variable.name(), watched);
+    loaded.put(variable, watched);
     return mission;
   }
 
   /** The variable names no file any more. */
-  void forget(Variable<String> variable) {
-    loaded.remove(variable.name());
+  void forget(String variable) {
+    loaded.remove(variable);
   }
 
-  private Mission read(Variable<String> variable, Path file, double thresholdM) {
+  private Mission read(String variable, Path file, double thresholdM) {
     try {
       return Mission.load(file, context.messageTypes(), thresholdM);
     } catch (BadInputException e) {
-      if (variable == MissionVariables.MISSION) {
+      if (variable.equals(MissionSettings.MISSION)) {
         throw e; // the file that everybody knows of
       }
-      throw new BadInputException("variable \"" + variable.name() + "\": " + e.getMessage(), e);
+      throw new BadInputException("variable \"" + variable + "\": " + e.getMessage(), e);
     }
   }
 
@@ -79,12 +78,12 @@ final class MissionFiles {
    * @param before the present values: what they name already is not read again
    */
   Optional<String> refusal(Map<String, Object> values, Configurator before) {
-    double thresholdM = (Double) values.get(MissionVariables.DEFAULT_THRESHOLD.name());
-    boolean others = thresholdM != before.getVariable(MissionVariables.DEFAULT_THRESHOLD);
+    double thresholdM = (Double) values.get(MissionSettings.DEFAULT_THRESHOLD);
+    boolean others = thresholdM != (Double) before.getVariable(MissionSettings.DEFAULT_THRESHOLD);
     try {
-      for (Variable<String> variable : VARIABLES) {
-        String path = (String) values.get(variable.name());
-        boolean named = variable == MissionVariables.MISSION || !path.isEmpty();
+      for (String variable : VARIABLES) {
+        String path = (String) values.get(variable);
+        boolean named = variable.equals(MissionSettings.MISSION) || !path.isEmpty();
         if (named && (others || !path.equals(before.getVariable(variable)))) {
           read(variable, context.configuration().resolve(path), thresholdM);
         }

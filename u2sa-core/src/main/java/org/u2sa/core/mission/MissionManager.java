@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
@@ -15,8 +16,6 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
-import org.u2sa.messages.contract.GoalCommand;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -27,21 +26,33 @@ import org.u2sa.service.ServiceRole;
  * goal-updates, goal-commands, failsafe. Out: goals, at the start, at each change, and in answer to
  * a report of a goal that is not current.
  *
- * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A goal
- * that comes in completed or abandoned is a report, any other an update. A list without goals says
- * that the mission is over. A failsafe to return or to land has goals of its own; when it is over,
- * the mission is resumed where it was left. Started anew in the same run, it goes on where the one
- * before was, unless the mission is another file now.
+ * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A list
+ * without goals says that the mission is over. A failsafe to return or to land has goals of its
+ * own; when it is over, the mission is resumed where it was left. Started anew in the same run, it
+ * goes on where the one before was, unless the mission is another file now.
  */
 public final class MissionManager extends EventDrivenService {
-  /** The horizontal threshold of waypoints whose mission gives none [m]. */
-  public static final Variable<Double> DEFAULT_THRESHOLD = MissionVariables.DEFAULT_THRESHOLD;
+  /**
+   * What stands in for what a mission leaves open. Without a default of its own: what is near
+   * enough for an aircraft is another place for a rover.
+   *
+   * @param defaultThreshold horizontal threshold of waypoints that give none [m]
+   */
+  public record Defaults(
+      @Variable(
+              unit = "m",
+              min = 0,
+              minExcluded = true,
+              text = "Horizontal threshold of waypoints that give none.")
+          double defaultThreshold) {}
 
   /** The goal to which a vehicle returns on command. */
   static final String HOME = "home";
 
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
 
+  private final Settings<MissionSettings> settings = settings(MissionSettings.class);
+  private final Settings<Defaults> defaults = settings(Defaults.class);
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
   private MissionProgress progress;
@@ -57,12 +68,12 @@ public final class MissionManager extends EventDrivenService {
     super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
     files = new MissionFiles(context);
     progress = new MissionProgress(load());
-    failsafes = new FailsafeMissions(this, files);
+    failsafes = new FailsafeMissions(this, files, settings);
     registerPublisher(Channels.GOALS);
-    registerSubscriber(Channels.GOAL_REPORTS);
-    registerSubscriber(Channels.GOAL_UPDATES);
-    registerSubscriber(Channels.GOAL_COMMANDS);
-    registerSubscriber(Channels.FAILSAFE);
+    subscribe(Channels.GOAL_REPORTS, this::onReport);
+    subscribe(Channels.GOAL_UPDATES, this::update);
+    subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
+    subscribe(Channels.FAILSAFE, this::onFailsafe);
   }
 
   /** Refuses a mission that cannot be read, before it takes the place of one that can. */
@@ -72,10 +83,12 @@ public final class MissionManager extends EventDrivenService {
   }
 
   private GoalSequence load() {
-    Mission loadedMission = files.load(MissionVariables.MISSION, mission(), thresholdM());
+    Mission loadedMission =
+        files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
     log("mission " + loadedMission.origin() + " with goals " + names(loadedMission.goals()));
     loadedMission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
-    GoalSequence loaded = new GoalSequence(loadedMission.goals(), loop(), options());
+    GoalSequence loaded =
+        new GoalSequence(loadedMission.goals(), settings.get().loop(), settings.get().options());
     home = loadedMission.home().map(place -> place.waypoint(HOME, thresholdM()));
     if (home.isPresent() && !loaded.knows(HOME)) {
       loaded.update(home.get());
@@ -83,34 +96,22 @@ public final class MissionManager extends EventDrivenService {
     return loaded;
   }
 
-  private String mission() {
-    return getVariable(MissionVariables.MISSION);
-  }
-
-  private double thresholdM() {
-    return getVariable(MissionVariables.DEFAULT_THRESHOLD);
-  }
-
-  private boolean loop() {
-    return getVariable(MissionVariables.LOOP);
-  }
-
-  private GoalSequence.Options options() {
-    return GoalSequence.Options.valueOf(getVariable(MissionVariables.OPTIONS));
+  /** Horizontal threshold of waypoints that give none [m]. */
+  double thresholdM() {
+    return defaults.get().defaultThreshold();
   }
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(MissionVariables.MISSION.name())
-        || variableNames.contains(MissionVariables.DEFAULT_THRESHOLD.name())) {
+    if (variableNames.contains(MissionSettings.MISSION)
+        || variableNames.contains(MissionSettings.DEFAULT_THRESHOLD)) {
       beginAnew();
     }
     if (FailsafeMissions.areConfiguredBy(variableNames)) {
       loadFailsafes();
     }
-    if (variableNames.contains(MissionVariables.LOOP.name())
-        || variableNames.contains(MissionVariables.OPTIONS.name())) {
-      progress.rules(loop(), options());
+    if (variableNames.contains("LOOP") || variableNames.contains("OPTIONS")) {
+      progress.rules(settings.get().loop(), settings.get().options());
       publishGoals();
     }
   }
@@ -135,21 +136,23 @@ public final class MissionManager extends EventDrivenService {
 
   @Override
   protected void handOver(HandOver state) {
-    state.text(MissionVariables.MISSION.name(), mission());
-    state.number(MissionVariables.DEFAULT_THRESHOLD.name(), thresholdM());
+    state.text(MissionSettings.MISSION, settings.get().mission());
+    state.number(MissionSettings.DEFAULT_THRESHOLD, thresholdM());
     progress.handOver(state);
   }
 
   @Override
   protected void takeOver(HandOver state) {
     boolean same =
-        state.text(MissionVariables.MISSION.name()).filter(mission()::equals).isPresent()
-            && state.number(MissionVariables.DEFAULT_THRESHOLD.name()).orElse(0.0) == thresholdM();
+        state.text(MissionSettings.MISSION).filter(settings.get().mission()::equals).isPresent()
+            && state.number(MissionSettings.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
       log(LogLevelEnum.WARN, "the mission is another one now: it begins");
       return;
     }
-    progress = MissionProgress.takenOver(state, loop(), options()).orElse(progress);
+    progress =
+        MissionProgress.takenOver(state, settings.get().loop(), settings.get().options())
+            .orElse(progress);
   }
 
   @Override
@@ -157,21 +160,10 @@ public final class MissionManager extends EventDrivenService {
     publishGoals();
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof FailsafeState failsafe) {
-      react(failsafe.action());
-      if (files.haveNews()) { // looked for each time that it is repeated
-        publishGoals();
-      }
-    } else if (data instanceof GoalCommand command) {
-      changeTo(command.uid());
-    } else if (!(data instanceof GoalInformation goal)) {
-      unexpected(data);
-    } else if (goal.completed() || goal.abandoned()) {
-      finish(goal);
-    } else {
-      update(goal);
+  private void onFailsafe(FailsafeState failsafe) {
+    react(failsafe.action());
+    if (files.haveNews()) { // looked for each time that it is repeated
+      publishGoals();
     }
   }
 
@@ -186,6 +178,14 @@ public final class MissionManager extends EventDrivenService {
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,
           resumes ? "resumes the mission" : "leaves the mission: " + action);
       publishGoals();
+    }
+  }
+
+  private void onReport(GoalInformation goal) {
+    if (goal.completed() || goal.abandoned()) {
+      finish(goal);
+    } else {
+      unexpected(goal); // it is under way: nothing follows from that
     }
   }
 

@@ -10,15 +10,21 @@ import org.u2sa.service.HandOver;
 /** What a planner does while it has no goal to pursue: hold at a place, or nothing. */
 final class EndOfMission {
   private final Supplier<PlanningSettings> settings;
+  private final Supplier<LineSettings> lines;
   private final WaypointGuidance guidance;
   private Optional<LoiterCircle> circle = Optional.empty();
 
   /**
    * @param settings whether to hold, and on what circle
+   * @param lines how far ahead on the circle to go
    * @param guidance for the form of the point handed to control
    */
-  EndOfMission(Supplier<PlanningSettings> settings, WaypointGuidance guidance) {
+  EndOfMission(
+      Supplier<PlanningSettings> settings,
+      Supplier<LineSettings> lines,
+      WaypointGuidance guidance) {
     this.settings = settings;
+    this.lines = lines;
     this.guidance = guidance;
   }
 
@@ -55,7 +61,7 @@ final class EndOfMission {
    */
   List<NavigationPoint> planFailsafe(Vehicle vehicle, Optional<Place> place) {
     PlanningSettings now = settings.get();
-    return now.holdsAtEnd() || now.loiterRadiusM() > 0.0 ? hold(vehicle, place) : List.of();
+    return now.holdsAtEnd() || now.loiterRadius() > 0.0 ? hold(vehicle, place) : List.of();
   }
 
   private List<NavigationPoint> hold(Vehicle vehicle, Optional<Place> place) {
@@ -66,9 +72,9 @@ final class EndOfMission {
               .filter(Place::isHorizontal)
               .map(known -> known.orAltitudeOf(vehicle.place()))
               .orElse(vehicle.place());
-      circle = Optional.of(new LoiterCircle(centre, now.loiterRadiusM(), vehicle));
+      circle = Optional.of(new LoiterCircle(centre, now.loiterRadius(), vehicle));
     }
-    Point ahead = circle.get().ahead(vehicle, now.lines().lookAheadM(vehicle.speedMps()));
+    Point ahead = circle.get().ahead(vehicle, lines.get().lookAheadM(vehicle.speedMps()));
     return List.of(NavigationPoint.at(guidance.bodyPoint(vehicle, ahead)));
   }
 }

@@ -5,14 +5,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.FailsafeAction;
-import org.u2sa.messages.contract.FailsafeState;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -27,9 +27,21 @@ import org.u2sa.service.ServiceRole;
  * class serves aircraft and ground vehicles; only their configuration differs (thesis 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
+  private enum Guidance {
+    LINE,
+    DIRECT
+  }
+
+  private record Choice(
+      @Variable(
+              ifAbsentText = "LINE",
+              text =
+                  "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4).")
+          Guidance guidance) {}
+
+  private final Settings<PlanningSettings> settings = settings(PlanningSettings.class);
   private final PlannerStates states;
   private final EndOfMission end;
-  private PlanningSettings settings;
   private Optional<GoalList> goals = Optional.empty();
   private Optional<GoalList> takenOver =
       Optional.empty(); // which comes once more, as it is retained
@@ -55,28 +67,28 @@ public class PathPlanner extends EventDrivenService {
    */
   PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
-    settings = PlanningSettings.of(this);
     WaypointGuidance guidance = guide.apply(this);
-    states = new PlannerStates(List.of(new WaypointState(guidance, () -> settings)));
+    states = new PlannerStates(List.of(new WaypointState(guidance, settings)));
     states.discover(this);
-    end = new EndOfMission(() -> settings, guidance);
+    end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
-    registerSubscriber(Channels.GOALS);
-    registerSubscriber(Channels.STATE, settings.staleAfterS());
-    registerSubscriber(Channels.FAILSAFE);
+    subscribe(Channels.GOALS, this::onGoals);
+    subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
+    subscribe(Channels.FAILSAFE, state -> react(state.action()));
   }
 
   private static WaypointGuidance chosenGuidance(PathPlanner planner) {
-    planner.getVariable(PlanningVariables.GUIDANCE); // a wrong value must fail before the flight
-    return new ChosenGuidance(
-        () -> planner.getVariable(PlanningVariables.GUIDANCE).equals(PlanningVariables.LINE),
-        planner::lines);
+    Settings<Choice> choice = planner.settings(Choice.class);
+    return new ChosenGuidance(() -> choice.get().guidance() == Guidance.LINE, planner::lines);
   }
 
-  /** How lines are followed at the moment. */
+  /** As configured; but a glide path to land on is a line, whatever the mission's altitudes are. */
   final LineSettings lines() {
-    return settings.lines();
+    PlanningSettings configured = settings.get();
+    return failsafe == FailsafeAction.LAND
+        ? configured.lines(AltitudeProfile.LINEAR)
+        : configured.lines();
   }
 
   @Override
@@ -103,40 +115,31 @@ public class PathPlanner extends EventDrivenService {
     }
     end.takeOver(state);
     failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
-    settings = currentSettings();
-  }
-
-  /** As configured; but a glide path to land on is a line, whatever the mission's altitudes are. */
-  private PlanningSettings currentSettings() {
-    PlanningSettings configured = PlanningSettings.of(this);
-    return failsafe == FailsafeAction.LAND ? configured.alongLines() : configured;
   }
 
   @Override
   protected final void configurationChanged(Set<String> variableNames) {
-    settings = currentSettings();
-    registerSubscriber(Channels.STATE, settings.staleAfterS());
+    registerSubscriber(Channels.STATE, settings.get().staleAfter());
     end.leave(); // a circle of the new radius
   }
 
-  @Override
-  public final void callback(U2SAData data) {
-    if (data instanceof GoalList list && takenOver.filter(list::equals).isPresent()) {
-      takenOver = Optional.empty(); // the retained one, on which the planner before has acted
-    } else if (data instanceof GoalList list) {
-      takenOver = Optional.empty();
-      goals = Optional.of(list);
-      if (goal.isPresent() && isFinished(goal.get().uid())) {
-        goal = Optional.empty(); // if the list names it again, it is to be reached once more
-      }
-    } else if (data instanceof StateInformation state) {
-      if (isUsable(state)) {
-        plan(state);
-      }
-    } else if (data instanceof FailsafeState state) {
-      react(state.action());
+  private void onGoals(GoalList list) {
+    boolean known = takenOver.filter(list::equals).isPresent();
+    takenOver = Optional.empty();
+    if (known) {
+      return; // the retained one, on which the planner before has acted
+    }
+    goals = Optional.of(list);
+    if (goal.isPresent() && isFinished(goal.get().uid())) {
+      goal = Optional.empty(); // if the list names it again, it is to be reached once more
+    }
+  }
+
+  private void onState(StateInformation state) {
+    if (Vehicle.of(state).isPresent()) {
+      plan(state);
     } else {
-      unexpected(data);
+      complain("state lacks x, y or psi: not planned from: " + state, "state incomplete");
     }
   }
 
@@ -155,15 +158,6 @@ public class PathPlanner extends EventDrivenService {
       end.leave(); // holds where the vehicle is now
     }
     failsafe = action;
-    settings = currentSettings();
-  }
-
-  private boolean isUsable(StateInformation state) {
-    if (Vehicle.of(state).isEmpty()) {
-      complain("state lacks x, y or psi: not planned from: " + state, "state incomplete");
-      return false;
-    }
-    return true;
   }
 
   private void plan(StateInformation state) {
@@ -247,7 +241,7 @@ public class PathPlanner extends EventDrivenService {
   /** Tells the Mission Manager, and again after a while if it does not react. */
   private void report(GoalInformation done, Plan.Progress progress) {
     long now = clock().micros();
-    if (isFinished(done.uid()) && now - reportedMicros < settings.reportIntervalMicros()) {
+    if (isFinished(done.uid()) && now - reportedMicros < settings.get().reportIntervalMicros()) {
       return;
     }
     GoalInformation report = done.copy();

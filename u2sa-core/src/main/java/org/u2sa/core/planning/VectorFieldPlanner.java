@@ -1,6 +1,6 @@
 package org.u2sa.core.planning;
 
-import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
@@ -10,11 +10,14 @@ import org.u2sa.service.ServiceContext;
  * other's place in motion.
  */
 public final class VectorFieldPlanner extends PathPlanner {
-  static final Variable<Double> INTERCEPT_ANGLE =
-      Variable.number("INTERCEPT ANGLE", "deg")
-          .range(Range.of(5.0, 90.0))
-          .ifAbsent(60.0)
-          .describedAs("Course relative to the line at which a vehicle far off comes back to it.");
+  private record Field(
+      @Variable(
+              unit = "deg",
+              min = 5,
+              max = 90,
+              ifAbsent = 60,
+              text = "Course relative to the line at which a vehicle far off comes back to it.")
+          double interceptAngle) {}
 
   /** Called by the launcher. */
   public VectorFieldPlanner(ServiceContext context) {
@@ -22,9 +25,8 @@ public final class VectorFieldPlanner extends PathPlanner {
   }
 
   private static WaypointGuidance guidance(PathPlanner planner) {
-    planner.getVariable(INTERCEPT_ANGLE); // a wrong value must fail before the flight
+    Settings<Field> field = planner.settings(Field.class);
     return new LineGuidance(
-        planner::lines,
-        new VectorFieldLaw(() -> Math.toRadians(planner.getVariable(INTERCEPT_ANGLE))));
+        planner::lines, new VectorFieldLaw(() -> Math.toRadians(field.get().interceptAngle())));
   }
 }

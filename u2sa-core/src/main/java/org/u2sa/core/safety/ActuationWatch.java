@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.HealthReport;
@@ -17,8 +17,8 @@ import org.u2sa.messages.schema.U2SAData;
  * refused while the vehicle was not armed does not count.
  */
 final class ActuationWatch implements Watch {
-  static final Variable<Double> REFUSAL_TIME =
-      Variable.number("REFUSAL TIME", "s")
+  static final VariableDeclaration<Double> REFUSAL_TIME =
+      VariableDeclaration.number("REFUSAL TIME", "s")
           .range(Range.of(0.1, 3600.0))
           .ifAbsent(2.0)
           .describedAs(

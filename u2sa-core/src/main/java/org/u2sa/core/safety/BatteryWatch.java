@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.schema.U2SAData;
@@ -17,16 +17,16 @@ final class BatteryWatch implements Watch {
 
   private final Hazard hazard;
   private final Configurator configuration;
-  private final Variable<Double> voltage;
-  private final Variable<Double> remaining;
+  private final VariableDeclaration<Double> voltage;
+  private final VariableDeclaration<Double> remaining;
   private final Map<String, Low> low = new TreeMap<>();
   private boolean heard;
 
   BatteryWatch(
       Hazard hazard,
       Configurator configuration,
-      Variable<Double> voltage,
-      Variable<Double> remaining) {
+      VariableDeclaration<Double> voltage,
+      VariableDeclaration<Double> remaining) {
     this.hazard = hazard;
     this.configuration = configuration;
     this.voltage = voltage;
@@ -64,7 +64,7 @@ final class BatteryWatch implements Watch {
     }
   }
 
-  private String below(String what, OptionalDouble value, Variable<Double> level) {
+  private String below(String what, OptionalDouble value, VariableDeclaration<Double> level) {
     double least = configuration.getVariable(level);
     return value.isPresent() && value.getAsDouble() < least
         ? ", " + what + " " + value.getAsDouble() + " below " + least + " " + level.unit()

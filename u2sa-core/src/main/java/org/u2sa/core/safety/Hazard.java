@@ -1,6 +1,6 @@
 package org.u2sa.core.safety;
 
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /** What can be wrong with a vehicle on its way, each with its entry in the failsafe matrix. */
@@ -17,12 +17,12 @@ enum Hazard {
   FENCE("geofence", "ON FENCE", FailsafeAction.RETURN);
 
   private final String words;
-  private final Variable<String> action;
+  private final VariableDeclaration<String> action;
 
   Hazard(String words, String variable, FailsafeAction ifAbsent) {
     this.words = words;
     action =
-        Variable.text(variable)
+        VariableDeclaration.text(variable)
             .oneOf(
                 FailsafeAction.CONTINUE.name(),
                 FailsafeAction.HOLD.name(),
@@ -39,7 +39,7 @@ enum Hazard {
   }
 
   /** The variable that says what is done about it. */
-  Variable<String> action() {
+  VariableDeclaration<String> action() {
     return action;
   }
 }

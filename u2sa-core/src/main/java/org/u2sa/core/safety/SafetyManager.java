@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ArmCommand;
@@ -29,20 +28,6 @@ import org.u2sa.service.ServiceRole;
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
-
-  private static final List<Channel<?>> HEARD =
-      List.of(
-          Channels.STATE,
-          Channels.CONDITIONS,
-          Channels.HEALTH,
-          Channels.OPERATOR,
-          Channels.POWER,
-          Channels.ACTUATORS,
-          Channels.GOALS,
-          Channels.ARMING,
-          Channels.ARMING_STATE, // of a Safety Manager before this one
-          Channels.FAILSAFE, // likewise
-          Channels.EMERGENCY_STOP);
 
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
@@ -77,7 +62,17 @@ public final class SafetyManager extends PeriodicService {
     registerPublisher(Channels.EMERGENCY_STOP);
     heedsEmergencyStops(emergency.identities());
     handleMessagesAtSteps();
-    HEARD.forEach(this::registerSubscriber);
+    subscribe(Channels.STATE, this::see);
+    subscribe(Channels.CONDITIONS, this::onCondition);
+    subscribe(Channels.HEALTH, this::see);
+    subscribe(Channels.OPERATOR, this::see);
+    subscribe(Channels.POWER, this::see);
+    subscribe(Channels.ACTUATORS, this::see);
+    subscribe(Channels.GOALS, this::see);
+    subscribe(Channels.ARMING, this::obey);
+    subscribe(Channels.ARMING_STATE, this::see); // of a Safety Manager before this one
+    subscribe(Channels.FAILSAFE, this::see); // likewise
+    subscribe(Channels.EMERGENCY_STOP, this::stopOrGo);
   }
 
   /**
@@ -125,25 +120,21 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
-  @Override
-  public void callback(U2SAData data) {
+  private void see(U2SAData message) {
     long now = clock().micros();
-    if (data instanceof ArmCommand command) {
-      obey(command, now);
-    } else if (data instanceof EmergencyStop stop) {
-      stopOrGo(stop, now);
-    } else {
-      if (data instanceof ServiceCondition condition) {
-        conditions.see(condition);
-      }
-      predecessor.see(data, now);
-      landMission.see(data);
-      arming.see(data);
-      watches.forEach(watch -> watch.see(data, now));
-    }
+    predecessor.see(message, now);
+    landMission.see(message);
+    arming.see(message);
+    watches.forEach(watch -> watch.see(message, now));
   }
 
-  private void obey(ArmCommand command, long now) {
+  private void onCondition(ServiceCondition condition) {
+    conditions.see(condition);
+    see(condition);
+  }
+
+  private void obey(ArmCommand command) {
+    long now = clock().micros();
     predecessor.end();
     decision.acknowledge();
     log("\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm"));
@@ -155,7 +146,7 @@ public final class SafetyManager extends PeriodicService {
     publish(arming.state(now).requestId(command.requestId()));
   }
 
-  private void stopOrGo(EmergencyStop message, long now) {
+  private void stopOrGo(EmergencyStop message) {
     boolean changed = emergency.accept(message);
     heedsEmergencyStops(emergency.identities());
     if (!message.active() && emergency.isStopped()) {
@@ -172,7 +163,7 @@ public final class SafetyManager extends PeriodicService {
       decision.acknowledge();
       publish(Channels.EMERGENCY_STOP, message); // once more: a repeated stop may have overtaken it
     }
-    publish(arming.state(now));
+    publish(arming.state(clock().micros()));
   }
 
   @Override
@@ -219,7 +210,7 @@ public final class SafetyManager extends PeriodicService {
               .operator(getServiceName())
               .reason(String.join("; ", decision.causes()));
       publish(Channels.EMERGENCY_STOP, stop);
-      stopOrGo(stop, now);
+      stopOrGo(stop);
     }
   }
 

@@ -3,15 +3,15 @@ package org.u2sa.core.estimation;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
 /** Smooths the measured altitude. In: sensed-state. Out: state. */
 public final class SmoothedAltitude extends StateEstimator {
-  private static final Variable<Double> SHARE =
-      Variable.number("SHARE", "")
+  private static final VariableDeclaration<Double> SHARE =
+      VariableDeclaration.number("SHARE", "")
           .range(Range.of(0.01, 1.0))
           .ifAbsent(0.1)
           .describedAs("Share of a new measurement in the estimate.");

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.contract.ServiceAction;
@@ -30,7 +30,8 @@ import org.u2sa.service.U2SAService;
 /** Orders to start and restart services of one process. */
 @Timeout(120)
 class LauncherTest {
-  private static final Variable<Double> GAIN = Variable.number("GAIN", "").ifAbsent(0.5);
+  private static final VariableDeclaration<Double> GAIN =
+      VariableDeclaration.number("GAIN", "").ifAbsent(0.5);
 
   @TempDir private Path directory;
   private final LockstepClock clock = new LockstepClock();

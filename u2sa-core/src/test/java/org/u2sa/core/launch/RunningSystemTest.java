@@ -15,7 +15,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.ConfigurationException;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
@@ -29,8 +29,8 @@ class RunningSystemTest {
 
   /** A service that keeps quiet. */
   public static class Quiet extends EventDrivenService {
-    private static final Variable<Double> GAIN =
-        Variable.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
+    private static final VariableDeclaration<Double> GAIN =
+        VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
 
     public Quiet(ServiceContext context) {
       super(context, ServiceRole.OBSERVER, "Quiet");

@@ -2,7 +2,7 @@ package org.u2sa.core.launch;
 
 import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
@@ -11,11 +11,12 @@ import org.u2sa.service.ServiceRole;
 
 /** Services that are put into one another's place, or that should not be. */
 final class SwapCandidates {
-  private static final Variable<Double> GAIN =
-      Variable.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
-  private static final Variable<Double> TRIM = Variable.number("TRIM", "").ifAbsent(0.0);
-  private static final Variable<Double> STRICT =
-      Variable.number("GAIN", "").range(Range.of(0.0, 0.1)).ifAbsent(0.0);
+  private static final VariableDeclaration<Double> GAIN =
+      VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
+  private static final VariableDeclaration<Double> TRIM =
+      VariableDeclaration.number("TRIM", "").ifAbsent(0.0);
+  private static final VariableDeclaration<Double> STRICT =
+      VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 0.1)).ifAbsent(0.0);
 
   private SwapCandidates() {}
 

@@ -59,7 +59,9 @@ class VehicleMissionTest {
 
   private static double configuredM(Path folder) {
     return XmlConfiguration.load(folder.resolve("MissionManager.xml"))
-        .getVariable(MissionManager.DEFAULT_THRESHOLD);
+        .settings(MissionManager.Defaults.class)
+        .get()
+        .defaultThreshold();
   }
 
   private static void requireThresholds(Mission mission, double thresholdM) {

@@ -134,6 +134,23 @@ class MissionManagerTest extends ThreeWaypoints {
   }
 
   @Test
+  void goalUpdate_thatSaysCompleted_isNoReport() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_UPDATES, report("1").completed(true));
+
+    assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("1");
+  }
+
+  @Test
+  void goalReport_neitherCompletedNorAbandoned_changesNothing() {
+    kit.start(MissionManager::new);
+    int before = kit.published(Channels.GOALS).size();
+    kit.publish(Channels.GOAL_REPORTS, report("1").y(44.0));
+
+    assertThat(kit.published(Channels.GOALS)).hasSize(before);
+  }
+
+  @Test
   void callback_newGoal_isAddedWithAWarning() {
     kit.start(MissionManager::new);
     kit.publish(Channels.GOAL_UPDATES, report("4"));

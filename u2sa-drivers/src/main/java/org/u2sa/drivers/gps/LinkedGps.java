@@ -11,7 +11,7 @@ import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 
 /** A satellite receiver at the other end of a link. */
@@ -59,22 +59,22 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
 
   /** RECEIVER NMEA, UBLOX 6 and UBLOX 8 in a configuration. */
   public static final class Provider extends DeviceProvider<GpsReceiver> {
-    private static final Variable<Double> RANGE_ERROR =
-        Variable.number("RANGE ERROR", "m")
+    private static final VariableDeclaration<Double> RANGE_ERROR =
+        VariableDeclaration.number("RANGE ERROR", "m")
             .range(Range.of(0.01, 100.0))
             .ifAbsent(NmeaGps.USUAL_RANGE_ERROR_M)
             .describedAs(
                 "NMEA: 1 sigma of the distance to a satellite without corrections. Times the dilution of precision it is the position's, where there is no GST; DGPS and RTK have less.");
 
-    private static final Variable<Integer> BAUD =
-        Variable.integer("BAUD")
+    private static final VariableDeclaration<Integer> BAUD =
+        VariableDeclaration.integer("BAUD")
             .range(Range.of(1_200, 921_600))
             .ifAbsent(9_600)
             .describedAs(
                 "UBLOX: rate of the receiver's own port, as in CONNECTION; is not changed.");
 
-    private static final Variable<Double> SOLUTION_RATE =
-        Variable.number("SOLUTION RATE", "Hz")
+    private static final VariableDeclaration<Double> SOLUTION_RATE =
+        VariableDeclaration.number("SOLUTION RATE", "Hz")
             .range(Range.of(0.1, 25.0))
             .ifAbsent(5.0)
             .describedAs("UBLOX: fixes a second.");
@@ -85,7 +85,7 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
     }
 
     @Override
-    protected List<Variable<?>> variables() {
+    protected List<VariableDeclaration<?>> variables() {
       return List.of(RANGE_ERROR, BAUD, SOLUTION_RATE);
     }
 

@@ -6,95 +6,95 @@ import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** The configuration variables that say what is wired to which pin. */
 final class IoioVariables {
   private static final Range PIN = Range.of(-1.0, 48.0);
   private static final Range BAUD = Range.of(300.0, 1_000_000.0);
 
-  static final Variable<String> CONNECTION =
-      Variable.text("CONNECTION")
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
           .ifAbsent("")
           .describedAs(
               "Way to the board: serial:/dev/ttyACM0 or tcp:host:port; empty where the host brings it, as a phone does.");
 
-  static final Variable<String> BOARD =
-      Variable.text("BOARD")
+  static final VariableDeclaration<String> BOARD =
+      VariableDeclaration.text("BOARD")
           .oneOf("otg", "v1")
           .ifAbsent("otg")
           .describedAs("IOIO-OTG, or the IOIO before it: which pins there are.");
 
-  static final Variable<String> ACTUATORS =
-      Variable.text("ACTUATORS")
+  static final VariableDeclaration<String> ACTUATORS =
+      VariableDeclaration.text("ACTUATORS")
           .ifAbsent("LEFT MOTOR=10, RIGHT MOTOR=11")
           .describedAs("Actuators with the pins at which they get servo pulses.");
 
-  static final Variable<Boolean> TOGETHER =
-      Variable.flag("ACTUATORS TOGETHER")
+  static final VariableDeclaration<Boolean> TOGETHER =
+      VariableDeclaration.flag("ACTUATORS TOGETHER")
           .ifAbsent(true)
           .describedAs("Whether all actuators are neutral while one of them has no command.");
 
-  static final Variable<Integer> PULSES =
-      Variable.integer("PULSE RATE", "Hz")
+  static final VariableDeclaration<Integer> PULSES =
+      VariableDeclaration.integer("PULSE RATE", "Hz")
           .range(Range.of(20.0, 190.0)) // a period is longer than the longest pulse, 5 ms
           .ifAbsent(50)
           .describedAs("Servo pulses a second.");
 
-  static final Variable<Integer> GPS_RECEIVE =
+  static final VariableDeclaration<Integer> GPS_RECEIVE =
       pin("GPS RX PIN", 6, "Pin at which the GPS's bytes come; -1: no GPS at the board.");
 
-  static final Variable<Integer> GPS_TRANSMIT =
+  static final VariableDeclaration<Integer> GPS_TRANSMIT =
       pin("GPS TX PIN", 7, "Pin to the GPS; -1: none, then it is not set up.");
 
-  static final Variable<Integer> GPS_BAUD =
-      Variable.integer("GPS BAUD", "baud")
+  static final VariableDeclaration<Integer> GPS_BAUD =
+      VariableDeclaration.integer("GPS BAUD", "baud")
           .range(BAUD)
           .ifAbsent(9600)
           .describedAs("Rate of the GPS's line.");
 
-  static final Variable<Integer> COMPASS_RECEIVE =
+  static final VariableDeclaration<Integer> COMPASS_RECEIVE =
       pin(
           "COMPASS RX PIN",
           13,
           "Pin at which the compass's bytes come; -1: no compass at the board.");
 
-  static final Variable<Integer> COMPASS_TRANSMIT =
+  static final VariableDeclaration<Integer> COMPASS_TRANSMIT =
       pin("COMPASS TX PIN", 14, "Pin to the compass; -1: none.");
 
-  static final Variable<Integer> COMPASS_BAUD =
-      Variable.integer("COMPASS BAUD", "baud")
+  static final VariableDeclaration<Integer> COMPASS_BAUD =
+      VariableDeclaration.integer("COMPASS BAUD", "baud")
           .range(BAUD)
           .ifAbsent(9600)
           .describedAs("Rate of the compass's line.");
 
-  static final Variable<Integer> RADIO =
+  static final VariableDeclaration<Integer> RADIO =
       pin(
           "RC SWITCH PIN",
           35,
           "Pin of the radio receiver's switch channel; -1: no radio, commands are always obeyed.");
 
-  static final Variable<Integer> BATTERY =
+  static final VariableDeclaration<Integer> BATTERY =
       pin("BATTERY PIN", 40, "Analog input of the battery's voltage; -1: not measured.");
 
-  static final Variable<Double> DIVIDER =
-      Variable.number("BATTERY DIVIDER", "")
+  static final VariableDeclaration<Double> DIVIDER =
+      VariableDeclaration.number("BATTERY DIVIDER", "")
           .range(Range.of(1.0, 100.0))
           .ifAbsent(5.0)
           .describedAs("The battery's voltage by that at the pin.");
 
-  static final Variable<Integer> LED = pin("LED PIN", 0, "Pin of the status LED; -1: none.");
+  static final VariableDeclaration<Integer> LED = pin("LED PIN", 0, "Pin of the status LED; -1: none.");
 
-  static final Variable<Double> SILENT_AFTER =
-      Variable.number("BOARD SILENT AFTER", "s")
+  static final VariableDeclaration<Double> SILENT_AFTER =
+      VariableDeclaration.number("BOARD SILENT AFTER", "s")
           .range(Range.of(0.1, 60.0))
           .ifAbsent(1.0)
           .describedAs("Time without a byte of the board after which it counts as lost.");
 
   private IoioVariables() {}
 
-  private static Variable<Integer> pin(String name, int pin, String description) {
-    return Variable.integer(name).range(PIN).ifAbsent(pin).describedAs(description);
+  private static VariableDeclaration<Integer> pin(String name, int pin, String description) {
+    return VariableDeclaration.integer(name).range(PIN).ifAbsent(pin).describedAs(description);
   }
 
   /** An actuator and its pin. */
@@ -156,9 +156,9 @@ final class IoioVariables {
   private static Optional<UartPins> uart(
       Configurator variables,
       PinDesk desk,
-      Variable<Integer> receive,
-      Variable<Integer> transmit,
-      Variable<Integer> baud) {
+      VariableDeclaration<Integer> receive,
+      VariableDeclaration<Integer> transmit,
+      VariableDeclaration<Integer> baud) {
     int in = take(variables, desk, receive, PinFunction.PERIPHERAL_INPUT);
     int rate = variables.getVariable(baud);
     if (in == PinPlan.NONE) {
@@ -170,7 +170,7 @@ final class IoioVariables {
   }
 
   private static int take(
-      Configurator variables, PinDesk desk, Variable<Integer> pin, PinFunction function) {
+      Configurator variables, PinDesk desk, VariableDeclaration<Integer> pin, PinFunction function) {
     return desk.take(pin.name(), variables.getVariable(pin), function);
   }
 }

@@ -12,41 +12,41 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** The configuration variables that say what the GPS and the compass are. */
 final class SensorVariables {
   private static final String NMEA = "NMEA";
   private static final String SPARTON = "SPARTON";
 
-  static final Variable<String> GPS_RECEIVER =
-      Variable.text("GPS RECEIVER")
+  static final VariableDeclaration<String> GPS_RECEIVER =
+      VariableDeclaration.text("GPS RECEIVER")
           .oneOf(NMEA, "UBLOX 6", "UBLOX 8")
           .ifAbsent("UBLOX 6")
           .describedAs(
               "NMEA: any, only listened to; UBLOX 6: LEA-6 and older, UBLOX 8: 7 and newer, set up at each connection.");
 
-  static final Variable<Double> SOLUTION_RATE =
-      Variable.number("GPS SOLUTION RATE", "Hz")
+  static final VariableDeclaration<Double> SOLUTION_RATE =
+      VariableDeclaration.number("GPS SOLUTION RATE", "Hz")
           .range(Range.of(0.1, 25.0))
           .ifAbsent(5.0)
           .describedAs("Fixes a second of a u-blox receiver.");
 
-  static final Variable<String> COMPASS =
-      Variable.text("COMPASS")
+  static final VariableDeclaration<String> COMPASS =
+      VariableDeclaration.text("COMPASS")
           .oneOf(NMEA, SPARTON)
           .ifAbsent(SPARTON)
           .describedAs(
               "NMEA: any that sends HDG, HDM or HDT by itself; SPARTON: SP3004D and its successors, asked for each heading.");
 
-  static final Variable<Double> MOUNTING_ANGLE =
-      Variable.number("COMPASS MOUNTING ANGLE", "rad")
+  static final VariableDeclaration<Double> MOUNTING_ANGLE =
+      VariableDeclaration.number("COMPASS MOUNTING ANGLE", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
           .describedAs("Direction of the compass's front, clockwise from the vehicle's.");
 
-  static final Variable<Double> HEADING_SIGMA =
-      Variable.number("HEADING SIGMA", "rad")
+  static final VariableDeclaration<Double> HEADING_SIGMA =
+      VariableDeclaration.number("HEADING SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(1.0))
           .describedAs("Standard deviation of the heading, from the data sheet.");

@@ -4,7 +4,7 @@ import org.u2sa.device.SlewLimit;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** The configuration variables of a servo output; their names begin with the actuator's. */
 public final class PulseVariables {
@@ -30,18 +30,18 @@ public final class PulseVariables {
             pulse(actuator + " LONGEST PULSE", 2000.0, "Pulse at 100 %, or -100 % if reversed."));
     boolean reversed =
         variables.getVariable(
-            Variable.flag(actuator + " REVERSED")
+            VariableDeclaration.flag(actuator + " REVERSED")
                 .ifAbsent(false)
                 .describedAs("Whether it turns the wrong way."));
     double deadBand =
         variables.getVariable(
-            Variable.number(actuator + " DEAD BAND", "%")
+            VariableDeclaration.number(actuator + " DEAD BAND", "%")
                 .range(Range.of(0.0, 100.0))
                 .ifAbsent(0.0)
                 .describedAs("Percentages not farther from 0 than this are neutral."));
     double slew =
         variables.getVariable(
-            Variable.number(actuator + " SLEW LIMIT", "%/s")
+            VariableDeclaration.number(actuator + " SLEW LIMIT", "%/s")
                 .range(Range.of(1.0, 100_000.0))
                 .ifAbsent(400.0)
                 .describedAs("Fastest change; a stop is not limited."));
@@ -53,7 +53,7 @@ public final class PulseVariables {
     }
   }
 
-  private static Variable<Double> pulse(String name, double us, String description) {
-    return Variable.number(name, "us").range(PULSE_US).ifAbsent(us).describedAs(description);
+  private static VariableDeclaration<Double> pulse(String name, double us, String description) {
+    return VariableDeclaration.number(name, "us").range(PULSE_US).ifAbsent(us).describedAs(description);
   }
 }

@@ -9,7 +9,7 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
@@ -190,8 +190,8 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
 
   /** CONTROLLER ROBOCLAW in a configuration. */
   public static final class Provider extends DeviceProvider<MotorController> {
-    private static final Variable<Integer> ADDRESS =
-        Variable.integer("ADDRESS")
+    private static final VariableDeclaration<Integer> ADDRESS =
+        VariableDeclaration.integer("ADDRESS")
             .range(Range.of(128, 135))
             .ifAbsent(128)
             .describedAs("ROBOCLAW: address set at the controller; 128 is 0x80.");
@@ -202,7 +202,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
     }
 
     @Override
-    protected List<Variable<?>> variables() {
+    protected List<VariableDeclaration<?>> variables() {
       return List.of(ADDRESS);
     }
 

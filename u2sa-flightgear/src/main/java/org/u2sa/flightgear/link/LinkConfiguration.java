@@ -4,69 +4,69 @@ import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
 
 /** Opens the link to the aircraft that the Simulator's variables describe. */
 final class LinkConfiguration {
-  static final Variable<String> LINK =
-      Variable.text("LINK")
+  static final VariableDeclaration<String> LINK =
+      VariableDeclaration.text("LINK")
           .oneOf("embedded", "flightgear")
           .ifAbsent("embedded")
           .describedAs(
               "embedded: the Cessna 172 of u2sa-sim, in lockstep; flightgear: FlightGear's generic protocol over TCP.");
 
-  static final Variable<String> MISSION =
-      Variable.text("MISSION")
+  static final VariableDeclaration<String> MISSION =
+      VariableDeclaration.text("MISSION")
           .ifAbsent("")
           .describedAs(
               "Mission file whose home is where the embedded aircraft stands, relative to the configuration file.");
 
-  static final Variable<Double> WIND_SPEED =
-      Variable.number("WIND SPEED", "m/s")
+  static final VariableDeclaration<Double> WIND_SPEED =
+      VariableDeclaration.number("WIND SPEED", "m/s")
           .range(Range.of(0.0, 30.0))
           .ifAbsent(0.0)
           .describedAs(
               "Wind for the embedded aircraft: at every height, or with WIND SHEAR 6 m above ground.");
 
-  static final Variable<Double> WIND_FROM =
-      Variable.number("WIND FROM", "rad")
+  static final VariableDeclaration<Double> WIND_FROM =
+      VariableDeclaration.number("WIND FROM", "rad")
           .range(Range.of(0.0, 2.0 * Math.PI))
           .ifAbsent(0.0)
           .describedAs(
               "Where the wind blows from, true, clockwise from north, for the embedded aircraft.");
 
-  static final Variable<Boolean> WIND_SHEAR =
-      Variable.flag("WIND SHEAR")
+  static final VariableDeclaration<Boolean> WIND_SHEAR =
+      VariableDeclaration.flag("WIND SHEAR")
           .ifAbsent(false)
           .describedAs(
               "Whether the wind grows with height (MIL-F-8785C, 3.7.3.4: 1.8 times as strong at 300 m), for the embedded aircraft.");
 
-  static final Variable<Boolean> GUSTS =
-      Variable.flag("GUSTS")
+  static final VariableDeclaration<Boolean> GUSTS =
+      VariableDeclaration.flag("GUSTS")
           .ifAbsent(true)
           .describedAs(
               "Whether the wind has Dryden gusts, seeded by the run, for the embedded aircraft.");
 
-  static final Variable<String> HOST =
-      Variable.text("FLIGHTGEAR HOST").ifAbsent("127.0.0.1").describedAs("Where FlightGear runs.");
+  static final VariableDeclaration<String> HOST =
+      VariableDeclaration.text("FLIGHTGEAR HOST").ifAbsent("127.0.0.1").describedAs("Where FlightGear runs.");
 
-  static final Variable<Integer> OUT_PORT =
-      Variable.integer("FLIGHTGEAR OUT PORT")
+  static final VariableDeclaration<Integer> OUT_PORT =
+      VariableDeclaration.integer("FLIGHTGEAR OUT PORT")
           .range(Range.of(1, 65_535))
           .ifAbsent(5501)
           .describedAs("TCP port on which this service awaits FlightGear's readings.");
 
-  static final Variable<Integer> IN_PORT =
-      Variable.integer("FLIGHTGEAR IN PORT")
+  static final VariableDeclaration<Integer> IN_PORT =
+      VariableDeclaration.integer("FLIGHTGEAR IN PORT")
           .range(Range.of(1, 65_535))
           .ifAbsent(5502)
           .describedAs("TCP port on which FlightGear awaits controls.");
 
-  static final Variable<Integer> PROPERTY_PORT =
-      Variable.integer("FLIGHTGEAR PROPERTY PORT")
+  static final VariableDeclaration<Integer> PROPERTY_PORT =
+      VariableDeclaration.integer("FLIGHTGEAR PROPERTY PORT")
           .range(Range.of(0, 65_535))
           .ifAbsent(5503)
           .describedAs(

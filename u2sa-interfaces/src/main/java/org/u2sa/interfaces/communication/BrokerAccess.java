@@ -18,7 +18,7 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /**
  * As whom and how a client comes to the Communication Manager: user, password and encryption.
@@ -26,28 +26,28 @@ import org.u2sa.interfaces.configuration.Variable;
  */
 public final class BrokerAccess {
   /** Name of the user; empty: none is said. */
-  public static final Variable<String> USER =
-      Variable.text("USER")
+  public static final VariableDeclaration<String> USER =
+      VariableDeclaration.text("USER")
           .ifAbsent("")
           .describedAs(
               "User at the Communication Manager, if it runs in another process; empty: none.");
 
   /** File whose first line is the user's password. */
-  public static final Variable<String> PASSWORD_FILE =
-      Variable.text("PASSWORD FILE")
+  public static final VariableDeclaration<String> PASSWORD_FILE =
+      VariableDeclaration.text("PASSWORD FILE")
           .ifAbsent("")
           .describedAs("File whose first line is USER's password.");
 
   /** Whether the connection is encrypted. */
-  public static final Variable<Boolean> TLS =
-      Variable.flag("TLS")
+  public static final VariableDeclaration<Boolean> TLS =
+      VariableDeclaration.flag("TLS")
           .ifAbsent(false)
           .describedAs(
               "Whether the way to the Communication Manager in another process is encrypted.");
 
   /** Certificates of the authorities whose brokers are trusted. */
-  public static final Variable<String> CA_FILE =
-      Variable.text("CA FILE")
+  public static final VariableDeclaration<String> CA_FILE =
+      VariableDeclaration.text("CA FILE")
           .ifAbsent("")
           .describedAs(
               "Certificates (PEM) of whom to trust with TLS, which it switches on; empty: those that Java trusts.");

@@ -15,7 +15,7 @@ final class BoundVariable {
 
   private final String origin;
   private final String name;
-  private final Optional<Variable<?>> declared;
+  private final Optional<VariableDeclaration<?>> declared;
   private final Optional<FileVariable> stated;
   private final VariableType type;
   private final Range limits;
@@ -25,12 +25,15 @@ final class BoundVariable {
    *     limits
    */
   BoundVariable(
-      String origin, String name, Optional<Variable<?>> declared, Optional<FileVariable> stated) {
+      String origin,
+      String name,
+      Optional<VariableDeclaration<?>> declared,
+      Optional<FileVariable> stated) {
     this.origin = origin;
     this.name = name;
     this.declared = declared;
     this.stated = stated;
-    type = declared.map(Variable::type).orElseGet(() -> stated.get().type());
+    type = declared.map(VariableDeclaration::type).orElseGet(() -> stated.get().type());
     if (stated.isPresent() && type != stated.get().type()) {
       throw error("type is " + stated.get().type().xmlName() + ", expected " + type.xmlName());
     }
@@ -40,13 +43,13 @@ final class BoundVariable {
 
   /** The unit of values and limits; empty text if none. */
   private String unit() {
-    return declared.map(Variable::unit).orElseGet(this::fileUnit);
+    return declared.map(VariableDeclaration::unit).orElseGet(this::fileUnit);
   }
 
   /** What the variable does: the declaration's word, else the file's. */
   private String description() {
     return declared
-        .map(Variable::description)
+        .map(VariableDeclaration::description)
         .filter(text -> !text.isEmpty())
         .orElseGet(() -> stated.map(FileVariable::description).orElse(""));
   }
@@ -59,7 +62,7 @@ final class BoundVariable {
   Object value() {
     if (!stated.isPresent()) {
       return declared
-          .flatMap(Variable::ifAbsent)
+          .flatMap(VariableDeclaration::ifAbsent)
           .map(Object.class::cast)
           .orElseThrow(() -> error("is required and missing; expected " + expected()));
     }
@@ -168,7 +171,7 @@ final class BoundVariable {
   }
 
   private String expected() {
-    Variable<?> variable = declared.get();
+    VariableDeclaration<?> variable = declared.get();
     StringBuilder text = new StringBuilder(variable.type().xmlName());
     text.append(unit().isEmpty() ? "" : " in " + unit());
     text.append(limits.isAny() ? "" : ", " + limits);
@@ -194,7 +197,7 @@ final class BoundVariable {
   }
 
   private Range narrowedLimits() {
-    Range declaredLimits = declared.map(Variable::range).orElse(Range.any());
+    Range declaredLimits = declared.map(VariableDeclaration::range).orElse(Range.any());
     if (!stated.isPresent()) {
       return declaredLimits;
     }

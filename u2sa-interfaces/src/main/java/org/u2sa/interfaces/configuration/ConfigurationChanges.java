@@ -141,7 +141,8 @@ final class ConfigurationChanges {
       throws IOException {
     Map<String, Object> proposed = memory.all();
     plan.forEach(change -> proposed.put(change.name(), change.newValue()));
-    Optional<String> objection = check.refusal(proposed);
+    Optional<String> together = memory.refusal(proposed);
+    Optional<String> objection = together.isPresent() ? together : check.refusal(proposed);
     if (objection.isPresent()) {
       throw new ConfigurationException(live.origin() + ": " + objection.get());
     }

@@ -10,8 +10,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Writes the configuration reference from the code: a table for each class that declares {@link
- * Variable}s in static final fields.
+ * Writes the configuration reference from the code: a table for each class that declares variables,
+ * by {@link VariableDeclaration}s in static final fields or by a record's {@link Variable}s.
  */
 public final class ConfigurationReference {
   private static final String HEADER =
@@ -46,7 +46,7 @@ public final class ConfigurationReference {
    * @param heading name of the service
    * @throws IllegalArgumentException if a variable has no description
    */
-  public static String markdownFor(String heading, Collection<Variable<?>> variables) {
+  public static String markdownFor(String heading, Collection<VariableDeclaration<?>> variables) {
     StringBuilder text = new StringBuilder("## ").append(heading).append("\n\n");
     if (variables.isEmpty()) {
       return text.append("No variables of its own.\n").toString();
@@ -69,7 +69,7 @@ public final class ConfigurationReference {
     }
   }
 
-  private static void row(StringBuilder text, String heading, Variable<?> variable) {
+  private static void row(StringBuilder text, String heading, VariableDeclaration<?> variable) {
     if (variable.description().isEmpty()) {
       throw new IllegalArgumentException(
           heading + ", " + variable + ": no description for the reference");
@@ -88,14 +88,14 @@ public final class ConfigurationReference {
     text.append("| ").append(safe).append(safe.isEmpty() ? "" : " ");
   }
 
-  private static String allowed(Variable<?> variable) {
+  private static String allowed(VariableDeclaration<?> variable) {
     if (!variable.choices().isEmpty()) {
       return variable.choicesText();
     }
     return variable.range().isAny() ? "" : variable.range().toString();
   }
 
-  private static String defaultOf(Variable<?> variable) {
+  private static String defaultOf(VariableDeclaration<?> variable) {
     return variable
         .ifAbsent()
         .map(value -> value instanceof String ? "\"" + value + "\"" : NumberText.ofValue(value))
@@ -112,23 +112,27 @@ public final class ConfigurationReference {
     return ancestors;
   }
 
-  private static List<Variable<?>> variables(Class<?> type) {
-    List<Variable<?>> variables = new ArrayList<>();
+  private static List<VariableDeclaration<?>> variables(Class<?> type) {
+    List<VariableDeclaration<?>> variables = new ArrayList<>();
     for (Field field : type.getDeclaredFields()) {
       int modifiers = field.getModifiers();
-      if (field.getType() == Variable.class
+      if (field.getType() == VariableDeclaration.class
           && Modifier.isStatic(modifiers)
           && Modifier.isFinal(modifiers)) {
         variables.add(value(field));
       }
     }
+    RecordBinding.in(type).ifPresent(binding -> variables.addAll(binding.declarations()));
+    for (Class<?> nested : type.getDeclaredClasses()) {
+      RecordBinding.in(nested).ifPresent(binding -> variables.addAll(binding.declarations()));
+    }
     return variables;
   }
 
-  private static Variable<?> value(Field field) {
+  private static VariableDeclaration<?> value(Field field) {
     try {
       field.setAccessible(true);
-      return (Variable<?>) field.get(null);
+      return (VariableDeclaration<?>) field.get(null);
     } catch (IllegalAccessException e) {
       throw new IllegalStateException(field + " cannot be read", e);
     }

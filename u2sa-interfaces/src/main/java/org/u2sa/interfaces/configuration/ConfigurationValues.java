@@ -23,7 +23,8 @@ final class ConfigurationValues {
   private final Map<String, FileVariable> stated;
   private final Set<String> overridden = new HashSet<>();
   private final Set<String> tolerated = new HashSet<>();
-  private final Map<String, Variable<?>> declared = new LinkedHashMap<>();
+  private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
+  private final List<RecordBinding<?>> records = new ArrayList<>();
   private final Map<String, Object> values = new LinkedHashMap<>();
 
   ConfigurationValues(String origin, boolean typed, Map<String, FileVariable> stated) {
@@ -78,7 +79,7 @@ final class ConfigurationValues {
     return Optional.ofNullable(stated.get(name));
   }
 
-  <T> T declare(Variable<T> variable) {
+  <T> T declare(VariableDeclaration<T> variable) {
     String name = variable.name();
     if (declared.get(name) != variable) {
       FileVariable statement = stated.get(name);
@@ -96,7 +97,59 @@ final class ConfigurationValues {
     return variable.cast(values.get(name));
   }
 
-  List<Variable<?>> declared() {
+  void declare(RecordBinding<?> binding) {
+    binding.declarations().forEach(this::declare);
+    records.add(binding);
+  }
+
+  /**
+   * The record of the present values.
+   *
+   * @throws ConfigurationException if it refuses them together
+   */
+  <T> T bind(RecordBinding<T> binding) {
+    try {
+      return binding.bind(values);
+    } catch (IllegalArgumentException e) {
+      throw new ConfigurationException(origin + ": " + told(binding, values, e), e);
+    }
+  }
+
+  /** Why a declared record refuses these values together; empty if none does. */
+  Optional<String> refusal(Map<String, Object> proposed) {
+    for (RecordBinding<?> binding : records) {
+      try {
+        binding.bind(proposed);
+      } catch (IllegalArgumentException e) {
+        return Optional.of(told(binding, proposed, e));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** The refusal, and the variables that it names with their values and lines; else all. */
+  private String told(
+      RecordBinding<?> binding, Map<String, Object> refused, IllegalArgumentException refusal) {
+    String why = String.valueOf(refusal.getMessage());
+    List<VariableDeclaration<?>> meant = new ArrayList<>(binding.declarations());
+    if (meant.stream().anyMatch(variable -> why.contains(variable.name()))) {
+      meant.removeIf(variable -> !why.contains(variable.name()));
+    }
+    List<String> words = new ArrayList<>();
+    for (VariableDeclaration<?> variable : meant) {
+      FileVariable statement = stated.get(variable.name());
+      String value = NumberText.withUnit(refused.get(variable.name()), variable.unit());
+      words.add(
+          (statement == null ? "" : statement.place().replace(origin + ", ", "") + ": ")
+              + "variable \""
+              + variable.name()
+              + "\" is "
+              + value);
+    }
+    return why + " (" + String.join("; ", words) + ")";
+  }
+
+  List<VariableDeclaration<?>> declared() {
     return new ArrayList<>(declared.values());
   }
 
@@ -115,6 +168,7 @@ final class ConfigurationValues {
     copy.overridden.addAll(overridden);
     copy.tolerated.addAll(tolerated);
     copy.declared.putAll(declared);
+    copy.records.addAll(records);
     copy.values.clear();
     copy.values.putAll(values);
     return copy;
@@ -146,7 +200,7 @@ final class ConfigurationValues {
 
   /** The declaration of a variable together with a file's statement of it. */
   BoundVariable bound(String name, Optional<FileVariable> statement) {
-    Optional<Variable<?>> declaration = Optional.ofNullable(declared.get(name));
+    Optional<VariableDeclaration<?>> declaration = Optional.ofNullable(declared.get(name));
     if (!declaration.isPresent() && !statement.isPresent()) {
       throw new ConfigurationException(
           origin + ", variable \"" + name + "\": no longer stands in the file");

@@ -24,7 +24,16 @@ public interface Configurator {
    * @throws ConfigurationException if it is required and absent, of another type, of a unit that
    *     cannot be converted, or outside its range; names file, line, variable, value and range
    */
-  <T> T getVariable(Variable<T> variable);
+  <T> T getVariable(VariableDeclaration<T> variable);
+
+  /**
+   * Declares and reads the variables of a record ({@link Variable}), which stay live.
+   *
+   * @throws ConfigurationException as {@link #getVariable(VariableDeclaration)} says, and if the
+   *     record refuses the values together
+   * @throws IllegalArgumentException if it is no such record
+   */
+  <T> Settings<T> settings(Class<T> record);
 
   /**
    * Changes a variable and writes it to the configuration file; a power cut leaves the old or the

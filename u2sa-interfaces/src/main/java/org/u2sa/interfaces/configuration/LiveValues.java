@@ -13,6 +13,7 @@ import java.util.function.Function;
 final class LiveValues {
   private final ConfigurationValues values;
   private final Deque<List<PlannedChange>> waiting = new ArrayDeque<>(); // oldest first
+  private volatile long version; // written under this
 
   LiveValues(ConfigurationValues values) {
     this.values = values;
@@ -28,6 +29,12 @@ final class LiveValues {
 
   synchronized void update(Consumer<ConfigurationValues> change) {
     change.accept(values);
+    version++;
+  }
+
+  /** Another number whenever a value may have become another. */
+  long version() {
+    return version;
   }
 
   /** A copy with the values that the file has: as they will be when all that waits took effect. */
@@ -57,6 +64,7 @@ final class LiveValues {
       List<PlannedChange> next = waiting.remove();
       next.forEach(values::adopt);
       isWaiting = next != changes;
+      version++;
     }
   }
 }

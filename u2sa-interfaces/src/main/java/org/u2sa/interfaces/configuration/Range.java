@@ -29,6 +29,18 @@ public final class Range {
     return new Range(min, max, false);
   }
 
+  /**
+   * {@link #of}, without {@code min} itself.
+   *
+   * @throws IllegalArgumentException if nothing lies between them
+   */
+  public static Range above(double min, double max) {
+    if (!(min < max)) {
+      throw new IllegalArgumentException("a range above " + min + " to " + max + " holds nothing");
+    }
+    return new Range(min, max, true);
+  }
+
   /** Above zero. */
   public static Range positive() {
     return POSITIVE;

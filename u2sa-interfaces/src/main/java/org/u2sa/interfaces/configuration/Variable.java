@@ -1,232 +1,58 @@
 package org.u2sa.interfaces.configuration;
 
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.List;
-import java.util.Objects;
-import java.util.Optional;
+import java.lang.annotation.ElementType;
+import java.lang.annotation.Retention;
+import java.lang.annotation.RetentionPolicy;
+import java.lang.annotation.Target;
 
 /**
- * What a service says about one of its configuration variables: name, type, unit, range, default
- * and meaning. Declared as {@code static final} in the service's class, where the configuration
- * reference finds it. Immutable: each call returns a new one.
+ * Says that a record's component is a configuration variable. All components of the record say so:
  *
  * <pre>{@code
- * static final Variable<Double> GAIN =
- *     Variable.number("HEADING GAIN", "%/rad").range(Range.of(0.0, 500.0)).ifAbsent(120.0)
- *         .describedAs("Difference of the wheels' speeds for each radian of heading error.");
+ * record Tuning(
+ *     @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40, text = "Speed on legs.")
+ *         double cruiseSpeed,
+ *     @Variable(oneOf = {"HOLD", "STOP"}, ifAbsentText = "STOP", text = "What follows the last goal.")
+ *         String atEnd) {}
+ *
+ * private final Settings<Tuning> tuning = settings(Tuning.class); // in the service
  * }</pre>
  *
- * @param <T> {@link Double}, {@link Integer}, {@link String} or {@link Boolean}
+ * <p>Components are double, int, boolean, String or an enum, whose choices are its constants. The
+ * record's compact constructor may check values against each other: an {@link
+ * IllegalArgumentException}, which names the variables, refuses the configuration at the start, and
+ * a change that leads there.
  */
-public final class Variable<T> {
-  private final String name;
-  private final VariableType type;
-  private final Class<T> javaType;
-  private final String unit;
-  private final Range range;
-  private final Optional<T> ifAbsent;
-  private final List<T> choices;
-  private final String description;
+@Retention(RetentionPolicy.RUNTIME)
+@Target(ElementType.PARAMETER) // of the canonical constructor, where Android can read it too
+public @interface Variable {
+  /** Default of {@link #ifAbsentText}: there is none. */
+  String REQUIRED = "\0";
 
-  private Variable(
-      String name,
-      VariableType type,
-      Class<T> javaType,
-      String unit,
-      Range range,
-      Optional<T> ifAbsent,
-      List<T> choices,
-      String description) {
-    if (name.trim().isEmpty()) {
-      throw new IllegalArgumentException("a variable needs a name");
-    }
-    this.name = name;
-    this.type = type;
-    this.javaType = javaType;
-    this.unit = Objects.requireNonNull(unit);
-    this.range = Objects.requireNonNull(range);
-    this.ifAbsent = ifAbsent;
-    this.choices = choices;
-    this.description = Objects.requireNonNull(description);
-    ifAbsent.flatMap(this::refusal).ifPresent(this::refuseDeclaration);
-  }
+  /** The name in the file; without it the component's: {@code cruiseSpeed} is CRUISE SPEED. */
+  String name() default "";
 
-  private static <T> Variable<T> of(
-      String name, VariableType type, Class<T> javaType, String unit) {
-    return new Variable<>(
-        name, type, javaType, unit, Range.any(), Optional.empty(), Collections.emptyList(), "");
-  }
+  /** The unit in which the service gets it, for example {@code m/s}; empty: none. */
+  String unit() default "";
 
-  /** A decimal number in {@code unit}, for example {@code "m/s"}; empty text for a bare number. */
-  public static Variable<Double> number(String name, String unit) {
-    return of(name, VariableType.DOUBLE, Double.class, unit);
-  }
+  /** The lowest value of a number. */
+  double min() default Double.NEGATIVE_INFINITY;
 
-  /** A whole number without a unit: a count, a port. */
-  public static Variable<Integer> integer(String name) {
-    return integer(name, "");
-  }
+  /** Excludes {@link #min} itself: the values are above it. */
+  boolean minExcluded() default false;
 
-  /** A whole number in {@code unit}; a file may not give it in another one. */
-  public static Variable<Integer> integer(String name, String unit) {
-    return of(name, VariableType.INTEGER, Integer.class, unit);
-  }
+  /** The highest value of a number. */
+  double max() default Double.POSITIVE_INFINITY;
 
-  /** A text: an address, a path, a name. */
-  public static Variable<String> text(String name) {
-    return of(name, VariableType.STRING, String.class, "");
-  }
+  /** A number's value if the file has none; without it the file must have one. */
+  double ifAbsent() default Double.NaN;
 
-  /** A yes or no. */
-  public static Variable<Boolean> flag(String name) {
-    return of(name, VariableType.BOOLEAN, Boolean.class, "");
-  }
+  /** The same of a text, a boolean ({@code "false"}) or an enum (a constant's name). */
+  String ifAbsentText() default REQUIRED;
 
-  /**
-   * The numbers that the variable may take, in its own unit.
-   *
-   * @throws IllegalArgumentException if it is not a number, or its default lies outside
-   */
-  public Variable<T> range(Range newRange) {
-    if (!type.isNumber()) {
-      throw new IllegalArgumentException("variable \"" + name + "\" is not a number: no range");
-    }
-    return new Variable<>(name, type, javaType, unit, newRange, ifAbsent, choices, description);
-  }
+  /** The only texts allowed, in exactly this case; empty: all are. */
+  String[] oneOf() default {};
 
-  /**
-   * The value if the file has none; without it the variable is required.
-   *
-   * @throws IllegalArgumentException if the range or the choices exclude it
-   */
-  public Variable<T> ifAbsent(T value) {
-    return new Variable<>(
-        name, type, javaType, unit, range, Optional.of(value), choices, description);
-  }
-
-  /** What the variable does, in a sentence for the user who sets it. */
-  public Variable<T> describedAs(String newDescription) {
-    return new Variable<>(name, type, javaType, unit, range, ifAbsent, choices, newDescription);
-  }
-
-  /** The only values that the variable may take; texts in exactly this case. */
-  @SafeVarargs
-  public final Variable<T> oneOf(T... values) {
-    List<T> only = new ArrayList<>();
-    for (T value : values) {
-      only.add(value);
-    }
-    return new Variable<>(
-        name,
-        type,
-        javaType,
-        unit,
-        range,
-        ifAbsent,
-        Collections.unmodifiableList(only),
-        description);
-  }
-
-  /** The name in the file, unique in its service. */
-  public String name() {
-    return name;
-  }
-
-  /** The type that the file must give it. */
-  public VariableType type() {
-    return type;
-  }
-
-  /** The unit in which the service gets it; empty text if none. */
-  public String unit() {
-    return unit;
-  }
-
-  /** The numbers that it may take. */
-  public Range range() {
-    return range;
-  }
-
-  /** The value if the file has none; empty if the file must have one. */
-  public Optional<T> ifAbsent() {
-    return ifAbsent;
-  }
-
-  /** The only values that it may take; empty if there is no such list. */
-  public List<T> choices() {
-    return choices;
-  }
-
-  /** What it does; empty text if nobody said. */
-  public String description() {
-    return description;
-  }
-
-  /** {@code value}, which is of this variable's type, as such. */
-  T cast(Object value) {
-    return javaType.cast(value);
-  }
-
-  /**
-   * Why {@code value}, of this variable's type and unit, is refused: {@code 95 deg is outside …}.
-   */
-  Optional<String> refusal(Object value) {
-    if (value instanceof Number number && !range.contains(number.doubleValue())) {
-      return Optional.of(
-          NumberText.ofValue(value)
-              + (unit.isEmpty() ? "" : " " + unit)
-              + " is outside "
-              + range.withUnit(unit));
-    }
-    if (!choices.isEmpty() && !choices.contains(value)) {
-      return Optional.of(quoted(value) + " is not one of " + choicesText());
-    }
-    return Optional.empty();
-  }
-
-  /** The choices as a message lists them: {@code "a", "b"}. */
-  String choicesText() {
-    StringBuilder text = new StringBuilder();
-    for (T choice : choices) {
-      text.append(text.length() == 0 ? "" : ", ").append(quoted(choice));
-    }
-    return text.toString();
-  }
-
-  private static String quoted(Object value) {
-    return value instanceof String ? "\"" + value + "\"" : NumberText.ofValue(value);
-  }
-
-  private void refuseDeclaration(String reason) {
-    throw new IllegalArgumentException(
-        "variable \"" + name + "\" is declared with a default that it refuses: " + reason);
-  }
-
-  @Override
-  public boolean equals(Object other) {
-    return other instanceof Variable<?> that
-        && name.equals(that.name)
-        && type == that.type
-        && unit.equals(that.unit)
-        && range.equals(that.range)
-        && ifAbsent.equals(that.ifAbsent)
-        && choices.equals(that.choices)
-        && description.equals(that.description);
-  }
-
-  @Override
-  public int hashCode() {
-    return name.hashCode();
-  }
-
-  @Override
-  public String toString() {
-    return "variable \""
-        + name
-        + "\" ("
-        + type.xmlName()
-        + (unit.isEmpty() ? "" : ", " + unit)
-        + ")";
-  }
+  /** What it does, in a sentence for the user who sets it. */
+  String text();
 }

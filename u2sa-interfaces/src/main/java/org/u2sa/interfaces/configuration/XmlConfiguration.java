@@ -131,8 +131,13 @@ public final class XmlConfiguration implements Configurator {
   }
 
   @Override
-  public <T> T getVariable(Variable<T> variable) {
+  public <T> T getVariable(VariableDeclaration<T> variable) {
     return values.get(all -> all.declare(variable));
+  }
+
+  @Override
+  public <T> Settings<T> settings(Class<T> record) {
+    return new Settings<>(values, RecordBinding.of(record));
   }
 
   /**
@@ -145,7 +150,7 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /** What has been declared so far, in that order; the list is the caller's own. */
-  public List<Variable<?>> declared() {
+  public List<VariableDeclaration<?>> declared() {
     return values.get(ConfigurationValues::declared);
   }
 

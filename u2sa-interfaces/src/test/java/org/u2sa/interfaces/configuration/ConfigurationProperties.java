@@ -17,7 +17,8 @@ class ConfigurationProperties {
       "<configuration>\n<!-- value=\"1\" > --><variable name='T' type='string' value=''/>\n"
           + "<variable name='D' type='double' value='0'/><variable name='I' type='int' value='0'/>\n"
           + "<variable name='B' type='boolean' value='FALSE'/></configuration>\n";
-  private static final Variable<Double> D = Variable.number("D", "").range(Range.of(-1.0e6, 1.0e6));
+  private static final VariableDeclaration<Double> D =
+      VariableDeclaration.number("D", "").range(Range.of(-1.0e6, 1.0e6));
 
   private Path file;
 

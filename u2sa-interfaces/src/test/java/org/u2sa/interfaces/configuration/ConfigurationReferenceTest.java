@@ -7,30 +7,32 @@ import org.junit.jupiter.api.Test;
 
 class ConfigurationReferenceTest {
   private static class Service {
-    static final Variable<String> LEVEL =
-        Variable.text("LOG LEVEL")
+    static final VariableDeclaration<String> LEVEL =
+        VariableDeclaration.text("LOG LEVEL")
             .oneOf("debug", "info")
             .ifAbsent("info")
             .describedAs("Lowest level that is written.");
   }
 
   private static class Control extends Service {
-    private static final Variable<Double> GAIN =
-        Variable.number("GAIN", "%/rad")
+    private static final VariableDeclaration<Double> GAIN =
+        VariableDeclaration.number("GAIN", "%/rad")
             .range(Range.of(0.0, 500.0))
             .ifAbsent(120.0)
             .describedAs("Speed | turn.");
-    static final Variable<Double> WEIGHT =
-        Variable.number("WEIGHT", "kg").range(Range.positive()).describedAs("With\n fuel.");
-    static final Variable<Boolean> LOUD =
-        Variable.flag("LOUD").ifAbsent(false).describedAs("Beeps.");
+    static final VariableDeclaration<Double> WEIGHT =
+        VariableDeclaration.number("WEIGHT", "kg")
+            .range(Range.positive())
+            .describedAs("With\n fuel.");
+    static final VariableDeclaration<Boolean> LOUD =
+        VariableDeclaration.flag("LOUD").ifAbsent(false).describedAs("Beeps.");
     static final int OTHER = 1;
   }
 
   private static final class Quiet extends Service {}
 
   private static final class Undescribed {
-    static final Variable<Boolean> A = Variable.flag("A");
+    static final VariableDeclaration<Boolean> A = VariableDeclaration.flag("A");
   }
 
   @Test

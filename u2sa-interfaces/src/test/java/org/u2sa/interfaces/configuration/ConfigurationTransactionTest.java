@@ -23,11 +23,12 @@ class ConfigurationTransactionTest {
           + "  <variable name=\"BANK\" type=\"double\" value=\"30\" unit=\"deg\"/>\n"
           + "  <variable name=\"LOOP\" type=\"boolean\" value=\"false\"/>\n"
           + "</configuration>\n";
-  private static final Variable<Double> BANK =
-      Variable.number("BANK", "rad").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
-  private static final Variable<Boolean> LOOP = Variable.flag("LOOP").ifAbsent(false);
-  private static final Variable<Double> SPEED =
-      Variable.number("SPEED", "m/s").range(Range.of(20.0, 60.0)).ifAbsent(45.0);
+  private static final VariableDeclaration<Double> BANK =
+      VariableDeclaration.number("BANK", "rad").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
+  private static final VariableDeclaration<Boolean> LOOP =
+      VariableDeclaration.flag("LOOP").ifAbsent(false);
+  private static final VariableDeclaration<Double> SPEED =
+      VariableDeclaration.number("SPEED", "m/s").range(Range.of(20.0, 60.0)).ifAbsent(45.0);
 
   @TempDir Path folder;
   private Path file;

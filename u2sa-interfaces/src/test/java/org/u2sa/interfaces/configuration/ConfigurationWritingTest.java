@@ -204,7 +204,7 @@ class ConfigurationWritingTest {
             "X.xml",
             "<configuration><variable unit='ft' name='Z' type='double' value='10'/></configuration>");
     XmlConfiguration configuration = XmlConfiguration.load(file);
-    assertThat(configuration.getVariable(Variable.number("Z", "m"))).isEqualTo(3.048);
+    assertThat(configuration.getVariable(VariableDeclaration.number("Z", "m"))).isEqualTo(3.048);
 
     assertThat(configuration.setVariable("Z", 6.096)).isTrue();
 

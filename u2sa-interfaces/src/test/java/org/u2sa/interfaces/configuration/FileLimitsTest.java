@@ -9,10 +9,10 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 
 /** Limits, units and descriptions that a file adds to a declaration. */
 class FileLimitsTest extends RefusedFile {
-  private static final Variable<Double> BANK =
-      Variable.number("BANK", "rad").range(Range.of(0.0, Math.toRadians(60.0)));
-  private static final Variable<Double> GAP =
-      Variable.number("GAP", "m").range(Range.of(0.0, 0.001));
+  private static final VariableDeclaration<Double> BANK =
+      VariableDeclaration.number("BANK", "rad").range(Range.of(0.0, Math.toRadians(60.0)));
+  private static final VariableDeclaration<Double> GAP =
+      VariableDeclaration.number("GAP", "m").range(Range.of(0.0, 0.001));
 
   @Test
   void getVariable_fileNarrowsTheRange_holdsTheNarrowerOne() {
@@ -57,7 +57,7 @@ class FileLimitsTest extends RefusedFile {
   @Test
   void describe_choices_areListed() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of());
-    configuration.getVariable(Variable.text("LEVEL").oneOf("debug", "info").ifAbsent("info"));
+    configuration.getVariable(VariableDeclaration.text("LEVEL").oneOf("debug", "info").ifAbsent("info"));
 
     assertThat(configuration.describe())
         .singleElement()
@@ -72,8 +72,8 @@ class FileLimitsTest extends RefusedFile {
             "<variable name='A' type='int' value='1' description='of the file'/>"
                 + "<variable name='B' type='int' value='1' description='of the file'/>"
                 + "<variable name='C' type='int' value='1' description='of the file'/>");
-    configuration.getVariable(Variable.integer("A"));
-    configuration.getVariable(Variable.integer("B").describedAs("of the program"));
+    configuration.getVariable(VariableDeclaration.integer("A"));
+    configuration.getVariable(VariableDeclaration.integer("B").describedAs("of the program"));
 
     assertThat(configuration.describe())
         .extracting(ConfigurationVariable::description)
@@ -103,7 +103,7 @@ class FileLimitsTest extends RefusedFile {
   void change_valueThatTheFilesUnitCannotHold_isRefused() {
     XmlConfiguration configuration =
         configuration("<variable name='Z' type='double' value='1' unit='mm'/>");
-    configuration.getVariable(Variable.number("Z", "km"));
+    configuration.getVariable(VariableDeclaration.number("Z", "km"));
 
     assertThat(configuration.change("Z", 1.0e305)).isPresent();
     assertThat(configuration.getVariable("Z")).isEqualTo(1.0e-6);

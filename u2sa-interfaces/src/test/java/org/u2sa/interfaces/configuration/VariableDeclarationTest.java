@@ -7,8 +7,8 @@ import org.junit.jupiter.api.Test;
 
 /** What a declaration says, and when two declarations or two ranges are the same. */
 class VariableDeclarationTest {
-  private static Variable<Double> depth() {
-    return Variable.number("DEPTH", "m")
+  private static VariableDeclaration<Double> depth() {
+    return VariableDeclaration.number("DEPTH", "m")
         .range(Range.of(0, 9))
         .ifAbsent(1.0)
         .describedAs("How deep.");
@@ -16,23 +16,23 @@ class VariableDeclarationTest {
 
   @Test
   void declaration_ofEachKind_saysNameTypeAndUnit() {
-    assertThat(Variable.number("A", "m")).hasToString("variable \"A\" (double, m)");
-    assertThat(Variable.integer("A")).hasToString("variable \"A\" (int)");
-    assertThat(Variable.integer("A", "ms")).hasToString("variable \"A\" (int, ms)");
-    assertThat(Variable.text("A")).hasToString("variable \"A\" (string)");
-    assertThat(Variable.flag("A")).hasToString("variable \"A\" (boolean)");
+    assertThat(VariableDeclaration.number("A", "m")).hasToString("variable \"A\" (double, m)");
+    assertThat(VariableDeclaration.integer("A")).hasToString("variable \"A\" (int)");
+    assertThat(VariableDeclaration.integer("A", "ms")).hasToString("variable \"A\" (int, ms)");
+    assertThat(VariableDeclaration.text("A")).hasToString("variable \"A\" (string)");
+    assertThat(VariableDeclaration.flag("A")).hasToString("variable \"A\" (boolean)");
   }
 
   @Test
   void declaration_withAllThatCanBeSaid_keepsIt() {
-    Variable<Double> depth = depth();
+    VariableDeclaration<Double> depth = depth();
 
     assertThat(depth.range()).isEqualTo(Range.of(0, 9));
     assertThat(depth.ifAbsent()).contains(1.0);
     assertThat(depth.description()).isEqualTo("How deep.");
     assertThat(depth.choices()).isEmpty();
-    assertThat(Variable.integer("A").oneOf(1, 3).choices()).containsExactly(1, 3);
-    assertThat(Variable.integer("A").oneOf(1, 3).choicesText()).isEqualTo("1, 3");
+    assertThat(VariableDeclaration.integer("A").oneOf(1, 3).choices()).containsExactly(1, 3);
+    assertThat(VariableDeclaration.integer("A").oneOf(1, 3).choicesText()).isEqualTo("1, 3");
   }
 
   @Test
@@ -42,12 +42,12 @@ class VariableDeclarationTest {
     assertThat(depth()).isNotEqualTo(depth().ifAbsent(2.0));
     assertThat(depth()).isNotEqualTo(depth().range(Range.of(0, 8)));
     assertThat(depth()).isNotEqualTo(depth().oneOf(1.0));
-    assertThat(Variable.number("A", "m"))
-        .isNotEqualTo(Variable.number("A", "ft"))
-        .isNotEqualTo(Variable.number("B", "m"))
+    assertThat(VariableDeclaration.number("A", "m"))
+        .isNotEqualTo(VariableDeclaration.number("A", "ft"))
+        .isNotEqualTo(VariableDeclaration.number("B", "m"))
         .isNotEqualTo("A");
-    assertThat(Variable.text("A")).isNotEqualTo(Variable.flag("A"));
-    assertThat(Variable.text("A").hashCode()).isNotEqualTo(Variable.text("B").hashCode());
+    assertThat(VariableDeclaration.text("A")).isNotEqualTo(VariableDeclaration.flag("A"));
+    assertThat(VariableDeclaration.text("A").hashCode()).isNotEqualTo(VariableDeclaration.text("B").hashCode());
   }
 
   @Test

@@ -6,16 +6,17 @@ import org.junit.jupiter.api.Test;
 
 /** What a variable must be, to be got. */
 class VariableErrorsTest extends RefusedFile {
-  private static final Variable<Double> BANK_LIMIT =
-      Variable.number("BANK LIMIT", "rad")
+  private static final VariableDeclaration<Double> BANK_LIMIT =
+      VariableDeclaration.number("BANK LIMIT", "rad")
           .range(Range.of(0.0, Math.toRadians(60.0)))
           .describedAs("Largest bank that is flown.");
-  private static final Variable<Integer> PORT =
-      Variable.integer("PORT").range(Range.of(1, 65535)).ifAbsent(1883);
-  private static final Variable<String> LEVEL =
-      Variable.text("LOG LEVEL").oneOf("debug", "info").ifAbsent("info");
+  private static final VariableDeclaration<Integer> PORT =
+      VariableDeclaration.integer("PORT").range(Range.of(1, 65535)).ifAbsent(1883);
+  private static final VariableDeclaration<String> LEVEL =
+      VariableDeclaration.text("LOG LEVEL").oneOf("debug", "info").ifAbsent("info");
 
-  private void assertDeclarationRefused(Variable<?> variable, String attributes, String after) {
+  private void assertDeclarationRefused(
+      VariableDeclaration<?> variable, String attributes, String after) {
     XmlConfiguration configuration = configuration("<variable " + attributes + "/>");
     assertRefused(() -> configuration.getVariable(variable), after);
   }

@@ -10,8 +10,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 class VariableTest {
-  private static final Variable<Double> GAIN =
-      Variable.number("HEADING GAIN", "%/rad")
+  private static final VariableDeclaration<Double> GAIN =
+      VariableDeclaration.number("HEADING GAIN", "%/rad")
           .range(Range.of(0.0, 500.0))
           .ifAbsent(120.0)
           .describedAs("Turns.");
@@ -29,13 +29,13 @@ class VariableTest {
 
   @Test
   void range_ofAText_isRefusedAtDeclaration() {
-    assertThatThrownBy(() -> Variable.text("A").range(Range.positive()))
+    assertThatThrownBy(() -> VariableDeclaration.text("A").range(Range.positive()))
         .hasMessage("variable \"A\" is not a number: no range");
   }
 
   @Test
   void name_empty_isRefused() {
-    assertThatThrownBy(() -> Variable.flag(" ")).hasMessage("a variable needs a name");
+    assertThatThrownBy(() -> VariableDeclaration.flag(" ")).hasMessage("a variable needs a name");
   }
 
   @Test

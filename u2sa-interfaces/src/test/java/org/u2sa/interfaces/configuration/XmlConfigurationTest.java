@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class XmlConfigurationTest {
-  private static final Variable<Double> BANK_LIMIT =
-      Variable.number("BANK LIMIT", "rad")
+  private static final VariableDeclaration<Double> BANK_LIMIT =
+      VariableDeclaration.number("BANK LIMIT", "rad")
           .range(Range.of(0.0, Math.toRadians(60.0)))
           .ifAbsent(Math.toRadians(30.0))
           .describedAs("Largest bank.");

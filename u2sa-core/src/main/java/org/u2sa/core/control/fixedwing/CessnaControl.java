@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -24,8 +24,8 @@ public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
 
-  private static final Variable<Double> POWER_EXPIRY =
-      Variable.number("POWER EXPIRY", "s")
+  private static final VariableDeclaration<Double> POWER_EXPIRY =
+      VariableDeclaration.number("POWER EXPIRY", "s")
           .range(Range.of(0.02, 60.0))
           .ifAbsent(10.0)
           .describedAs("How long throttle, mixture and flaps obey a command that is not renewed.");
@@ -154,20 +154,16 @@ public final class CessnaControl extends ControlSystem {
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    if (state.className().equals(getClass().getName())) {
+    if (isOfMyClass(state)) {
       reader.takeOver(state);
       autopilot.takeOver(state);
     } else if (lastCommand(CessnaActuator.THROTTLE.actuatorName()).isPresent()) {
       autopilot.takeOver(
-          lastShare(CessnaActuator.AILERON),
-          lastShare(CessnaActuator.ELEVATOR),
-          lastShare(CessnaActuator.RUDDER),
-          lastShare(CessnaActuator.THROTTLE));
+          lastShare(CessnaActuator.AILERON.actuatorName()),
+          lastShare(CessnaActuator.ELEVATOR.actuatorName()),
+          lastShare(CessnaActuator.RUDDER.actuatorName()),
+          lastShare(CessnaActuator.THROTTLE.actuatorName()));
     }
-  }
-
-  private double lastShare(CessnaActuator actuator) {
-    return lastCommand(actuator.actuatorName()).orElse(0.0) / FULL_PERCENT;
   }
 
   private void lacking(List<String> missing) {

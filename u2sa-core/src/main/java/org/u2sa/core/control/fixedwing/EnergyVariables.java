@@ -3,11 +3,11 @@ package org.u2sa.core.control.fixedwing;
 import static org.u2sa.core.control.fixedwing.BoundedNumber.number;
 
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** Gains and limits of altitude and airspeed: {@link EnergyParameters}. */
 final class EnergyVariables {
-  static final Variable<Double> ALTITUDE_TIME =
+  static final VariableDeclaration<Double> ALTITUDE_TIME =
       number(
           "ALTITUDE TIME CONSTANT",
           "s",
@@ -15,14 +15,14 @@ final class EnergyVariables {
           30.0,
           4.0,
           "In which an altitude error is taken out.");
-  static final Variable<Double> SPEED_TIME =
+  static final VariableDeclaration<Double> SPEED_TIME =
       number(
           "SPEED TIME CONSTANT", "s", 1.0, 30.0, 6.0, "In which an airspeed error is taken out.");
-  static final Variable<Double> CLIMB_LIMIT =
+  static final VariableDeclaration<Double> CLIMB_LIMIT =
       number("CLIMB LIMIT", "m/s", 0.5, 10.0, 3.5, "Most climb demanded.");
-  static final Variable<Double> SINK_LIMIT =
+  static final VariableDeclaration<Double> SINK_LIMIT =
       number("SINK LIMIT", "m/s", 0.5, 10.0, 4.0, "Most descent demanded.");
-  static final Variable<Double> VERTICAL_ACCELERATION =
+  static final VariableDeclaration<Double> VERTICAL_ACCELERATION =
       number(
           "VERTICAL ACCELERATION LIMIT",
           "m/s^2",
@@ -30,7 +30,7 @@ final class EnergyVariables {
           5.0,
           0.8,
           "How fast the demanded climb may change.");
-  static final Variable<Double> ACCELERATION =
+  static final VariableDeclaration<Double> ACCELERATION =
       number(
           "ACCELERATION LIMIT",
           "m/s^2",
@@ -38,7 +38,7 @@ final class EnergyVariables {
           5.0,
           1.0,
           "Most acceleration along the path demanded.");
-  static final Variable<Double> AIRSPEED_FILTER =
+  static final VariableDeclaration<Double> AIRSPEED_FILTER =
       number(
           "AIRSPEED FILTER",
           "s",
@@ -46,7 +46,7 @@ final class EnergyVariables {
           20.0,
           1.0,
           "Time constant of the low pass on airspeed: longer is calmer in gusts.");
-  static final Variable<Double> THROTTLE_TRIM =
+  static final VariableDeclaration<Double> THROTTLE_TRIM =
       number(
           "THROTTLE TRIM",
           "",
@@ -54,12 +54,12 @@ final class EnergyVariables {
           1.0,
           0.6,
           "Throttle of level cruise, where the integral begins.");
-  static final Variable<Double> THROTTLE_FORWARD =
+  static final VariableDeclaration<Double> THROTTLE_FORWARD =
       number(
           "THROTTLE FORWARD GAIN", "1/rad", 0.0, 20.0, 2.5, "Throttle per demanded energy rate.");
-  static final Variable<Double> THROTTLE_DAMPING =
+  static final VariableDeclaration<Double> THROTTLE_DAMPING =
       number("THROTTLE DAMPING", "1/rad", 0.0, 20.0, 0.7, "Throttle per energy rate error.");
-  static final Variable<Double> THROTTLE_INTEGRAL =
+  static final VariableDeclaration<Double> THROTTLE_INTEGRAL =
       number(
           "THROTTLE INTEGRAL GAIN",
           "1/rad/s",
@@ -67,14 +67,14 @@ final class EnergyVariables {
           20.0,
           0.4,
           "Throttle per integrated energy rate error.");
-  static final Variable<Double> THROTTLE_LOWER_LIMIT =
+  static final VariableDeclaration<Double> THROTTLE_LOWER_LIMIT =
       number("THROTTLE LOWER LIMIT", "", 0.0, 1.0, 0.0, "Least throttle in flight.");
-  static final Variable<Double> THROTTLE_UPPER_LIMIT =
+  static final VariableDeclaration<Double> THROTTLE_UPPER_LIMIT =
       number("THROTTLE UPPER LIMIT", "", 0.0, 1.0, 1.0, "Most throttle in cruise.");
-  static final Variable<Double> THROTTLE_RATE =
+  static final VariableDeclaration<Double> THROTTLE_RATE =
       number(
           "THROTTLE RATE LIMIT", "1/s", 0.01, 5.0, 0.3, "How fast the throttle moves in flight.");
-  static final Variable<Double> TURN_DRAG =
+  static final VariableDeclaration<Double> TURN_DRAG =
       number(
           "TURN DRAG",
           "rad",
@@ -82,9 +82,9 @@ final class EnergyVariables {
           0.5,
           0.037,
           "Induced drag over weight in level flight; grows in turns with the square of the load factor.");
-  static final Variable<Double> PITCH_DAMPING =
+  static final VariableDeclaration<Double> PITCH_DAMPING =
       number("ENERGY BALANCE GAIN", "", 0.0, 5.0, 0.8, "Pitch per energy balance error.");
-  static final Variable<Double> PITCH_INTEGRAL =
+  static final VariableDeclaration<Double> PITCH_INTEGRAL =
       number(
           "ENERGY BALANCE INTEGRAL GAIN",
           "1/s",
@@ -92,7 +92,7 @@ final class EnergyVariables {
           5.0,
           0.3,
           "Pitch per integrated energy balance error.");
-  static final Variable<Double> PITCH_RATE =
+  static final VariableDeclaration<Double> PITCH_RATE =
       number(
           "PITCH DEMAND RATE LIMIT",
           "deg/s",
@@ -100,7 +100,7 @@ final class EnergyVariables {
           20.0,
           3.0,
           "How fast the demanded pitch may move.");
-  static final Variable<Double> SLOWEST =
+  static final VariableDeclaration<Double> SLOWEST =
       number(
           "SLOWEST SPEED",
           "m/s",

@@ -6,11 +6,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** Speeds and limits within which the aircraft follows navigation. */
 final class GuidanceVariables {
-  static final Variable<Double> CRUISE_SPEED =
+  static final VariableDeclaration<Double> CRUISE_SPEED =
       number(
           "CRUISE SPEED",
           "m/s",
@@ -18,13 +18,13 @@ final class GuidanceVariables {
           60.0,
           40.0,
           "Calibrated airspeed where navigation asks for none.");
-  static final Variable<Double> FASTEST_SPEED =
+  static final VariableDeclaration<Double> FASTEST_SPEED =
       number("FASTEST SPEED", "m/s", 35.0, 82.0, 60.0, "Most calibrated airspeed demanded.");
-  static final Variable<Double> BANK_LIMIT =
+  static final VariableDeclaration<Double> BANK_LIMIT =
       number("BANK LIMIT", "deg", 5.0, 30.0, 27.5, "Most bank demanded.");
-  static final Variable<Double> BANK_RATE =
+  static final VariableDeclaration<Double> BANK_RATE =
       number("BANK RATE LIMIT", "deg/s", 2.0, 60.0, 15.0, "How fast the demanded bank may move.");
-  static final Variable<Double> SHORTEST_LOOK_AHEAD =
+  static final VariableDeclaration<Double> SHORTEST_LOOK_AHEAD =
       number(
           "SHORTEST LOOK AHEAD",
           "m",
@@ -32,7 +32,7 @@ final class GuidanceVariables {
           1000.0,
           150.0,
           "A navigation point nearer than this counts as this far, which bounds the gain.");
-  static final Variable<Double> STALL_SPEED =
+  static final VariableDeclaration<Double> STALL_SPEED =
       number(
           "STALL SPEED",
           "m/s",
@@ -40,7 +40,7 @@ final class GuidanceVariables {
           40.0,
           26.2,
           "Calibrated airspeed of the stall, wings level, flaps up.");
-  static final Variable<Double> STALL_MARGIN =
+  static final VariableDeclaration<Double> STALL_MARGIN =
       number(
           "STALL MARGIN",
           "",
@@ -48,7 +48,7 @@ final class GuidanceVariables {
           2.0,
           1.2,
           "Least airspeed over stall speed; the bank is limited so that it holds in turns.");
-  static final Variable<Double> STALL_BAND =
+  static final VariableDeclaration<Double> STALL_BAND =
       number(
           "STALL BAND",
           "m/s",
@@ -56,7 +56,7 @@ final class GuidanceVariables {
           15.0,
           4.0,
           "Above the least airspeed, in which speed gains priority over altitude.");
-  static final Variable<Double> GUST_SHARE =
+  static final VariableDeclaration<Double> GUST_SHARE =
       number(
           "GUST SHARE",
           "",
@@ -65,7 +65,7 @@ final class GuidanceVariables {
           0.3,
           "Share of the wind's speed that is added to the rotation speed and the least speed: near"
               + " the ground gusts are as strong (MIL-F-8785C: σ about 0.2).");
-  static final Variable<Double> ALPHA_LIMIT =
+  static final VariableDeclaration<Double> ALPHA_LIMIT =
       number(
           "ANGLE OF ATTACK LIMIT",
           "deg",
@@ -73,11 +73,11 @@ final class GuidanceVariables {
           18.0,
           12.0,
           "Above it the nose is lowered by the excess.");
-  static final Variable<Double> TURN_PITCH =
+  static final VariableDeclaration<Double> TURN_PITCH =
       number("TURN PITCH", "deg", 0.0, 20.0, 6.9, "Pitch added per load factor above one.");
-  static final Variable<Double> PITCH_LOWER_LIMIT =
+  static final VariableDeclaration<Double> PITCH_LOWER_LIMIT =
       number("PITCH LOWER LIMIT", "deg", -30.0, 0.0, -10.0, "Least pitch demanded.");
-  static final Variable<Double> PITCH_UPPER_LIMIT =
+  static final VariableDeclaration<Double> PITCH_UPPER_LIMIT =
       number("PITCH UPPER LIMIT", "deg", 5.0, 30.0, 14.0, "Most pitch demanded.");
 
   private GuidanceVariables() {}

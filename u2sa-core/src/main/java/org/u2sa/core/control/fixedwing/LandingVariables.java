@@ -3,13 +3,13 @@ package org.u2sa.core.control.fixedwing;
 import static org.u2sa.core.control.fixedwing.BoundedNumber.number;
 
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /**
  * How the aircraft circles where navigation is lost, and touches down where it leads to the ground.
  */
 final class LandingVariables {
-  static final Variable<Double> HOLD_LEVEL_TIME =
+  static final VariableDeclaration<Double> HOLD_LEVEL_TIME =
       number(
           "HOLD LEVEL TIME",
           "s",
@@ -17,7 +17,7 @@ final class LandingVariables {
           60.0,
           5.0,
           "How long the wings stay level without navigation before it circles.");
-  static final Variable<Double> HOLD_BANK =
+  static final VariableDeclaration<Double> HOLD_BANK =
       number(
           "HOLD BANK",
           "deg",
@@ -25,7 +25,7 @@ final class LandingVariables {
           30.0,
           15.0,
           "Bank to the right of the circle flown without navigation; 0 flies straight on.");
-  static final Variable<Double> FLARE_HEIGHT =
+  static final VariableDeclaration<Double> FLARE_HEIGHT =
       number(
           "FLARE HEIGHT",
           "m",
@@ -33,7 +33,7 @@ final class LandingVariables {
           30.0,
           9.0,
           "Height above ground at which sink and power are taken away, if navigation leads to the ground.");
-  static final Variable<Double> FLARE_TIME =
+  static final VariableDeclaration<Double> FLARE_TIME =
       number(
           "FLARE TIME CONSTANT",
           "s",
@@ -41,16 +41,16 @@ final class LandingVariables {
           10.0,
           4.0,
           "The sink demanded in the flare is the height over this time.");
-  static final Variable<Double> FLARE_SINK =
+  static final VariableDeclaration<Double> FLARE_SINK =
       number("FLARE SINK", "m/s", 0.1, 2.0, 0.5, "Sink at which the wheels are to touch.");
-  static final Variable<Double> FLARE_GAIN =
+  static final VariableDeclaration<Double> FLARE_GAIN =
       number("FLARE GAIN", "rad/m", 0.001, 1.0, 0.03, "Pitch rate per difference of sink.");
-  static final Variable<Double> FLARE_DAMPING =
+  static final VariableDeclaration<Double> FLARE_DAMPING =
       number("FLARE DAMPING", "rad s/m", 0.0, 1.0, 0.04, "Pitch per difference of sink.");
-  static final Variable<Double> FLARE_PITCH_LIMIT =
+  static final VariableDeclaration<Double> FLARE_PITCH_LIMIT =
       number("FLARE PITCH LIMIT", "deg", 2.0, 14.0, 10.0, "Most pitch demanded in the flare.");
 
-  static final Variable<Double> ALIGN_HEIGHT =
+  static final VariableDeclaration<Double> ALIGN_HEIGHT =
       number(
           "ALIGN HEIGHT",
           "m",
@@ -58,9 +58,9 @@ final class LandingVariables {
           10.0,
           1.5,
           "Height above ground at which the nose is turned along the runway.");
-  static final Variable<Double> FLARE_BANK_LIMIT =
+  static final VariableDeclaration<Double> FLARE_BANK_LIMIT =
       number("FLARE BANK LIMIT", "deg", 0.0, 12.0, 8.0, "Most bank demanded in the flare.");
-  static final Variable<Double> FLARE_LOOK_AHEAD =
+  static final VariableDeclaration<Double> FLARE_LOOK_AHEAD =
       number(
           "FLARE LOOK AHEAD",
           "m",
@@ -68,7 +68,7 @@ final class LandingVariables {
           500.0,
           120.0,
           "To the point steered for on the runway's centreline in the flare.");
-  static final Variable<Double> SIDESLIP_AILERON =
+  static final VariableDeclaration<Double> SIDESLIP_AILERON =
       number(
           "AILERON PER SIDESLIP",
           "1/rad",
@@ -77,7 +77,7 @@ final class LandingVariables {
           1.6,
           "Aileron that keeps the wind from lifting a wing where the nose is held along the runway:"
               + " dihedral over aileron effect.");
-  static final Variable<Double> BRAKE_SPEED =
+  static final VariableDeclaration<Double> BRAKE_SPEED =
       number(
           "BRAKE SPEED",
           "m/s",
@@ -85,7 +85,7 @@ final class LandingVariables {
           40.0,
           28.0,
           "Speed over ground above which the brakes are hardly used; slower they come on by degrees.");
-  static final Variable<Double> MAX_CROSSWIND =
+  static final VariableDeclaration<Double> MAX_CROSSWIND =
       number(
           "MAX CROSSWIND",
           "m/s",

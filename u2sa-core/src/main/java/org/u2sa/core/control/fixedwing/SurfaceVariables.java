@@ -3,11 +3,11 @@ package org.u2sa.core.control.fixedwing;
 import static org.u2sa.core.control.fixedwing.BoundedNumber.number;
 
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** Gains of the loops that move aileron, elevator and rudder. */
 final class SurfaceVariables {
-  static final Variable<Double> REFERENCE_SPEED =
+  static final VariableDeclaration<Double> REFERENCE_SPEED =
       number(
           "REFERENCE SPEED",
           "m/s",
@@ -15,15 +15,15 @@ final class SurfaceVariables {
           100.0,
           46.0,
           "Calibrated airspeed at which the surface gains hold; they are scaled from there.");
-  static final Variable<Double> BANK_TIME =
+  static final VariableDeclaration<Double> BANK_TIME =
       number("BANK TIME CONSTANT", "s", 0.2, 5.0, 0.65, "In which a bank error is taken out.");
-  static final Variable<Double> ROLL_RATE_LIMIT =
+  static final VariableDeclaration<Double> ROLL_RATE_LIMIT =
       number("ROLL RATE LIMIT", "deg/s", 2.0, 60.0, 20.0, "Most roll rate demanded.");
-  static final Variable<Double> ROLL_FORWARD =
+  static final VariableDeclaration<Double> ROLL_FORWARD =
       number("ROLL RATE FORWARD GAIN", "s/rad", 0.0, 5.0, 1.1, "Aileron per demanded roll rate.");
-  static final Variable<Double> ROLL_GAIN =
+  static final VariableDeclaration<Double> ROLL_GAIN =
       number("ROLL RATE GAIN", "s/rad", 0.0, 5.0, 0.2, "Aileron per roll rate error.");
-  static final Variable<Double> ROLL_INTEGRAL =
+  static final VariableDeclaration<Double> ROLL_INTEGRAL =
       number(
           "ROLL RATE INTEGRAL GAIN",
           "1/rad",
@@ -31,7 +31,7 @@ final class SurfaceVariables {
           5.0,
           0.1,
           "Aileron per integrated roll rate error.");
-  static final Variable<Double> AILERON_TRIM =
+  static final VariableDeclaration<Double> AILERON_TRIM =
       number(
           "AILERON TRIM LIMIT",
           "",
@@ -39,9 +39,9 @@ final class SurfaceVariables {
           1.0,
           0.4,
           "Most of the aileron that the integral may hold.");
-  static final Variable<Double> PITCH_TIME =
+  static final VariableDeclaration<Double> PITCH_TIME =
       number("PITCH TIME CONSTANT", "s", 0.2, 5.0, 0.8, "In which a pitch error is taken out.");
-  static final Variable<Double> PITCH_RATE_LIMIT =
+  static final VariableDeclaration<Double> PITCH_RATE_LIMIT =
       number(
           "PITCH RATE LIMIT",
           "deg/s",
@@ -49,12 +49,12 @@ final class SurfaceVariables {
           30.0,
           10.0,
           "Most pitch rate demanded for a pitch error.");
-  static final Variable<Double> PITCH_FORWARD =
+  static final VariableDeclaration<Double> PITCH_FORWARD =
       number(
           "PITCH RATE FORWARD GAIN", "s/rad", 0.0, 5.0, 0.5, "Elevator per demanded pitch rate.");
-  static final Variable<Double> PITCH_GAIN =
+  static final VariableDeclaration<Double> PITCH_GAIN =
       number("PITCH RATE GAIN", "s/rad", 0.0, 5.0, 0.18, "Elevator per pitch rate error.");
-  static final Variable<Double> PITCH_INTEGRAL =
+  static final VariableDeclaration<Double> PITCH_INTEGRAL =
       number(
           "PITCH RATE INTEGRAL GAIN",
           "1/rad",
@@ -62,7 +62,7 @@ final class SurfaceVariables {
           5.0,
           0.7,
           "Elevator per integrated pitch rate error.");
-  static final Variable<Double> ELEVATOR_TRIM =
+  static final VariableDeclaration<Double> ELEVATOR_TRIM =
       number(
           "ELEVATOR TRIM LIMIT",
           "",
@@ -70,7 +70,7 @@ final class SurfaceVariables {
           1.0,
           0.6,
           "Most of the elevator that the integral may hold.");
-  static final Variable<Double> YAW_DAMPING =
+  static final VariableDeclaration<Double> YAW_DAMPING =
       number(
           "YAW DAMPING",
           "s/rad",
@@ -78,14 +78,14 @@ final class SurfaceVariables {
           5.0,
           0.5,
           "Rudder per difference from the yaw rate of a coordinated turn.");
-  static final Variable<Double> SIDESLIP_GAIN =
+  static final VariableDeclaration<Double> SIDESLIP_GAIN =
       number("SIDESLIP GAIN", "1/rad", 0.0, 5.0, 0.8, "Rudder per sideslip.");
-  static final Variable<Double> SIDESLIP_INTEGRAL =
+  static final VariableDeclaration<Double> SIDESLIP_INTEGRAL =
       number("SIDESLIP INTEGRAL GAIN", "1/rad/s", 0.0, 5.0, 0.4, "Rudder per integrated sideslip.");
-  static final Variable<Double> RUDDER_TRIM =
+  static final VariableDeclaration<Double> RUDDER_TRIM =
       number(
           "RUDDER TRIM LIMIT", "", 0.0, 1.0, 0.5, "Most of the rudder that the integral may hold.");
-  static final Variable<Double> AILERON_TO_RUDDER =
+  static final VariableDeclaration<Double> AILERON_TO_RUDDER =
       number("AILERON TO RUDDER", "", 0.0, 1.0, 0.45, "Rudder per aileron, against adverse yaw.");
 
   private SurfaceVariables() {}

@@ -3,13 +3,13 @@ package org.u2sa.core.control.fixedwing;
 import static org.u2sa.core.control.fixedwing.BoundedNumber.number;
 
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 
 /** How the aircraft leaves the ground. */
 final class TakeOffVariables {
   private static final double KNOT_MPS = 1852.0 / 3600.0;
 
-  static final Variable<Double> READY_RPM =
+  static final VariableDeclaration<Double> READY_RPM =
       number(
           "READY RPM",
           "rpm",
@@ -17,7 +17,7 @@ final class TakeOffVariables {
           2000.0,
           600.0,
           "Engine speed from which the engine runs by itself.");
-  static final Variable<Double> READY_TIME =
+  static final VariableDeclaration<Double> READY_TIME =
       number(
           "READY TIME",
           "s",
@@ -25,11 +25,11 @@ final class TakeOffVariables {
           60.0,
           1.0,
           "How long engine and navigation must be there before the throttle opens.");
-  static final Variable<Double> START_THROTTLE =
+  static final VariableDeclaration<Double> START_THROTTLE =
       number("START THROTTLE", "", 0.1, 0.5, 0.2, "Throttle while the engine starts.");
-  static final Variable<Double> RELEASE_THROTTLE =
+  static final VariableDeclaration<Double> RELEASE_THROTTLE =
       number("RELEASE THROTTLE", "", 0.1, 1.0, 0.5, "Throttle at which the brakes are let go.");
-  static final Variable<Double> THROTTLE_OPENING =
+  static final VariableDeclaration<Double> THROTTLE_OPENING =
       number(
           "THROTTLE OPENING RATE",
           "1/s",
@@ -37,7 +37,7 @@ final class TakeOffVariables {
           5.0,
           0.3,
           "How fast the throttle opens for take-off.");
-  static final Variable<Double> ROTATION_SPEED =
+  static final VariableDeclaration<Double> ROTATION_SPEED =
       number(
           "ROTATION SPEED",
           "kt",
@@ -45,13 +45,13 @@ final class TakeOffVariables {
           80.0,
           55.0,
           "Calibrated airspeed at which the nose is raised.");
-  static final Variable<Double> ROTATION_PITCH =
+  static final VariableDeclaration<Double> ROTATION_PITCH =
       number("ROTATION PITCH", "deg", 5.0, 13.0, 10.0, "To which the nose is raised.");
-  static final Variable<Double> ROTATION_RATE =
+  static final VariableDeclaration<Double> ROTATION_RATE =
       number("ROTATION RATE", "deg/s", 1.0, 10.0, 5.0, "How fast the nose is raised.");
-  static final Variable<Double> CLIMB_OUT_SPEED =
+  static final VariableDeclaration<Double> CLIMB_OUT_SPEED =
       number("CLIMB OUT SPEED", "kt", 60.0, 100.0, 74.0, "Calibrated airspeed of the climb-out.");
-  static final Variable<Double> CLIMB_OUT_PITCH =
+  static final VariableDeclaration<Double> CLIMB_OUT_PITCH =
       number(
           "CLIMB OUT PITCH LOWER LIMIT",
           "deg",
@@ -59,10 +59,10 @@ final class TakeOffVariables {
           10.0,
           6.0,
           "Least pitch demanded in the climb-out.");
-  static final Variable<Double> CLIMB_OUT_BANK =
+  static final VariableDeclaration<Double> CLIMB_OUT_BANK =
       number(
           "CLIMB OUT BANK LIMIT", "deg", 0.0, 30.0, 10.0, "Most bank demanded in the climb-out.");
-  static final Variable<Double> CLIMB_OUT_LOOK_AHEAD =
+  static final VariableDeclaration<Double> CLIMB_OUT_LOOK_AHEAD =
       number(
           "CLIMB OUT LOOK AHEAD",
           "m",
@@ -70,9 +70,9 @@ final class TakeOffVariables {
           2000.0,
           250.0,
           "To the point steered for on the extended centreline.");
-  static final Variable<Double> SAFE_HEIGHT =
+  static final VariableDeclaration<Double> SAFE_HEIGHT =
       number("SAFE HEIGHT", "m", 20.0, 500.0, 100.0, "Above ground, at which the climb-out ends.");
-  static final Variable<Double> LOOK_AHEAD_TIME =
+  static final VariableDeclaration<Double> LOOK_AHEAD_TIME =
       number(
           "CENTRELINE LOOK AHEAD TIME",
           "s",
@@ -80,7 +80,7 @@ final class TakeOffVariables {
           10.0,
           2.5,
           "To the point steered for on the runway, at the present speed.");
-  static final Variable<Double> LOOK_AHEAD_LEAST =
+  static final VariableDeclaration<Double> LOOK_AHEAD_LEAST =
       number(
           "CENTRELINE LOOK AHEAD",
           "m",
@@ -88,7 +88,7 @@ final class TakeOffVariables {
           200.0,
           40.0,
           "Least distance to the point steered for on the runway.");
-  static final Variable<Double> HEADING_GAIN =
+  static final VariableDeclaration<Double> HEADING_GAIN =
       number(
           "CENTRELINE HEADING GAIN",
           "1/s",
@@ -96,7 +96,7 @@ final class TakeOffVariables {
           5.0,
           1.8,
           "Yaw rate per heading error on the runway.");
-  static final Variable<Double> STEERING_LENGTH =
+  static final VariableDeclaration<Double> STEERING_LENGTH =
       number(
           "STEERING LENGTH",
           "m/rad",
@@ -104,7 +104,7 @@ final class TakeOffVariables {
           50.0,
           9.5,
           "Wheel base over the angle of the nose wheel at full rudder.");
-  static final Variable<Double> STEERING_DAMPING =
+  static final VariableDeclaration<Double> STEERING_DAMPING =
       number(
           "STEERING DAMPING",
           "s/rad",
@@ -112,7 +112,7 @@ final class TakeOffVariables {
           5.0,
           1.6,
           "Rudder per yaw rate error at 10 m/s, nose wheel down.");
-  static final Variable<Double> STEERING_INTEGRAL =
+  static final VariableDeclaration<Double> STEERING_INTEGRAL =
       number(
           "STEERING INTEGRAL GAIN",
           "1/rad",
@@ -120,7 +120,7 @@ final class TakeOffVariables {
           5.0,
           1.2,
           "Rudder per integrated yaw rate error at 10 m/s, nose wheel down.");
-  static final Variable<Double> ROTATION_DAMPING =
+  static final VariableDeclaration<Double> ROTATION_DAMPING =
       number(
           "ROTATION YAW DAMPING",
           "s/rad",
@@ -128,7 +128,7 @@ final class TakeOffVariables {
           5.0,
           1.5,
           "Rudder per yaw rate error, nose wheel up.");
-  static final Variable<Double> ROTATION_INTEGRAL =
+  static final VariableDeclaration<Double> ROTATION_INTEGRAL =
       number(
           "ROTATION YAW INTEGRAL GAIN",
           "1/rad",
@@ -136,7 +136,7 @@ final class TakeOffVariables {
           5.0,
           1.5,
           "Rudder per integrated yaw rate error, nose wheel up.");
-  static final Variable<Double> WEATHERCOCK =
+  static final VariableDeclaration<Double> WEATHERCOCK =
       number(
           "WEATHERCOCK GAIN",
           "1/rad",
@@ -144,7 +144,7 @@ final class TakeOffVariables {
           5.0,
           1.2,
           "Rudder per sideslip, nose wheel up, against the wind on the fin.");
-  static final Variable<Double> INTO_WIND =
+  static final VariableDeclaration<Double> INTO_WIND =
       number(
           "AILERON INTO WIND",
           "s/m",

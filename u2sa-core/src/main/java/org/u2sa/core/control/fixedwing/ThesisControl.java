@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -17,44 +17,44 @@ import org.u2sa.service.ServiceContext;
  * commands nothing, and actuators fall back when their commands expire.
  */
 public final class ThesisControl extends ControlSystem {
-  static final Variable<Double> DIRECTION_GAIN =
-      Variable.number("DIRECTION GAIN", "")
+  static final VariableDeclaration<Double> DIRECTION_GAIN =
+      VariableDeclaration.number("DIRECTION GAIN", "")
           .range(Range.of(0.0, 5.0))
           .ifAbsent(1.0)
           .describedAs("Aileron at a direction of 180 degrees, of full; thesis: 1.");
 
-  static final Variable<Double> DIRECTION_LIMIT =
-      Variable.number("DIRECTION LIMIT", "deg")
+  static final VariableDeclaration<Double> DIRECTION_LIMIT =
+      VariableDeclaration.number("DIRECTION LIMIT", "deg")
           .range(Range.of(1.0, 180.0))
           .ifAbsent(30.0)
           .describedAs("Direction beyond which the aileron moves no further; thesis: 180.");
 
-  static final Variable<Double> BANK_GAIN =
-      Variable.number("BANK GAIN", "1/rad")
+  static final VariableDeclaration<Double> BANK_GAIN =
+      VariableDeclaration.number("BANK GAIN", "1/rad")
           .range(Range.of(0.0, 5.0))
           .ifAbsent(0.4)
           .describedAs("Aileron against the bank; thesis: 0.");
 
-  static final Variable<Double> ALTITUDE_GAIN =
-      Variable.number("ALTITUDE GAIN", "")
+  static final VariableDeclaration<Double> ALTITUDE_GAIN =
+      VariableDeclaration.number("ALTITUDE GAIN", "")
           .range(Range.of(0.0, 1.0))
           .ifAbsent(0.3)
           .describedAs("Elevator at an altitude differential of 1000 ft or more, of full.");
 
-  static final Variable<Double> PITCH_GAIN =
-      Variable.number("PITCH GAIN", "1/rad")
+  static final VariableDeclaration<Double> PITCH_GAIN =
+      VariableDeclaration.number("PITCH GAIN", "1/rad")
           .range(Range.of(0.0, 5.0))
           .ifAbsent(1.5)
           .describedAs("Elevator against the pitch; thesis: 0.");
 
-  static final Variable<Double> LEVEL_PITCH =
-      Variable.number("LEVEL PITCH", "deg")
+  static final VariableDeclaration<Double> LEVEL_PITCH =
+      VariableDeclaration.number("LEVEL PITCH", "deg")
           .range(Range.of(-5.0, 15.0))
           .ifAbsent(6.0)
           .describedAs("Pitch at which the elevator is centred.");
 
-  static final Variable<Double> CRUISE_THROTTLE =
-      Variable.number("CRUISE THROTTLE", "")
+  static final VariableDeclaration<Double> CRUISE_THROTTLE =
+      VariableDeclaration.number("CRUISE THROTTLE", "")
           .range(Range.of(0.1, 1.0))
           .ifAbsent(0.6)
           .describedAs("Throttle of level flight.");

@@ -1,10 +1,13 @@
 package org.u2sa.core.control.ground;
 
-import static org.u2sa.core.control.ground.PursuitVariables.number;
-
 import java.util.Map;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.core.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
@@ -14,91 +17,120 @@ import org.u2sa.service.ServiceContext;
  * the right positive), once for each state. Without fresh navigation, or without knowing where it
  * is, the vehicle brakes and stands.
  */
-public final class AckermannPursuitControl extends PursuitControl {
-  static final Variable<Double> WHEELBASE =
-      number("WHEELBASE", "m", 0.05, 20.0, 0.33, "Distance from the front axle to the rear one.");
-  static final Variable<Double> STEERING_ANGLE =
-      number(
-          "STEERING ANGLE",
-          "deg",
-          1.0,
-          70.0,
-          24.0,
-          "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.");
-  static final Variable<String> THROTTLE =
-      Variable.text("THROTTLE ACTUATOR")
-          .ifAbsent("THROTTLE")
-          .describedAs("Name of the actuator of the drive, forwards positive.");
-  static final Variable<String> STEERING =
-      Variable.text("STEERING ACTUATOR")
-          .ifAbsent("STEERING")
-          .describedAs("Name of the actuator of the steering, to the right positive.");
+public final class AckermannPursuitControl extends ControlSystem {
+  /** How it is steered. */
+  private record Steering(
+      @Variable(
+              unit = "m",
+              min = 0.05,
+              max = 20,
+              ifAbsent = 0.33,
+              text = "Distance from the front axle to the rear one.")
+          double wheelbase,
+      @Variable(
+              unit = "deg",
+              min = 1,
+              max = 70,
+              ifAbsent = 24,
+              text =
+                  "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.")
+          double steeringAngle,
+      @Variable(
+              ifAbsentText = "THROTTLE",
+              text = "Name of the actuator of the drive, forwards positive.")
+          String throttleActuator,
+      @Variable(
+              ifAbsentText = "STEERING",
+              text = "Name of the actuator of the steering, to the right positive.")
+          String steeringActuator) {
+    double angleRad() {
+      return Math.toRadians(steeringAngle);
+    }
+
+    /** Curvature at full steering [1/m]. */
+    double tightest() {
+      return Math.tan(angleRad()) / wheelbase;
+    }
+  }
 
   private static final double SLOWEST_MPS = 0.1; // slower, the steering stays where it is
 
   private double misalignment; // curvature that the steering lacks [1/m]; kept while it stands
 
+  private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
+  private final Settings<Steering> steering = settings(Steering.class);
+  private final GroundControl ground = new GroundControl(this);
+  private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
+
   /** Called by the launcher. */
   public AckermannPursuitControl(ServiceContext context) {
-    super(context);
-    getVariable(THROTTLE); // wrong values must fail before the drive
-    getVariable(STEERING);
+    super(context, "Control");
+  }
+
+  private PursuitSettings pursuitSettings() {
+    return tuning.get().settings(steering.get().tightest(), PursuitSettings.SpotTurn.NONE);
+  }
+
+  /** Drives on with other gains and limits. */
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    pursuit.settings(pursuitSettings());
   }
 
   @Override
-  PursuitSettings settings() {
-    double tightest = Math.tan(steeringAngleRad()) / getVariable(WHEELBASE);
-    return PursuitVariables.settings(this, tightest, PursuitSettings.SpotTurn.NONE);
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<GroundTarget> target =
+        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
+    GroundControl.Measured measured = ground.measured(state, stepS());
+    PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
+    pursuit.commanded(demand, drive(demand), measured, stepS()).ifPresent(this::trouble);
   }
 
-  private double steeringAngleRad() {
-    return Math.toRadians(getVariable(STEERING_ANGLE));
-  }
-
-  @Override
-  double command(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS, double stepS) {
-    double steering = lastShare(getVariable(STEERING));
+  /** Commands the motors; returns what the drive is asked for by what it can. */
+  private double drive(PursuitControl.Demand demand) {
+    Drive drive = demand.drive();
+    Steering now = steering.get();
+    double share = lastShare(now.steeringActuator());
     if (drive.speedMps() > SLOWEST_MPS) {
-      if (yawErrorRadPerS.isPresent()) {
-        double error = yawErrorRadPerS.getAsDouble() / drive.speedMps();
-        double most = settings().largestCurvature();
-        double more = getVariable(PursuitVariables.TURN_GAIN) * stepS * error;
-        misalignment = Math.max(-most, Math.min(most, misalignment + more));
+      if (demand.yawErrorRadPerS().isPresent()) {
+        double error = demand.yawErrorRadPerS().getAsDouble() / drive.speedMps();
+        double more = tuning.get().turnGain() * stepS() * error;
+        misalignment = Math.max(-now.tightest(), Math.min(now.tightest(), misalignment + more));
       }
       double curvature = drive.yawRateRadPerS() / drive.speedMps() + misalignment;
       // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
-      steering = -Math.atan(getVariable(WHEELBASE) * curvature) / steeringAngleRad();
+      share = -Math.atan(now.wheelbase() * curvature) / now.angleRad();
     }
-    double throttle = calibration().share(drive.speedMps() + trimMps);
-    commandShare(getVariable(THROTTLE), throttle);
-    commandShare(getVariable(STEERING), steering);
+    double throttle = tuning.get().calibration().share(drive.speedMps() + demand.trimMps());
+    commandShare(now.throttleActuator(), throttle);
+    commandShare(now.steeringActuator(), share);
     return Math.abs(throttle);
   }
 
   @Override
-  void relax() {
-    // what it has learned of its steering holds whatever it carries
-  }
-
-  @Override
-  void handOverMotors(HandOver state) {
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    pursuit.handOver(state);
     state.number("MISALIGNMENT", misalignment);
   }
 
   @Override
-  void takeOverMotors(HandOver state) {
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
     misalignment = state.number("MISALIGNMENT").orElse(0.0);
+    pursuit.takeOver(state, isOfMyClass(state), lastDrive());
   }
 
-  @Override
-  Drive lastDrive() {
-    double speed = calibration().speedMps(lastShare(getVariable(THROTTLE)));
-    double angle = -steeringAngleRad() * lastShare(getVariable(STEERING));
-    return new Drive(speed, speed * Math.tan(angle) / getVariable(WHEELBASE));
+  /** The motion that the motors were commanded last, by whatever control. */
+  private Drive lastDrive() {
+    Steering now = steering.get();
+    double speed = tuning.get().calibration().speedMps(lastShare(now.throttleActuator()));
+    double angle = -now.angleRad() * lastShare(now.steeringActuator());
+    return new Drive(speed, speed * Math.tan(angle) / now.wheelbase());
   }
 
   @Override
   protected Map<String, Double> neutral() {
-    return Map.of(getVariable(THROTTLE), 0.0, getVariable(STEERING), 0.0);
+    return Map.of(steering.get().throttleActuator(), 0.0, steering.get().steeringActuator(), 0.0);
   }
 }

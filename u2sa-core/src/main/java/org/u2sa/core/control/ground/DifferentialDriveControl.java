@@ -1,11 +1,13 @@
 package org.u2sa.core.control.ground;
 
-import static org.u2sa.core.control.ground.PursuitVariables.number;
-
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.core.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
@@ -18,58 +20,73 @@ import org.u2sa.service.ServiceContext;
  * opposite signs. It knows no acceleration and no speed over ground: for those see {@link
  * DifferentialPursuitControl}. Without fresh navigation both wheels stop.
  */
-public final class DifferentialDriveControl extends GroundControl {
-  static final Variable<Double> DISTANCE_GAIN =
-      number("DISTANCE GAIN", "%/m", 0.0, 1000.0, 60.0, "Both wheels for each metre of distance.");
-  static final Variable<Double> SPEED_LIMIT =
-      number("SPEED LIMIT", "%", 0.0, 100.0, 60.0, "Most of what distance gives both wheels.");
-  static final Variable<Double> HEADING_GAIN =
-      number(
-          "HEADING GAIN",
-          "%/rad",
-          0.0,
-          500.0,
-          45.0,
-          "Each wheel for each radian of direction: right wheel forwards, left wheel backwards, for a point to the left.");
-  static final Variable<Double> TOLERANCE =
-      number("TOLERANCE", "m", 0.01, 10.0, 0.15, "Distance at which both wheels stop.");
-
-  static final Variable<Double> MISMATCH_GAIN =
-      number(
-          "MISMATCH GAIN",
-          "1/s",
-          0.0,
-          10.0,
-          0.5,
-          "Share of what HEADING GAIN gives that is added in a second, for motors that are not alike; 0: no feedback.");
+public final class DifferentialDriveControl extends ControlSystem {
+  private record Gains(
+      @Variable(
+              unit = "%/m",
+              min = 0,
+              max = 1000,
+              ifAbsent = 60,
+              text = "Both wheels for each metre of distance.")
+          double distanceGain,
+      @Variable(
+              unit = "%",
+              min = 0,
+              max = 100,
+              ifAbsent = 60,
+              text = "Most of what distance gives both wheels.")
+          double speedLimit,
+      @Variable(
+              unit = "%/rad",
+              min = 0,
+              max = 500,
+              ifAbsent = 45,
+              text =
+                  "Each wheel for each radian of direction: right wheel forwards, left wheel backwards, for a point to the left.")
+          double headingGain,
+      @Variable(
+              unit = "m",
+              min = 0.01,
+              max = 10,
+              ifAbsent = 0.15,
+              text = "Distance at which both wheels stop.")
+          double tolerance,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 10,
+              ifAbsent = 0.5,
+              text =
+                  "Share of what HEADING GAIN gives that is added in a second, for motors that are not alike; 0: no feedback.")
+          double mismatchGain) {}
 
   private static final double ALIGNED_RAD = 0.6; // farther aside it is to turn, not to learn
   private static final double FULL_PERCENT = 100.0;
 
+  private final Settings<Gains> gains = settings(Gains.class);
+  private final Settings<Motors> motors = settings(Motors.class);
+  private final GroundControl ground = new GroundControl(this);
   private final WheelBalance balance = new WheelBalance();
 
   /** Called by the launcher. */
   public DifferentialDriveControl(ServiceContext context) {
-    super(context);
-    Motors.declare(this);
-    getVariable(DISTANCE_GAIN); // wrong values must fail before the drive
-    getVariable(SPEED_LIMIT);
-    getVariable(HEADING_GAIN);
-    getVariable(TOLERANCE);
-    getVariable(MISMATCH_GAIN);
+    super(context, "Control");
   }
 
   @Override
-  void drive(Optional<GroundTarget> target, Measured measured, double stepS) {
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<GroundTarget> target =
+        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
+    GroundControl.Measured measured = ground.measured(state, stepS());
     double ahead = 0.0; // [%]
     double turn = 0.0;
     OptionalDouble error = OptionalDouble.empty();
-    if (target.isPresent() && target.get().distanceM() > getVariable(TOLERANCE)) {
+    if (target.isPresent() && target.get().distanceM() > gains.get().tolerance()) {
       double bearing = target.get().bearingRad();
       ahead =
-          Math.min(getVariable(SPEED_LIMIT), getVariable(DISTANCE_GAIN) * target.get().distanceM())
+          Math.min(gains.get().speedLimit(), gains.get().distanceGain() * target.get().distanceM())
               * Math.max(0.0, Math.cos(bearing)); // not away from a point behind
-      turn = getVariable(HEADING_GAIN) * bearing;
+      turn = gains.get().headingGain() * bearing;
       if (measured.yawRateRadPerS().isPresent() && Math.abs(bearing) < ALIGNED_RAD) {
         error = OptionalDouble.of(bearing); // the integral of a yaw rate: a PI controller
       }
@@ -81,20 +98,20 @@ public final class DifferentialDriveControl extends GroundControl {
                 ahead / FULL_PERCENT,
                 error,
                 feedback(),
-                stepS)
+                stepS())
             .possible();
-    commandShare(Motors.left(this), shares.left());
-    commandShare(Motors.right(this), shares.right());
+    commandShare(motors.get().leftActuator(), shares.left());
+    commandShare(motors.get().rightActuator(), shares.right());
   }
 
   private WheelBalance.Settings feedback() {
     return new WheelBalance.Settings(
         0.0,
         0.0,
-        getVariable(MISMATCH_GAIN),
+        gains.get().mismatchGain(),
         0.0,
-        getVariable(Motors.MISMATCH_LIMIT) / FULL_PERCENT,
-        getVariable(HEADING_GAIN) / FULL_PERCENT);
+        motors.get().mismatchLimit() / FULL_PERCENT,
+        gains.get().headingGain() / FULL_PERCENT);
   }
 
   @Override
@@ -111,6 +128,6 @@ public final class DifferentialDriveControl extends GroundControl {
 
   @Override
   protected Map<String, Double> neutral() {
-    return Motors.neutral(this);
+    return motors.get().neutral();
   }
 }

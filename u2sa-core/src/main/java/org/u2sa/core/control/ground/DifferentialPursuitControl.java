@@ -1,10 +1,13 @@
 package org.u2sa.core.control.ground;
 
-import static org.u2sa.core.control.ground.PursuitVariables.number;
-
 import java.util.Map;
-import java.util.OptionalDouble;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.core.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 
@@ -14,117 +17,156 @@ import org.u2sa.service.ServiceContext;
  * left and the right motor, once for each state. Without fresh navigation, or without knowing where
  * it is, the vehicle brakes and stands.
  */
-public final class DifferentialPursuitControl extends PursuitControl {
-  static final Variable<Double> TRACK =
-      number("TRACK", "m", 0.05, 10.0, 0.44, "Distance between the wheels of both sides.");
-  static final Variable<Double> SPOT_TURN_ABOVE =
-      number(
-          "SPOT TURN ABOVE",
-          "deg",
-          5.0,
-          180.0,
-          35.0,
-          "Direction of the point to go to from which on the vehicle turns on the spot.");
-  static final Variable<Double> SPOT_TURN_BELOW =
-      number(
-          "SPOT TURN BELOW",
-          "deg",
-          1.0,
-          180.0,
-          8.0,
-          "Direction of the point at which it has turned enough.");
-  static final Variable<Double> SPOT_TURN_GAIN =
-      number("SPOT TURN GAIN", "1/s", 0.1, 20.0, 2.0, "Yaw rate for each radian of direction.");
-
-  static final Variable<Double> SPOT_TURN_FEEDBACK =
-      number(
-          "SPOT TURN FEEDBACK",
-          "1/s",
-          0.0,
-          10.0,
-          2.0,
-          "Share of an error of the yaw rate that feedback takes out in a second while it turns on the spot; 0: no feedback.");
+public final class DifferentialPursuitControl extends ControlSystem {
+  /** How it turns. */
+  private record Turning(
+      @Variable(
+              unit = "m",
+              min = 0.05,
+              max = 10,
+              ifAbsent = 0.44,
+              text = "Distance between the wheels of both sides.")
+          double track,
+      @Variable(
+              unit = "deg",
+              min = 5,
+              max = 180,
+              ifAbsent = 35,
+              text = "Direction of the point to go to from which on the vehicle turns on the spot.")
+          double spotTurnAbove,
+      @Variable(
+              unit = "deg",
+              min = 1,
+              max = 180,
+              ifAbsent = 8,
+              text = "Direction of the point at which it has turned enough.")
+          double spotTurnBelow,
+      @Variable(
+              unit = "1/s",
+              min = 0.1,
+              max = 20,
+              ifAbsent = 2,
+              text = "Yaw rate for each radian of direction.")
+          double spotTurnGain,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 10,
+              ifAbsent = 2,
+              text =
+                  "Share of an error of the yaw rate that feedback takes out in a second while it turns on the spot; 0: no feedback.")
+          double spotTurnFeedback,
+      @Variable(
+              min = 0,
+              max = 10,
+              ifAbsent = 2,
+              text =
+                  "Yaw rate commanded more for each deg/s by which the measured one falls short; 0: none.")
+          double yawRateGain) {}
 
   private static final double FULL_PERCENT = 100.0;
   private static final double TIGHTEST = 10.0; // [1/m]; tighter is as good as on the spot
 
+  private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
+  private final Settings<Turning> turning = settings(Turning.class);
+  private final Settings<Motors> motors = settings(Motors.class);
+  private final GroundControl ground = new GroundControl(this);
   private final WheelBalance balance = new WheelBalance();
+  private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
   /** Called by the launcher. */
   public DifferentialPursuitControl(ServiceContext context) {
-    super(context);
-    Motors.declare(this);
-    getVariable(TRACK);
-    getVariable(SPOT_TURN_FEEDBACK);
-    getVariable(PursuitVariables.YAW_RATE_GAIN);
+    super(context, "Control");
+  }
+
+  private PursuitSettings pursuitSettings() {
+    Turning now = turning.get();
+    return tuning
+        .get()
+        .settings(
+            TIGHTEST,
+            new PursuitSettings.SpotTurn(
+                true,
+                Math.toRadians(now.spotTurnAbove()),
+                Math.toRadians(Math.min(now.spotTurnBelow(), now.spotTurnAbove())),
+                now.spotTurnGain()));
+  }
+
+  /** Drives on with other gains and limits. */
+  @Override
+  protected void configurationChanged(Set<String> variableNames) {
+    pursuit.settings(pursuitSettings());
   }
 
   @Override
-  PursuitSettings settings() {
-    return PursuitVariables.settings(
-        this,
-        TIGHTEST,
-        new PursuitSettings.SpotTurn(
-            true,
-            Math.toRadians(getVariable(SPOT_TURN_ABOVE)),
-            Math.toRadians(Math.min(getVariable(SPOT_TURN_BELOW), getVariable(SPOT_TURN_ABOVE))),
-            getVariable(SPOT_TURN_GAIN)));
+  protected void control(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<GroundTarget> target =
+        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
+    GroundControl.Measured measured = ground.measured(state, stepS());
+    PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
+    pursuit
+        .commanded(demand, drive(demand), measured, stepS())
+        .ifPresent(
+            words -> {
+              trouble(words);
+              balance.relax();
+            });
   }
 
-  @Override
-  double command(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS, double stepS) {
-    DriveCalibration motor = calibration();
-    Drive told = new Drive(drive.speedMps() + trimMps, drive.yawRateRadPerS());
-    WheelSpeeds wheels = WheelSpeeds.of(told, getVariable(TRACK), motor.maxMps());
+  /** Commands the motors; returns what they are asked for by what they can. */
+  private double drive(PursuitControl.Demand demand) {
+    DriveCalibration motor = tuning.get().calibration();
+    Drive drive = demand.drive();
+    Drive told = new Drive(drive.speedMps() + demand.trimMps(), drive.yawRateRadPerS());
+    WheelSpeeds wheels = WheelSpeeds.of(told, turning.get().track(), motor.maxMps());
     WheelShares shares =
         balance.step(
             new WheelShares(motor.share(wheels.leftMps()), motor.share(wheels.rightMps())),
             drive.speedMps() > 0.0 ? motor.share(told.speedMps()) : 0.0,
-            yawErrorRadPerS,
+            demand.yawErrorRadPerS(),
             feedback(motor),
-            stepS);
+            stepS());
     WheelShares possible = shares.possible();
-    commandShare(Motors.left(this), possible.left());
-    commandShare(Motors.right(this), possible.right());
+    commandShare(motors.get().leftActuator(), possible.left());
+    commandShare(motors.get().rightActuator(), possible.right());
     return shares.effort();
   }
 
   private WheelBalance.Settings feedback(DriveCalibration motor) {
     return new WheelBalance.Settings(
-        getVariable(PursuitVariables.YAW_RATE_GAIN),
-        0.5 * getVariable(PursuitVariables.RESPONSE_TIME),
-        getVariable(PursuitVariables.TURN_GAIN),
-        getVariable(SPOT_TURN_FEEDBACK),
-        getVariable(Motors.MISMATCH_LIMIT) / FULL_PERCENT,
-        0.5 * getVariable(TRACK) * (1.0 - motor.startShare()) / motor.maxMps());
+        turning.get().yawRateGain(),
+        0.5 * tuning.get().responseTime(),
+        tuning.get().turnGain(),
+        turning.get().spotTurnFeedback(),
+        motors.get().mismatchLimit() / FULL_PERCENT,
+        0.5 * turning.get().track() * (1.0 - motor.startShare()) / motor.maxMps());
   }
 
   @Override
-  void relax() {
-    balance.relax();
-  }
-
-  @Override
-  void handOverMotors(HandOver state) {
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    pursuit.handOver(state);
     balance.handOver(state);
   }
 
   @Override
-  void takeOverMotors(HandOver state) {
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
     balance.takeOver(state);
+    pursuit.takeOver(state, isOfMyClass(state), lastDrive());
   }
 
-  @Override
-  Drive lastDrive() {
-    DriveCalibration motor = calibration();
+  /** The motion that the motors were commanded last, by whatever control. */
+  private Drive lastDrive() {
+    DriveCalibration motor = tuning.get().calibration();
     return new WheelSpeeds(
-            motor.speedMps(lastShare(Motors.left(this))),
-            motor.speedMps(lastShare(Motors.right(this))))
-        .drive(getVariable(TRACK));
+            motor.speedMps(lastShare(motors.get().leftActuator())),
+            motor.speedMps(lastShare(motors.get().rightActuator())))
+        .drive(turning.get().track());
   }
 
   @Override
   protected Map<String, Double> neutral() {
-    return Motors.neutral(this);
+    return motors.get().neutral();
   }
 }

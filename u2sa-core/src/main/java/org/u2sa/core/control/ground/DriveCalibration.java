@@ -1,8 +1,5 @@
 package org.u2sa.core.control.ground;
 
-import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Variable;
-
 /**
  * Which share of all that it can a motor must be commanded for a speed over ground: nothing moves
  * up to a certain one, as friction and the motor controller's dead band hold; from there the speed
@@ -12,31 +9,7 @@ import org.u2sa.interfaces.configuration.Variable;
  * @param startShare at which the vehicle begins to move, 0…1
  */
 record DriveCalibration(double maxMps, double startShare) {
-  static final Variable<Double> MAX_SPEED =
-      PursuitVariables.number(
-          "MAX SPEED",
-          "m/s",
-          0.05,
-          50.0,
-          2.0,
-          "Speed over ground at 100 %, straight ahead on the ground that is driven on; measured.");
-  static final Variable<Double> START =
-      PursuitVariables.number(
-          "START PERCENTAGE",
-          "%",
-          0.0,
-          50.0,
-          8.0,
-          "At which the vehicle begins to move: friction and the motor controller's dead band; measured.");
-
-  private static final double FULL_PERCENT = 100.0;
   private static final double STANDS_MPS = 1.0e-6;
-
-  /** Declares and reads the variables. */
-  static DriveCalibration of(Configurator configuration) {
-    return new DriveCalibration(
-        configuration.getVariable(MAX_SPEED), configuration.getVariable(START) / FULL_PERCENT);
-  }
 
   /** What to command for a speed [m/s]: −1…1 for speeds that can be reached, 0 for standing. */
   double share(double mps) {

@@ -4,28 +4,29 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.service.ServiceContext;
 
 /**
- * What control systems of ground vehicles have in common: they go to the navigation point as it
- * lies now, and stand where there is none or the vehicle does not know where it is.
+ * What control systems of ground vehicles have in common: the navigation point as it lies from the
+ * vehicle now, and how the vehicle moves. In: arming-state. Belongs to the control's thread.
  */
-abstract class GroundControl extends ControlSystem {
-  private static final double FULL_PERCENT = 100.0;
-
+final class GroundControl {
+  private final ControlSystem control;
   private boolean navigating;
   private boolean armed = true; // where nobody arms, motors obey at once
   private OptionalDouble headingRad = OptionalDouble.empty(); // of the state before
 
-  GroundControl(ServiceContext context) {
-    super(context, "Control");
-    registerSubscriber(Channels.ARMING_STATE);
+  GroundControl(ControlSystem control) {
+    this.control = control;
+    control.subscribe(Channels.ARMING_STATE, this::heed);
+  }
+
+  private void heed(ArmingState state) {
+    armed = state.armed();
   }
 
   /**
@@ -40,39 +41,36 @@ abstract class GroundControl extends ControlSystem {
   }
 
   /**
-   * Commands the motors. Called once for each state.
+   * Where to go; empty: nowhere, the vehicle is to stop and stand.
    *
-   * @param target where to go; empty: nowhere, the vehicle is to stop and stand
-   * @param stepS since the call before [s]; 0 for the first one and after a gap
+   * @param then the state from which the point was computed
+   * @param ned where the point lay then: north, east, down [m]
    */
-  abstract void drive(Optional<GroundTarget> target, Measured measured, double stepS);
-
-  @Override
-  protected final void control(StateInformation state, Optional<NavigationPoint> point) {
-    Optional<GroundTarget> target = point.flatMap(given -> target(given, state));
+  Optional<GroundTarget> target(
+      StateInformation now,
+      Optional<NavigationPoint> point,
+      Optional<StateInformation> then,
+      Optional<Point> ned) {
+    Optional<GroundTarget> target =
+        then.isEmpty() || ned.isEmpty()
+            ? Optional.empty()
+            : GroundTarget.seenFrom(then.get(), ned.get(), now, point.orElseThrow().speed());
     if (target.isPresent() != navigating) {
       navigating = target.isPresent();
-      log(LogLevelEnum.INFO, navigating ? "drives" : "no navigation: stands");
+      control.log(navigating ? "drives" : "no navigation: stands");
     }
-    Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state));
+    return target;
+  }
+
+  /**
+   * How the vehicle moves, as far as feedback may learn from it. Called once for each state.
+   *
+   * @param stepS since the call before [s]; 0 for the first one and after a gap
+   */
+  Measured measured(StateInformation state, double stepS) {
+    Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state, stepS));
     headingRad = state.psi();
-    drive(target, armed ? measured : Measured.NOTHING, stepS());
-  }
-
-  @Override
-  protected final void received(U2SAData data) {
-    if (data instanceof ArmingState state) {
-      armed = state.armed();
-    } else {
-      unexpected(data);
-    }
-  }
-
-  private Optional<GroundTarget> target(NavigationPoint point, StateInformation now) {
-    return stateOf(point)
-        .flatMap(
-            then ->
-                nedOf(point).flatMap(ned -> GroundTarget.seenFrom(then, ned, now, point.speed())));
+    return armed ? measured : Measured.NOTHING;
   }
 
   private static OptionalDouble forwardMps(StateInformation state) {
@@ -89,25 +87,15 @@ abstract class GroundControl extends ControlSystem {
   }
 
   /** As measured, or by how much the heading has changed since the state before. */
-  private OptionalDouble yawRateRadPerS(StateInformation state) {
+  private OptionalDouble yawRateRadPerS(StateInformation state, double stepS) {
     if (state.psiDot().isPresent()) {
       return OptionalDouble.of(-state.psiDot().getAsDouble());
     }
-    if (state.psi().isEmpty() || headingRad.isEmpty() || stepS() == 0.0) {
+    if (state.psi().isEmpty() || headingRad.isEmpty() || stepS == 0.0) {
       return OptionalDouble.empty();
     }
     double turned =
         Math.IEEEremainder(state.psi().getAsDouble() - headingRad.getAsDouble(), 2.0 * Math.PI);
-    return OptionalDouble.of(-turned / stepS());
-  }
-
-  /** Commands an actuator a share of all that it can [−1…1]. */
-  final void commandShare(String actuator, double share) {
-    command(actuator, FULL_PERCENT * share);
-  }
-
-  /** What an actuator was commanded last, by this or the control before [−1…1]; 0 if nothing. */
-  final double lastShare(String actuator) {
-    return lastCommand(actuator).orElse(0.0) / FULL_PERCENT;
+    return OptionalDouble.of(-turned / stepS);
   }
 }

@@ -1,46 +1,27 @@
 package org.u2sa.core.control.ground;
 
 import java.util.Map;
-import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The names of the two motors of a differential vehicle. */
-final class Motors {
-  static final Variable<String> LEFT =
-      Variable.text("LEFT ACTUATOR")
-          .ifAbsent("LEFT MOTOR")
-          .describedAs("Name of the actuator of the left side, forwards positive.");
-  static final Variable<String> RIGHT =
-      Variable.text("RIGHT ACTUATOR")
-          .ifAbsent("RIGHT MOTOR")
-          .describedAs("Name of the actuator of the right side, forwards positive.");
-
-  static final Variable<Double> MISMATCH_LIMIT =
-      PursuitVariables.number(
-          "MISMATCH LIMIT",
-          "%",
-          0.0,
-          95.0,
-          80.0,
-          "Most by which feedback commands the weaker motor more and the stronger one less.");
-
-  private Motors() {}
-
-  static void declare(Configurator configuration) {
-    configuration.getVariable(LEFT);
-    configuration.getVariable(RIGHT);
-    configuration.getVariable(MISMATCH_LIMIT);
-  }
-
-  static String left(Configurator configuration) {
-    return configuration.getVariable(LEFT);
-  }
-
-  static String right(Configurator configuration) {
-    return configuration.getVariable(RIGHT);
-  }
-
-  static Map<String, Double> neutral(Configurator configuration) {
-    return Map.of(left(configuration), 0.0, right(configuration), 0.0);
+/** The two motors of a differential vehicle. */
+record Motors(
+    @Variable(
+            ifAbsentText = "LEFT MOTOR",
+            text = "Name of the actuator of the left side, forwards positive.")
+        String leftActuator,
+    @Variable(
+            ifAbsentText = "RIGHT MOTOR",
+            text = "Name of the actuator of the right side, forwards positive.")
+        String rightActuator,
+    @Variable(
+            unit = "%",
+            min = 0,
+            max = 95,
+            ifAbsent = 80,
+            text =
+                "Most by which feedback commands the weaker motor more and the stronger one less.")
+        double mismatchLimit) {
+  Map<String, Double> neutral() {
+    return Map.of(leftActuator, 0.0, rightActuator, 0.0);
   }
 }

@@ -2,83 +2,65 @@ package org.u2sa.core.control.ground;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Set;
+import java.util.function.Supplier;
 import org.u2sa.service.HandOver;
-import org.u2sa.service.ServiceContext;
 
-/** Regulated pure pursuit, for whatever motors the vehicle has. */
-abstract class PursuitControl extends GroundControl {
+/**
+ * Regulated pure pursuit, for whatever motors the vehicle has: says how to move, with feedback from
+ * how it moved, and rests motors that are too weak. Belongs to one thread.
+ */
+final class PursuitControl {
+  private final Supplier<PursuitTuning> tuning;
   private final PursuitLaw law;
-  private final Reference reference = new Reference();
   private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
   private final MotionWatch watch = new MotionWatch();
+  private Drive due = Drive.STANDING; // what the demanded motion should have become by now
   private boolean atFullPower;
 
-  /** Subclasses must be able to answer {@link #settings} once this has returned. */
-  PursuitControl(ServiceContext context) {
-    super(context);
-    calibration(); // wrong values must fail before the drive
-    getVariable(PursuitVariables.SPEED_GAIN);
-    getVariable(PursuitVariables.TURN_GAIN);
-    getVariable(PursuitVariables.RESPONSE_TIME);
-    getVariable(PursuitVariables.STALL_TIME);
-    getVariable(PursuitVariables.STALL_PAUSE);
-    law = new PursuitLaw(settings());
+  PursuitControl(Supplier<PursuitTuning> tuning, PursuitSettings settings) {
+    this.tuning = tuning;
+    law = new PursuitLaw(settings);
   }
 
-  /** Declares and reads the variables; called in the constructor, too. */
-  abstract PursuitSettings settings();
+  /** Drives on with other gains and limits. */
+  void settings(PursuitSettings settings) {
+    law.settings(settings);
+  }
 
   /**
-   * Commands the motors so that the vehicle moves so.
+   * What the motors are to do.
    *
+   * @param drive how the vehicle is to move
    * @param trimMps what must be told more for that speed [m/s]
    * @param yawErrorRadPerS wanted yaw rate less the measured one; empty if unknown
-   * @return what the motors are asked for by what they can: more than 1 if they cannot
    */
-  abstract double command(
-      Drive drive, double trimMps, OptionalDouble yawErrorRadPerS, double stepS);
+  record Demand(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS) {}
 
-  /** Forgets what feedback has learned of a load that the motors did not move. */
-  abstract void relax();
-
-  /** The motion that the motors were commanded last, by whatever control. */
-  abstract Drive lastDrive();
-
-  /** What the motors make of commands. */
-  final DriveCalibration calibration() {
-    return DriveCalibration.of(this);
-  }
-
-  @Override
-  final void drive(Optional<GroundTarget> target, Measured measured, double stepS) {
+  /** How to move now, after a state. */
+  Demand step(Optional<GroundTarget> target, GroundControl.Measured measured, double stepS) {
     Drive drive = law.step(watch.rests(measured, stepS) ? Optional.empty() : target, stepS);
-    Drive due = reference.step(drive, getVariable(PursuitVariables.RESPONSE_TIME), stepS);
+    follow(drive, tuning.get().responseTime(), stepS);
     double trim =
         speedTrim.step(
             drive,
             error(due.speedMps(), measured.forwardMps()),
             atFullPower,
-            getVariable(PursuitVariables.SPEED_GAIN),
-            calibration().maxMps(),
+            tuning.get().speedGain(),
+            tuning.get().maxSpeed(),
             stepS);
-    double effort =
-        command(drive, trim, error(due.yawRateRadPerS(), measured.yawRateRadPerS()), stepS);
-    atFullPower = effort > 1.0;
-    watch
-        .see(
-            drive,
-            measured,
-            effort,
-            getVariable(PursuitVariables.STALL_TIME),
-            getVariable(PursuitVariables.STALL_PAUSE),
-            stepS)
-        .ifPresent(this::stalled);
+    return new Demand(drive, trim, error(due.yawRateRadPerS(), measured.yawRateRadPerS()));
   }
 
-  private void stalled(String words) {
-    trouble(words);
-    relax();
+  /**
+   * Motors, tyres and sensors take their time, and feedback must not take that for an error. First
+   * order.
+   */
+  private void follow(Drive demanded, double responseS, double stepS) {
+    double share = stepS / (responseS + stepS);
+    due =
+        new Drive(
+            due.speedMps() + share * (demanded.speedMps() - due.speedMps()),
+            due.yawRateRadPerS() + share * (demanded.yawRateRadPerS() - due.yawRateRadPerS()));
   }
 
   private static OptionalDouble error(double wanted, OptionalDouble measured) {
@@ -87,35 +69,41 @@ abstract class PursuitControl extends GroundControl {
         : OptionalDouble.empty();
   }
 
-  /** Hands over what was learned of the motors. */
-  abstract void handOverMotors(HandOver state);
-
-  /** Takes over what was learned of the motors, by whatever control. */
-  abstract void takeOverMotors(HandOver state);
-
-  /** Drives on with other gains and limits. */
-  @Override
-  protected final void configurationChanged(Set<String> variableNames) {
-    law.settings(settings());
+  /**
+   * Takes note of what the motors were asked for in that step, by what they can: more than 1 if
+   * they cannot.
+   *
+   * @return what to tell the user if they do not move the vehicle
+   */
+  Optional<String> commanded(
+      Demand demand, double effort, GroundControl.Measured measured, double stepS) {
+    atFullPower = effort > 1.0;
+    return watch.see(
+        demand.drive(),
+        measured,
+        effort,
+        tuning.get().stallTime(),
+        tuning.get().stallPause(),
+        stepS);
   }
 
-  @Override
-  protected final void handOver(HandOver state) {
-    super.handOver(state);
+  void handOver(HandOver state) {
     law.handOver(state);
     speedTrim.handOver(state);
-    handOverMotors(state);
   }
 
-  @Override
-  protected final void takeOver(HandOver state) {
-    super.takeOver(state);
-    takeOverMotors(state);
-    if (state.className().equals(getClass().getName())) {
+  /**
+   * Goes on from another control.
+   *
+   * @param alike whether it was of the same class
+   * @param last the motion that the motors were commanded last
+   */
+  void takeOver(HandOver state, boolean alike, Drive last) {
+    if (alike) {
       law.takeOver(state);
       speedTrim.takeOver(state);
     } else {
-      law.startFrom(lastDrive());
+      law.startFrom(last);
     }
   }
 }

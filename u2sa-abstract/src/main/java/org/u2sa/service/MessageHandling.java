@@ -1,0 +1,154 @@
+package org.u2sa.service;
+
+import java.util.OptionalLong;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Hands a service its messages one by one, answers those of the service contract, reports health
+ * meanwhile, and survives the exceptions of its author's code. All but {@link #inbox} and {@link
+ * #contract} belongs to the service's thread.
+ */
+final class MessageHandling {
+  private final U2SAService service;
+  private final Consumer<U2SAData> callback;
+  private final Registrations registrations;
+  private final ServiceInbox inbox;
+  private final ContractResponder contract;
+  private final HealthReporter reporter;
+  private final int maxErrorsInARow;
+  private volatile boolean patient;
+
+  MessageHandling(U2SAService service, ServiceVariables variables) {
+    this.service = service;
+    callback = service::callback;
+    registrations = service.wiring.registrations();
+    maxErrorsInARow = variables.maxErrorsInARow();
+    reporter = new HealthReporter(service, variables.healthInterval());
+    inbox = new ServiceInbox(variables.inboxCapacity());
+    contract = new ContractResponder(service);
+  }
+
+  ServiceInbox inbox() {
+    return inbox;
+  }
+
+  ContractResponder contract() {
+    return contract;
+  }
+
+  HealthReporter reporter() {
+    return reporter;
+  }
+
+  /** Lets messages that are not urgent wait until the service wakes by itself. */
+  void bePatient() {
+    patient = true;
+  }
+
+  /** {@link #bePatient}. */
+  boolean isPatient() {
+    return patient;
+  }
+
+  /** {@link U2SAService#handleMessages}. */
+  void until(long untilMicros) throws InterruptedException {
+    service.health.busy(false);
+    int first = inbox.depth();
+    while (service.running) {
+      if (service.succession.carryOut()) {
+        service.running = false;
+        return;
+      }
+      if (contract.configurationWriter().hasWritten()) {
+        guarded(contract.configurationWriter()::handOver);
+        continue;
+      }
+      long now = service.clock().micros();
+      reporter.reportIfDue(now);
+      boolean mayHandle = first-- > 0 || now < untilMicros;
+      ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
+      if (delivery != null) {
+        handle(delivery);
+      } else if (now >= untilMicros) {
+        break;
+      } else {
+        service.life.await(Math.min(untilMicros, reporter.dueMicros()));
+      }
+    }
+    service.health.busy(true);
+  }
+
+  private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
+    U2SAData message = delivery.message();
+    service.succession.note(delivery);
+    guarded(
+        () -> {
+          if (contract.concerns(delivery.channel(), message)) {
+            contract.answer(message);
+          }
+          if (registrations.isSubscribed(delivery.channel()) && isInTime(delivery)) {
+            registrations.handlerOr(delivery.channel(), callback).accept(message);
+          }
+        });
+  }
+
+  /** Whether a message has not outlived the deadline that the author set; otherwise counts it. */
+  private boolean isInTime(ServiceInbox.Delivery delivery) {
+    long deadlineMicros = registrations.deadlineMicros(delivery.channel());
+    if (deadlineMicros == Clock.NEVER) {
+      return true;
+    }
+    OptionalLong saidMicros = delivery.message().timestamp();
+    long ageMicros =
+        saidMicros.isPresent()
+            ? MessageAge.micros(
+                delivery.message(), delivery.arrivedMicros(), service.clock().micros())
+            : Clock.NEVER;
+    if (ageMicros <= deadlineMicros) {
+      return true;
+    }
+    long expired = service.health.expired();
+    if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      String age = saidMicros.isPresent() ? Clock.seconds(ageMicros) + " s old" : "of unknown age";
+      String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
+      service.log(
+          LogLevelEnum.WARN,
+          delivery.channel()
+              + ": message "
+              + age
+              + " counts as absent after "
+              + deadline
+              + delivery.message());
+    }
+    return false;
+  }
+
+  /**
+   * Runs author's code; an exception is logged, counted and survived, until there are too many in a
+   * row.
+   */
+  void guarded(ServiceHealth.CallbackCode code) throws InterruptedException {
+    ServiceHealth health = service.health;
+    if (health.run(code)) {
+      return;
+    }
+    String what = health.lastError().orElse("");
+    String inRow = " (exception " + health.exceptionsInRow() + " in a row)";
+    boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: no flood of stack traces
+    service.logFile().log(LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
+    if (health.exceptionsInRow() >= maxErrorsInARow) {
+      service.log(
+          LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
+      service.life.fail();
+    }
+  }
+
+  /** Says for the last time how the service is. */
+  void reportLast() {
+    contract.configurationWriter().close();
+    reporter.reportLast();
+  }
+}

@@ -1,0 +1,87 @@
+package org.u2sa.service;
+
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Collections;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.regex.Pattern;
+import org.u2sa.interfaces.configuration.ChangeOrigin;
+import org.u2sa.interfaces.configuration.ConfigurationCheck;
+import org.u2sa.interfaces.configuration.ConfigurationException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.log.LogFile;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+
+/** A service's name, variables and log file (thesis 3.2.1.1, 3.2.1.5). */
+final class ServiceConfiguration {
+  /** A service's name also names its log file and its MQTT client. */
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_][A-Za-z0-9 _.-]{0,63}");
+
+  private final XmlConfiguration variables;
+  private final ServiceVariables own;
+  private final Clock clock;
+  private final String name;
+  private final LogFile log;
+
+  ServiceConfiguration(ServiceContext context, String className) {
+    variables = context.configuration();
+    clock = context.clock();
+    own = variables.settings(ServiceVariables.class).get();
+    Optional<U2SAService> before = context.predecessor();
+    String ownName = checkedName(own.serviceName().isEmpty() ? className : own.serviceName());
+    name = before.map(U2SAService::getServiceName).orElse(ownName);
+    Path directory = own.logPath().isEmpty() ? context.logDirectory() : Paths.get(own.logPath());
+    if (before.isPresent()) {
+      log = before.get().logFile(); // goes on in the same file
+    } else {
+      log = new LogFile(directory.resolve(name + ".log"), name, own.logLevel(), clock);
+      context.onAbandon(log::close);
+    }
+  }
+
+  /**
+   * The name, if it is one.
+   *
+   * @throws ConfigurationException if not; names the variable that sets it
+   */
+  static String checkedName(String name) {
+    if (!NAME.matcher(name).matches()) {
+      throw new ConfigurationException(
+          "service name \""
+              + name
+              + "\" (variable \"SERVICE NAME\"): expected 1 to 64 letters, digits, spaces, '_', '.' or '-', "
+              + "beginning with a letter, digit or '_'");
+    }
+    return name;
+  }
+
+  String name() {
+    return name;
+  }
+
+  /** What the configuration says of the variables that every service has, at its start. */
+  ServiceVariables variables() {
+    return own;
+  }
+
+  LogFile log() {
+    return log;
+  }
+
+  /** {@link U2SAService#setVariable}, unless the check refuses it. */
+  boolean setVariable(String variableName, Object value, ConfigurationCheck check) {
+    ChangeOrigin self = new ChangeOrigin(clock.micros(), name, name);
+    Optional<String> refusal =
+        variables
+            .change(
+                Collections.singletonMap(variableName, value), OptionalLong.empty(), self, check)
+            .refusal();
+    refusal.ifPresent(
+        reason ->
+            log.log(
+                LogLevelEnum.ERROR, "variable \"" + variableName + "\" was not set: " + reason));
+    return refusal.isEmpty();
+  }
+}

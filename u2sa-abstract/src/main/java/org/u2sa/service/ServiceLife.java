@@ -1,0 +1,246 @@
+package org.u2sa.service;
+
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.ServiceStatus;
+
+/**
+ * A service's life: it is started, waits on the run's clock, and ends exactly once, however it
+ * ends.
+ */
+final class ServiceLife {
+  private static final long ENDS_BY_ITSELF_WITHIN_MS = 200;
+  private static final long RELEASES_WITHIN_MS = 2_000;
+
+  private final U2SAService service;
+  private final Clock clock;
+  private final long createdMicros;
+  private final AtomicBoolean ended = new AtomicBoolean();
+  private boolean endsSurely; // written in the service's constructor
+  private volatile boolean askedToStop; // also before the start, which then does not happen
+  private volatile String endReason = "";
+  private volatile ServiceStatus status = ServiceStatus.CREATED;
+  private volatile Clock.Waiter waiter; // null until started
+  private volatile long startedMicros;
+
+  ServiceLife(U2SAService service, Clock clock) {
+    this.service = service;
+    this.clock = clock;
+    createdMicros = clock.micros();
+    service.setUncaughtExceptionHandler((thread, error) -> die(error));
+  }
+
+  /** Says that the service's run calls {@link #end} whatever happens, so that nobody watches. */
+  void endsSurely() {
+    endsSurely = true;
+  }
+
+  /** {@link U2SAService#start}, of a service that has its state. */
+  void start() {
+    service.context().configuration().refuseUndeclared();
+    if (!startUnlessAskedToStop()) {
+      end();
+    } else if (!endsSurely) {
+      helper("-watch", this::endAfterRun);
+    }
+  }
+
+  /** Excludes {@link #stopWaiting}: a kill comes either before the start or finds the waiter. */
+  private synchronized boolean startUnlessAskedToStop() {
+    if (service.getState() != Thread.State.NEW || ended.get()) {
+      throw new IllegalThreadStateException(
+          "service " + service.getName() + " was started or killed before; make a new one");
+    }
+    if (askedToStop) {
+      return false;
+    }
+    waiter = clock.newWaiter(service.getName());
+    startedMicros = clock.micros();
+    service.running = true;
+    status = ServiceStatus.RUNNING;
+    service.startThread();
+    return true;
+  }
+
+  /** Starts; should that fail, it is over as if it had died. */
+  void startAsSuccessor() {
+    try {
+      service.start();
+    } catch (RuntimeException | Error e) {
+      die(e);
+    }
+  }
+
+  private Thread helper(String suffix, Runnable does) {
+    Thread helper = new Thread(does, service.getName() + suffix);
+    helper.setDaemon(true);
+    helper.start();
+    return helper;
+  }
+
+  /** Waits for the thread: should it just stop, the service ends as dead. */
+  private void endAfterRun() {
+    try {
+      service.join();
+    } catch (InterruptedException e) { // nobody has this thread to interrupt it
+      Thread.currentThread().interrupt();
+      return;
+    }
+    die(new IllegalStateException("run() returned without end()"));
+  }
+
+  /**
+   * Waits for this thread's first turn, so that services begin in the order in which they were
+   * started.
+   */
+  void awaitTurn() throws InterruptedException {
+    waiter.await(clock.micros());
+  }
+
+  /** Waits on the run's clock until {@link #wake} or the deadline. */
+  void await(long untilMicros) throws InterruptedException {
+    waiter.await(untilMicros);
+  }
+
+  /**
+   * Waits until the condition holds, the deadline comes or the service is to end; for the service's
+   * own thread, inside of its code. Asked again at each {@link #wake}.
+   */
+  void awaitUntil(BooleanSupplier condition, long deadlineMicros) throws InterruptedException {
+    while (service.running && !condition.getAsBoolean() && clock.micros() < deadlineMicros) {
+      waiter.await(deadlineMicros);
+    }
+  }
+
+  /** Ends the present wait of the service's thread. */
+  void wake() {
+    Clock.Waiter waiting = waiter;
+    if (waiting != null) {
+      waiting.signal();
+    }
+  }
+
+  /** Asks the loop to stop, without waiting for it. */
+  void askToStop() {
+    askedToStop = true;
+    service.running = false;
+    wake();
+    service.succession.successor().ifPresent(next -> next.life.askToStop()); // just now
+  }
+
+  /** {@link #askToStop} for a reason that the log and {@link #endReason} are to give. */
+  void stopFor(String reason) {
+    if (!askedToStop) {
+      endReason = reason;
+      service.log(LogLevelEnum.INFO, reason);
+    }
+    askToStop();
+  }
+
+  boolean isAskedToStop() {
+    return askedToStop;
+  }
+
+  /** {@link U2SAService#endReason}. */
+  Optional<String> endReason() {
+    return Optional.of(endReason).filter(reason -> !reason.isEmpty());
+  }
+
+  /** Ends the wait of the service's thread for good, wherever it waits. */
+  synchronized void stopWaiting() {
+    askedToStop = true;
+    service.running = false;
+    Clock.Waiter waiting = waiter;
+    if (waiting != null) {
+      waiting.close();
+    }
+  }
+
+  /** Lets the loop end as failed. */
+  void fail() {
+    status = ServiceStatus.FAILED;
+    service.running = false;
+  }
+
+  /** {@link U2SAService#end}. */
+  void end() {
+    if (!ended.compareAndSet(false, true)) {
+      return;
+    }
+    service.running = false;
+    if (service.succession.handsOverInsteadOfEnding()) {
+      status = ServiceStatus.STOPPED;
+      stopWaiting(); // everything else is the successor's now
+      return;
+    }
+    boolean failed = status == ServiceStatus.FAILED;
+    status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPING;
+    atLast("closing", service::release);
+    status = failed ? ServiceStatus.FAILED : ServiceStatus.STOPPED;
+    atLast("the last health report", service.handling::reportLast);
+    service.log(LogLevelEnum.INFO, "ended: " + status);
+    atLast("ending the communication", service.wiring::close);
+    stopWaiting();
+    service.logFile().close();
+  }
+
+  /** Takes the end for itself. Returns false if it has ended already. */
+  boolean endsNow() {
+    if (!ended.compareAndSet(false, true)) {
+      return false;
+    }
+    status = ServiceStatus.STOPPED;
+    return true;
+  }
+
+  /** Does one of the last things; should it fail, the others are done all the same. */
+  void atLast(String what, Runnable last) {
+    try {
+      last.run();
+    } catch (Exception | Error e) { // also undeclared checked ones
+      service.health.error(e.toString());
+      service.logFile().log(LogLevelEnum.ERROR, what + " failed", e);
+    }
+  }
+
+  /** Ends after what the thread cannot survive, as failed. */
+  void die(Throwable error) {
+    if (!ended.get()) {
+      service.health.died(error.toString());
+      service.logFile().log(LogLevelEnum.ERROR, "the thread died", error);
+      status = ServiceStatus.FAILED;
+    }
+    end();
+  }
+
+  /** {@link U2SAService#abandon}. */
+  void abandon() {
+    stopWaiting();
+    service.interrupt();
+    try {
+      service.join(ENDS_BY_ITSELF_WITHIN_MS);
+      helper("-abandoned", this::end).join(RELEASES_WITHIN_MS); // release may hang as well
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      service.wiring.close();
+    }
+  }
+
+  ServiceStatus status() {
+    return status;
+  }
+
+  /** Time since the service was made [s]. */
+  double uptimeS() {
+    return Clock.seconds(clock.micros() - createdMicros);
+  }
+
+  /** When the thread was started [µs of the run's clock]. */
+  long startedMicros() {
+    return startedMicros;
+  }
+}

@@ -1,0 +1,126 @@
+package org.u2sa.service;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * How a service registers, publishes and subscribes (thesis 3.2.1.2–3.2.1.4): what fails is said in
+ * the log and answered with false.
+ */
+final class ServiceMessaging {
+  private final U2SAService service;
+  private final ServiceWiring wiring;
+  private final Registrations registrations;
+
+  ServiceMessaging(U2SAService service, ServiceWiring wiring) {
+    this.service = service;
+    this.wiring = wiring;
+    registrations = wiring.registrations();
+  }
+
+  boolean begin() {
+    return attempt("connecting", wiring::isReady);
+  }
+
+  boolean registerPublisher(Channel<?> channel) {
+    return attempt(
+        "registering as publisher of " + channel, () -> wiring.registerPublisher(channel));
+  }
+
+  boolean registerSubscriber(Channel<?> channel) {
+    return attempt(
+        "registering as subscriber of " + channel, () -> wiring.registerSubscriber(channel));
+  }
+
+  boolean unregisterSubscriber(Channel<?> channel) {
+    return attempt("unregistering from " + channel, () -> wiring.unregisterSubscriber(channel));
+  }
+
+  boolean publish(U2SAData data) {
+    Optional<Channel<?>> channel = registrations.channelFor(data);
+    return channel.isPresent()
+        ? publish(channel.get(), data)
+        : refuse("not registered as a publisher of " + data.type().name() + ": not published");
+  }
+
+  boolean publish(Channel<?> channel, U2SAData data) {
+    if (wiring.isSilent()) {
+      return false; // the successor speaks for this service now
+    }
+    if (!data.isFrozen()) {
+      if (data.systemId().isEmpty()) {
+        data.systemId(service.context().systemId());
+      }
+      if (data.timestamp().isEmpty()) {
+        data.timestamp(service.clock().micros());
+      }
+      data.freeze();
+    }
+    try {
+      if (wiring.publish(channel, data)) {
+        return true;
+      }
+      if (Long.bitCount(wiring.refused()) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+        refuse("publishing on " + channel + " was refused: " + data);
+      }
+      return false;
+    } catch (CommunicationException e) {
+      return refuse("publishing on " + channel + " failed: " + e.getMessage());
+    }
+  }
+
+  /** The role's standard channel to publish messages of the class on; if none, the log says so. */
+  Optional<Channel<?>> toPublish(Class<? extends U2SAData> dataType) {
+    return orRefuse(service.role().channelToPublish(dataType), "publishes", dataType);
+  }
+
+  /** The role's standard channel to hear messages of the class on; if none, the log says so. */
+  Optional<Channel<?>> toSubscribe(Class<? extends U2SAData> dataType) {
+    return orRefuse(service.role().channelToSubscribe(dataType), "receives", dataType);
+  }
+
+  private Optional<Channel<?>> orRefuse(
+      Optional<Channel<?>> standard, String does, Class<? extends U2SAData> dataType) {
+    if (standard.isEmpty()) {
+      refuse(
+          "no standard channel on which a "
+              + service.role()
+              + " "
+              + does
+              + " "
+              + dataType.getSimpleName()
+              + ": register with a channel instead, one of "
+              + Channels.all()
+              + " or your own");
+    }
+    return standard;
+  }
+
+  /** The channel of that name; if it is no name, the log says so. */
+  Optional<Channel<?>> named(String channelName) {
+    try {
+      return Optional.of(Channels.namedOrNew(channelName));
+    } catch (IllegalArgumentException e) {
+      refuse(e.getMessage());
+      return Optional.empty();
+    }
+  }
+
+  private boolean refuse(String why) {
+    service.log(LogLevelEnum.ERROR, why);
+    return false;
+  }
+
+  private boolean attempt(String what, BooleanSupplier action) {
+    try {
+      return action.getAsBoolean() || refuse(what + " was refused");
+    } catch (CommunicationException e) {
+      return refuse(what + " failed: " + e.getMessage());
+    }
+  }
+}

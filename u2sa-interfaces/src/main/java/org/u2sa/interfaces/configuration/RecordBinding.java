@@ -1,0 +1,172 @@
+package org.u2sa.interfaces.configuration;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Parameter;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The variables that a record's components declare by {@link Variable}, and how to make a record of
+ * their values. Reads the canonical constructor, since Android knows no record components.
+ */
+final class RecordBinding<T> {
+  private final Constructor<T> constructor;
+  private final List<VariableDeclaration<?>> declarations = new ArrayList<>();
+
+  private RecordBinding(Constructor<T> constructor) {
+    this.constructor = constructor;
+    constructor.setAccessible(true);
+    for (Parameter parameter : constructor.getParameters()) {
+      declarations.add(declaration(parameter));
+    }
+  }
+
+  /**
+   * @throws IllegalArgumentException if it is no record whose components are all variables, or one
+   *     is declared wrongly; names it
+   */
+  static <T> RecordBinding<T> of(Class<T> type) {
+    return in(type)
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    type.getName()
+                        + ": expected a record whose components all have @"
+                        + Variable.class.getSimpleName()));
+  }
+
+  /** {@link #of}; empty if it is no such record. */
+  @SuppressWarnings("unchecked") // a class's constructors make objects of the class
+  static <T> Optional<RecordBinding<T>> in(Class<T> type) {
+    return Arrays.stream(type.getDeclaredConstructors())
+        .filter(each -> each.getParameterCount() > 0)
+        .filter(
+            each ->
+                Arrays.stream(each.getParameters())
+                    .allMatch(parameter -> parameter.isAnnotationPresent(Variable.class)))
+        .findFirst()
+        .map(each -> new RecordBinding<>((Constructor<T>) each));
+  }
+
+  List<VariableDeclaration<?>> declarations() {
+    return declarations;
+  }
+
+  /**
+   * The record of these values, each of which its variable allows.
+   *
+   * @throws IllegalArgumentException if the record refuses them together
+   */
+  T bind(Map<String, Object> values) {
+    Parameter[] parameters = constructor.getParameters();
+    Object[] arguments = new Object[parameters.length];
+    for (int i = 0; i < arguments.length; i++) {
+      Object value = values.get(declarations.get(i).name());
+      Class<?> type = parameters[i].getType();
+      arguments[i] = type.isEnum() ? constant(type, (String) value) : value;
+    }
+    try {
+      return constructor.newInstance(arguments);
+    } catch (InvocationTargetException e) {
+      if (e.getCause() instanceof RuntimeException refusal) {
+        throw refusal;
+      }
+      throw new IllegalStateException(constructor + " failed", e.getCause());
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(constructor + " cannot be called", e);
+    }
+  }
+
+  private static Object constant(Class<?> type, String name) {
+    return Arrays.stream(type.getEnumConstants())
+        .filter(each -> ((Enum<?>) each).name().equals(name))
+        .findFirst()
+        .orElseThrow(); // the choices are these
+  }
+
+  private VariableDeclaration<?> declaration(Parameter parameter) {
+    Variable said = parameter.getAnnotation(Variable.class);
+    try {
+      return declaration(said, name(said, parameter), parameter.getType()).describedAs(said.text());
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          constructor.getDeclaringClass().getName() + ": " + e.getMessage(), e);
+    }
+  }
+
+  private static String name(Variable said, Parameter parameter) {
+    if (!said.name().isEmpty()) {
+      return said.name();
+    }
+    if (!parameter.isNamePresent()) {
+      throw new IllegalArgumentException(
+          "@Variable(text = \"" + said.text() + "\"): give a name, or compile with -parameters");
+    }
+    return parameter.getName().replaceAll("(?<=[a-z0-9])(?=[A-Z])", " ").toUpperCase(Locale.ROOT);
+  }
+
+  private static VariableDeclaration<?> declaration(Variable said, String name, Class<?> type) {
+    boolean number = type == double.class || type == int.class;
+    boolean hasNumber = !Double.isNaN(said.ifAbsent());
+    boolean hasText = !said.ifAbsentText().equals(Variable.REQUIRED);
+    if (number ? hasText : hasNumber) {
+      throw wrong(name, (number ? "ifAbsentText" : "ifAbsent") + " does not fit " + type);
+    }
+    if (type != String.class && said.oneOf().length > 0) {
+      throw wrong(name, "oneOf is for texts, not for " + type);
+    }
+    if (!number && (!range(said).isAny() || !said.unit().isEmpty())) {
+      throw wrong(name, "min, max and unit are for numbers, not for " + type);
+    }
+    if (type == double.class) {
+      VariableDeclaration<Double> declared =
+          VariableDeclaration.number(name, said.unit()).range(range(said));
+      return hasNumber ? declared.ifAbsent(said.ifAbsent()) : declared;
+    }
+    if (type == int.class) {
+      VariableDeclaration<Integer> declared =
+          VariableDeclaration.integer(name, said.unit()).range(range(said));
+      return hasNumber ? declared.ifAbsent(whole(name, said.ifAbsent())) : declared;
+    }
+    if (type == boolean.class) {
+      VariableDeclaration<Boolean> declared = VariableDeclaration.flag(name);
+      return hasText
+          ? declared.ifAbsent((Boolean) VariableType.BOOLEAN.parse(said.ifAbsentText()))
+          : declared;
+    }
+    if (type != String.class && !type.isEnum()) {
+      throw wrong(name, type + " is neither double, int, boolean, String nor an enum");
+    }
+    VariableDeclaration<String> declared =
+        VariableDeclaration.text(name).oneOf(type.isEnum() ? names(type) : said.oneOf());
+    return hasText ? declared.ifAbsent(said.ifAbsentText()) : declared;
+  }
+
+  private static Range range(Variable said) {
+    return said.minExcluded()
+        ? Range.above(said.min(), said.max())
+        : Range.of(said.min(), said.max());
+  }
+
+  private static int whole(String name, double value) {
+    if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE) {
+      throw wrong(name, "ifAbsent " + value + " is no whole number");
+    }
+    return (int) value;
+  }
+
+  private static String[] names(Class<?> type) {
+    return Arrays.stream(type.getEnumConstants())
+        .map(each -> ((Enum<?>) each).name())
+        .toArray(String[]::new);
+  }
+
+  private static IllegalArgumentException wrong(String name, String why) {
+    return new IllegalArgumentException("variable \"" + name + "\": " + why);
+  }
+}

@@ -1,0 +1,235 @@
+package org.u2sa.interfaces.configuration;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What a service says about one of its configuration variables: name, type, unit, range, default
+ * and meaning. A record with {@link Variable}s says it shorter; where a record does not do, this is
+ * declared as {@code static final} in the service's class, where the configuration reference finds
+ * it too. Immutable: each call returns a new one.
+ *
+ * <pre>{@code
+ * static final VariableDeclaration<Double> GAIN =
+ *     VariableDeclaration.number("HEADING GAIN", "%/rad").range(Range.of(0.0, 500.0)).ifAbsent(120.0)
+ *         .describedAs("Difference of the wheels' speeds for each radian of heading error.");
+ * }</pre>
+ *
+ * @param <T> {@link Double}, {@link Integer}, {@link String} or {@link Boolean}
+ */
+public final class VariableDeclaration<T> {
+  private final String name;
+  private final VariableType type;
+  private final Class<T> javaType;
+  private final String unit;
+  private final Range range;
+  private final Optional<T> ifAbsent;
+  private final List<T> choices;
+  private final String description;
+
+  private VariableDeclaration(
+      String name,
+      VariableType type,
+      Class<T> javaType,
+      String unit,
+      Range range,
+      Optional<T> ifAbsent,
+      List<T> choices,
+      String description) {
+    if (name.trim().isEmpty()) {
+      throw new IllegalArgumentException("a variable needs a name");
+    }
+    this.name = name;
+    this.type = type;
+    this.javaType = javaType;
+    this.unit = Objects.requireNonNull(unit);
+    this.range = Objects.requireNonNull(range);
+    this.ifAbsent = ifAbsent;
+    this.choices = choices;
+    this.description = Objects.requireNonNull(description);
+    ifAbsent.flatMap(this::refusal).ifPresent(this::refuseDeclaration);
+  }
+
+  private static <T> VariableDeclaration<T> of(
+      String name, VariableType type, Class<T> javaType, String unit) {
+    return new VariableDeclaration<>(
+        name, type, javaType, unit, Range.any(), Optional.empty(), Collections.emptyList(), "");
+  }
+
+  /** A decimal number in {@code unit}, for example {@code "m/s"}; empty text for a bare number. */
+  public static VariableDeclaration<Double> number(String name, String unit) {
+    return of(name, VariableType.DOUBLE, Double.class, unit);
+  }
+
+  /** A whole number without a unit: a count, a port. */
+  public static VariableDeclaration<Integer> integer(String name) {
+    return integer(name, "");
+  }
+
+  /** A whole number in {@code unit}; a file may not give it in another one. */
+  public static VariableDeclaration<Integer> integer(String name, String unit) {
+    return of(name, VariableType.INTEGER, Integer.class, unit);
+  }
+
+  /** A text: an address, a path, a name. */
+  public static VariableDeclaration<String> text(String name) {
+    return of(name, VariableType.STRING, String.class, "");
+  }
+
+  /** A yes or no. */
+  public static VariableDeclaration<Boolean> flag(String name) {
+    return of(name, VariableType.BOOLEAN, Boolean.class, "");
+  }
+
+  /**
+   * The numbers that the variable may take, in its own unit.
+   *
+   * @throws IllegalArgumentException if it is not a number, or its default lies outside
+   */
+  public VariableDeclaration<T> range(Range newRange) {
+    if (!type.isNumber()) {
+      throw new IllegalArgumentException("variable \"" + name + "\" is not a number: no range");
+    }
+    return new VariableDeclaration<>(
+        name, type, javaType, unit, newRange, ifAbsent, choices, description);
+  }
+
+  /**
+   * The value if the file has none; without it the variable is required.
+   *
+   * @throws IllegalArgumentException if the range or the choices exclude it
+   */
+  public VariableDeclaration<T> ifAbsent(T value) {
+    return new VariableDeclaration<>(
+        name, type, javaType, unit, range, Optional.of(value), choices, description);
+  }
+
+  /** What the variable does, in a sentence for the user who sets it. */
+  public VariableDeclaration<T> describedAs(String newDescription) {
+    return new VariableDeclaration<>(
+        name, type, javaType, unit, range, ifAbsent, choices, newDescription);
+  }
+
+  /** The only values that the variable may take; texts in exactly this case. */
+  @SafeVarargs
+  public final VariableDeclaration<T> oneOf(T... values) {
+    List<T> only = new ArrayList<>();
+    for (T value : values) {
+      only.add(value);
+    }
+    return new VariableDeclaration<>(
+        name,
+        type,
+        javaType,
+        unit,
+        range,
+        ifAbsent,
+        Collections.unmodifiableList(only),
+        description);
+  }
+
+  /** The name in the file, unique in its service. */
+  public String name() {
+    return name;
+  }
+
+  /** The type that the file must give it. */
+  public VariableType type() {
+    return type;
+  }
+
+  /** The unit in which the service gets it; empty text if none. */
+  public String unit() {
+    return unit;
+  }
+
+  /** The numbers that it may take. */
+  public Range range() {
+    return range;
+  }
+
+  /** The value if the file has none; empty if the file must have one. */
+  public Optional<T> ifAbsent() {
+    return ifAbsent;
+  }
+
+  /** The only values that it may take; empty if there is no such list. */
+  public List<T> choices() {
+    return choices;
+  }
+
+  /** What it does; empty text if nobody said. */
+  public String description() {
+    return description;
+  }
+
+  /** {@code value}, which is of this variable's type, as such. */
+  T cast(Object value) {
+    return javaType.cast(value);
+  }
+
+  /**
+   * Why {@code value}, of this variable's type and unit, is refused: {@code 95 deg is outside …}.
+   */
+  Optional<String> refusal(Object value) {
+    if (value instanceof Number number && !range.contains(number.doubleValue())) {
+      return Optional.of(
+          NumberText.ofValue(value)
+              + (unit.isEmpty() ? "" : " " + unit)
+              + " is outside "
+              + range.withUnit(unit));
+    }
+    if (!choices.isEmpty() && !choices.contains(value)) {
+      return Optional.of(quoted(value) + " is not one of " + choicesText());
+    }
+    return Optional.empty();
+  }
+
+  /** The choices as a message lists them: {@code "a", "b"}. */
+  String choicesText() {
+    StringBuilder text = new StringBuilder();
+    for (T choice : choices) {
+      text.append(text.length() == 0 ? "" : ", ").append(quoted(choice));
+    }
+    return text.toString();
+  }
+
+  private static String quoted(Object value) {
+    return value instanceof String ? "\"" + value + "\"" : NumberText.ofValue(value);
+  }
+
+  private void refuseDeclaration(String reason) {
+    throw new IllegalArgumentException(
+        "variable \"" + name + "\" is declared with a default that it refuses: " + reason);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof VariableDeclaration<?> that
+        && name.equals(that.name)
+        && type == that.type
+        && unit.equals(that.unit)
+        && range.equals(that.range)
+        && ifAbsent.equals(that.ifAbsent)
+        && choices.equals(that.choices)
+        && description.equals(that.description);
+  }
+
+  @Override
+  public int hashCode() {
+    return name.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return "variable \""
+        + name
+        + "\" ("
+        + type.xmlName()
+        + (unit.isEmpty() ? "" : ", " + unit)
+        + ")";
+  }
+}
