@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import org.u2sa.messages.frame.Gravity;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
@@ -19,7 +20,6 @@ import org.u2sa.messages.frame.Point;
 class FenceProperties {
   private static final double STEP_S = 0.1;
   private static final double LONGEST_S = 3600.0;
-  private static final double GRAVITY_MPS2 = 9.80665;
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
 
   /** A star of twelve corners around the origin, rarely convex, with a hole to keep out of. */
@@ -75,7 +75,7 @@ class FenceProperties {
         triggered = t;
       }
       if (t - triggered >= reaction - 1e-6) { // false for NaN
-        double rate = GRAVITY_MPS2 * Math.tan(bank) / speed;
+        double rate = Gravity.STANDARD_MPS2 * Math.tan(bank) / speed;
         course += side * rate * STEP_S;
         turned += rate * STEP_S;
       }

@@ -15,7 +15,7 @@ import org.u2sa.sim.ground.MiniMolle;
 import org.u2sa.sim.ioio.IoioBoard;
 import org.u2sa.sim.ioio.IoioFirmware;
 import org.u2sa.sim.ioio.IoioInProcess;
-import org.u2sa.sim.sensor.LocalPlane;
+import org.u2sa.sim.world.World;
 import org.u2sa.testkit.ServiceKit;
 
 /** The whole chain: vehicle, firmware, library, drivers, service. The same twice, and fast. */
@@ -33,7 +33,7 @@ class LockstepRunTest {
   }
 
   private static Outcome run(long seed) {
-    MiniMolle vehicle = MiniMolle.on(new LocalPlane(HOME)).seed(seed).build();
+    MiniMolle vehicle = MiniMolle.in(World.at(HOME)).seed(seed).build();
     IoioInProcess board = new IoioInProcess(new IoioFirmware(IoioBoard.OTG, vehicle));
     Clock watch = new SystemClock();
     try (ServiceKit kit = new ServiceKit().seed(seed)) {

@@ -22,7 +22,7 @@ import org.u2sa.scenarios.report.RunReport;
 import org.u2sa.service.U2SAService;
 
 /** One run of a mission by the services of a system file, from start-up to report. */
-public final class DemoRun {
+final class DemoRun {
   private static final long LOOK_EVERY_MICROS = 50_000;
 
   private final SystemFile system;

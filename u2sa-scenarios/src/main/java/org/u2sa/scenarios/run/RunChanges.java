@@ -10,7 +10,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** What a user wants otherwise in a run; used as {@code @Mixin RunChanges changes}. */
-public final class RunChanges {
+final class RunChanges {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 

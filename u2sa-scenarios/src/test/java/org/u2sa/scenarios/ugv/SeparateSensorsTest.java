@@ -26,6 +26,7 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
 
@@ -58,7 +59,12 @@ class SeparateSensorsTest {
     Mission mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
     world =
         new UgvWorld(
-            UgvFiles.home(mission), VehicleKind.DIFFERENTIAL, GpsGrade.SURVEY, 1, Hazards.none());
+            RunPlans.start(mission),
+            VehicleKind.DIFFERENTIAL,
+            GpsGrade.SURVEY,
+            1,
+            Hazards.none(),
+            DriveConditions.usual());
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
@@ -104,10 +110,10 @@ class SeparateSensorsTest {
   @Test
   void gpsWithoutCompass_standsAndTheEstimatorSaysWhy() throws Exception {
     try (RunningSystem running = start(GPS)) {
-      GroundState began = world.truth();
+      GroundState began = world.state();
       clock.advance(Clock.micros(15.0));
       assertThat(running.isRunning()).isTrue();
-      assertThat(world.truth().eastM()).isEqualTo(began.eastM());
+      assertThat(world.state().eastM()).isEqualTo(began.eastM());
     }
     assertThat(log("StateEstimator"))
         .contains("state lacks psi: no source of heading on sensed-state (heard: GpsSensor)");
@@ -130,8 +136,8 @@ class SeparateSensorsTest {
     public Reading read(long nowMicros) {
       boolean isDue = fix.isEmpty() || nowMicros - fix.get().measuredAtMicros() >= PERIOD_MICROS;
       if (isDue) {
-        GroundState truth = world.truth();
-        Geodetic place = world.place(truth);
+        GroundState truth = world.state();
+        Geodetic place = world.world().groundAt(truth.eastM(), truth.northM());
         double offDeg = (random.nextDouble() - 0.5) * 2.0 * SIGMA_M / 111_000.0;
         OptionalDouble sigma = OptionalDouble.of(SIGMA_M);
         fix =
@@ -188,7 +194,7 @@ class SeparateSensorsTest {
 
     @Override
     public Reading read(long nowMicros) {
-      double headingRad = world.truth().headingRad() % (2.0 * Math.PI);
+      double headingRad = world.state().headingRad() % (2.0 * Math.PI);
       double positive = headingRad < 0.0 ? headingRad + 2.0 * Math.PI : headingRad;
       return new Reading(true, Optional.of(new Heading(nowMicros, positive, true)));
     }

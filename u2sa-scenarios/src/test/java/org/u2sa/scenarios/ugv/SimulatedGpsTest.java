@@ -17,7 +17,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.GpsMessage;
 import org.u2sa.sim.sensor.GpsParameters;
-import org.u2sa.sim.sensor.LocalPlane;
+import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UbloxReceiver;

@@ -1,0 +1,76 @@
+package org.u2sa.scenarios.run;
+
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.scenarios.report.Domain;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.StartPlace;
+
+/** What one demo adds to what all demos do: its files, and what a run of it consists of. */
+public interface Demo {
+  /** Its name in reports, and of its folders in {@code config} and {@code missions}. */
+  String name();
+
+  /** Where its runs go unless told otherwise, {@code out/<directory>-…}. */
+  default String directory() {
+    return name();
+  }
+
+  /** The services that run, in its folder of {@code config}. */
+  default String systemFile() {
+    return "system.xml";
+  }
+
+  /** The mission unless another is asked for, in its folder of {@code missions}. */
+  default String missionFile() {
+    return "mission.xml";
+  }
+
+  /** Where it moves. */
+  Domain domain();
+
+  /** How long a run may take. */
+  Pace pace();
+
+  /**
+   * Where the vehicle stands at first: the mission's home.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if it has none on the earth
+   */
+  default StartPlace start(Mission mission) {
+    return RunPlans.start(mission);
+  }
+
+  /**
+   * Refuses options that do not fit, before anything is made.
+   *
+   * @throws picocli.CommandLine.ParameterException naming the option
+   */
+  default void check(RunPlan plan) {}
+
+  /**
+   * The world, vehicle and score of one run.
+   *
+   * @param directory where the files of the run go
+   */
+  Trial trial(Mission mission, Path directory, long seed);
+
+  /**
+   * One run of a demo.
+   *
+   * @param mission that the services pursue
+   * @param observer of the truth
+   * @param settings what is configured for this run only
+   * @param lockstep makes the simulation that runs as fast as the machine allows
+   * @param realTime makes the one that runs at the speed of the world
+   */
+  record Trial(
+      Mission mission,
+      RunObserver.Maker observer,
+      Consumer<LaunchOptions> settings,
+      Function<LaunchOptions, Simulation> lockstep,
+      Function<LaunchOptions, Simulation> realTime) {}
+}
