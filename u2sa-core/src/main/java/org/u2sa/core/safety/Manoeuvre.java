@@ -1,6 +1,5 @@
 package org.u2sa.core.safety;
 
-import org.u2sa.messages.frame.Gravity;
 import java.util.ArrayList;
 import java.util.List;
 import org.locationtech.jts.algorithm.ConvexHull;
@@ -9,6 +8,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**

@@ -1,8 +1,8 @@
 package org.u2sa.core.planning;
 
-import org.u2sa.messages.frame.Gravity;
 import java.util.Optional;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -38,7 +38,8 @@ final class TestAircraft extends TestVehicle {
       double away = Math.hypot(body.x(), right);
       double off = Math.atan2(right, body.x());
       double limited = Math.max(-Math.PI / 2.0, Math.min(Math.PI / 2.0, off));
-      wanted = Math.atan(2.0 * speed * speed / away * Math.sin(limited) / Gravity.STANDARD_MPS2); // L1
+      wanted =
+          Math.atan(2.0 * speed * speed / away * Math.sin(limited) / Gravity.STANDARD_MPS2); // L1
       wanted = Math.max(-BANK_LIMIT, Math.min(BANK_LIMIT, wanted));
       altitude += Math.max(-3.0, Math.min(3.0, -down / 3.0)) * dtS;
     }

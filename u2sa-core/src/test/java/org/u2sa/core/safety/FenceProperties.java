@@ -1,6 +1,5 @@
 package org.u2sa.core.safety;
 
-import org.u2sa.messages.frame.Gravity;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
@@ -14,6 +13,7 @@ import net.jqwik.api.constraints.LongRange;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /** A vehicle that brakes or turns as it promised never leaves its fence. */

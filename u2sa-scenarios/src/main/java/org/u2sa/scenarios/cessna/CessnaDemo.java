@@ -36,9 +36,6 @@ import picocli.CommandLine.Spec;
       "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
     })
 final class CessnaDemo implements Callable<Integer>, Demo {
-  /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */
-  static final Pace PACE = new Pace(600.0, 25.0);
-
   @Mixin private DemoFrame frame;
   @Spec private CommandSpec command;
 
@@ -61,18 +58,13 @@ final class CessnaDemo implements Callable<Integer>, Demo {
   }
 
   @Override
-  public String name() {
-    return "cessna";
+  public Profile profile() {
+    return flying("cessna");
   }
 
-  @Override
-  public Domain domain() {
-    return Domain.AIR;
-  }
-
-  @Override
-  public Pace pace() {
-    return PACE;
+  /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */
+  static Profile flying(String directory) {
+    return new Profile("cessna", directory, "mission.xml", Domain.AIR, new Pace(600.0, 25.0));
   }
 
   @Override

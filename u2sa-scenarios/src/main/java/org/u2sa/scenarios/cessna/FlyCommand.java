@@ -10,11 +10,9 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.StartPlace;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
-import org.u2sa.scenarios.run.Pace;
 import org.u2sa.scenarios.run.Simulation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -78,23 +76,8 @@ final class FlyCommand implements Callable<Integer>, Demo {
   }
 
   @Override
-  public String name() {
-    return "cessna";
-  }
-
-  @Override
-  public String directory() {
-    return "flightgear";
-  }
-
-  @Override
-  public Domain domain() {
-    return Domain.AIR;
-  }
-
-  @Override
-  public Pace pace() {
-    return CessnaDemo.PACE;
+  public Profile profile() {
+    return CessnaDemo.flying("flightgear");
   }
 
   @Override
@@ -104,7 +87,8 @@ final class FlyCommand implements Callable<Integer>, Demo {
 
   @Override
   public Trial trial(Mission mission, Path directory, long seed) {
-    Function<LaunchOptions, Simulation> flightGear = launch -> flightGear(launch, mission, directory);
+    Function<LaunchOptions, Simulation> flightGear =
+        launch -> flightGear(launch, mission, directory);
     return new Trial(
         mission,
         FlightObserver::new,
@@ -116,7 +100,10 @@ final class FlyCommand implements Callable<Integer>, Demo {
   private Simulation flightGear(LaunchOptions launch, Mission mission, Path directory) {
     ports.configure(launch, host.isEmpty() ? HERE : host);
     return new FlightGearSimulation(
-        ports, directory, mission, host.isEmpty() && !noStart ? Optional.empty() : Optional.of(frame.terminal()));
+        ports,
+        directory,
+        mission,
+        host.isEmpty() && !noStart ? Optional.empty() : Optional.of(frame.terminal()));
   }
 
   private OptionalDouble patience() {

@@ -11,29 +11,24 @@ import org.u2sa.scenarios.report.StartPlace;
 
 /** What one demo adds to what all demos do: its files, and what a run of it consists of. */
 public interface Demo {
-  /** Its name in reports, and of its folders in {@code config} and {@code missions}. */
-  String name();
+  /**
+   * What never changes.
+   *
+   * @param name in reports, and of its folders in {@code config} and {@code missions}
+   * @param directory where its runs go unless told otherwise: {@code out/<directory>-…}
+   * @param missionFile the mission unless another is asked for
+   * @param domain where it moves
+   * @param pace how long a run may take
+   */
+  record Profile(String name, String directory, String missionFile, Domain domain, Pace pace) {}
 
-  /** Where its runs go unless told otherwise, {@code out/<directory>-…}. */
-  default String directory() {
-    return name();
-  }
+  /** Its name, files and limits. */
+  Profile profile();
 
   /** The services that run, in its folder of {@code config}. */
   default String systemFile() {
     return "system.xml";
   }
-
-  /** The mission unless another is asked for, in its folder of {@code missions}. */
-  default String missionFile() {
-    return "mission.xml";
-  }
-
-  /** Where it moves. */
-  Domain domain();
-
-  /** How long a run may take. */
-  Pace pace();
 
   /**
    * Where the vehicle stands at first: the mission's home.

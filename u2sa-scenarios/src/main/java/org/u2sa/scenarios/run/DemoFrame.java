@@ -59,26 +59,27 @@ public final class DemoFrame {
 
   private Integer run(Demo demo, boolean realTime, OptionalDouble patience)
       throws InterruptedException, IOException {
-    Path root = HomeFolder.holding("config/" + demo.name());
+    String name = demo.profile().name();
+    Path root = HomeFolder.holding("config/" + name);
     SystemFile system =
-        SystemFile.read(root.resolve("config").resolve(demo.name()).resolve(demo.systemFile()));
+        SystemFile.read(root.resolve("config").resolve(name).resolve(demo.systemFile()));
     changes.check(system);
     LaunchOptions changed = new LaunchOptions();
     changes.applyTo(changed);
-    Path own = root.resolve("missions").resolve(demo.name()).resolve(demo.missionFile());
+    Path own = root.resolve("missions").resolve(name).resolve(demo.profile().missionFile());
     Mission mission = VehicleMission.load(system, changed, options.mission().orElse(own));
     demo.check(plan(demo, mission)); // what is wrong is said before anything is made
     return new RunLoop(options, command.commandLine().getOut())
         .run(
-            demo.directory(),
+            demo.profile().directory(),
             (directory, seed, interruption) -> {
               Demo.Trial trial = demo.trial(mission, directory, seed);
               DemoRun run =
                   new DemoRun(
-                          demo.name(),
+                          name,
                           system,
                           plan(demo, trial.mission()),
-                          demo.pace(),
+                          demo.profile().pace(),
                           trial.observer(),
                           directory,
                           terminal(),
@@ -103,7 +104,7 @@ public final class DemoFrame {
 
   /** A mission of the demo as reports and screens see it. */
   public RunPlan plan(Demo demo, Mission mission) {
-    return RunPlans.of(demo.domain(), mission, Optional.of(demo.start(mission)));
+    return RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)));
   }
 
   private LaunchOptions launch(SystemFile system, Demo.Trial trial) {

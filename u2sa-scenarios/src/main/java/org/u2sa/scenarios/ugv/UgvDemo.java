@@ -86,23 +86,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
   }
 
   @Override
-  public String name() {
-    return "ugv";
-  }
-
-  @Override
-  public String missionFile() {
-    return "loop.xml";
-  }
-
-  @Override
-  public Domain domain() {
-    return Domain.GROUND;
-  }
-
-  @Override
-  public Pace pace() {
-    return new Pace(60.0, 0.2);
+  public Profile profile() {
+    return new Profile("ugv", "ugv", "loop.xml", Domain.GROUND, new Pace(60.0, 0.2));
   }
 
   @Override

@@ -11,9 +11,9 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
 

@@ -35,8 +35,7 @@ class UnarmedMotionTest {
   void see_movesThoughNobodyArmed_isAViolation() {
     level.see(at(1.0, 0.1));
 
-    assertThat(level.outcome().violations())
-        .containsExactly("moved unarmed at 1.0 s, at 0.10 m/s");
+    assertThat(level.outcome().violations()).containsExactly("moved unarmed at 1.0 s, at 0.10 m/s");
     assertThat(level.outcome().contacts()).isEqualTo(2);
   }
 

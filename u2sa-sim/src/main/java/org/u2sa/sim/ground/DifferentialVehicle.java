@@ -145,7 +145,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
 
   @Override
   public List<String> actuators() {
-    return List.of("LEFT WHEEL", "RIGHT WHEEL");
+    return List.of("LEFT MOTOR", "RIGHT MOTOR");
   }
 
   /** {@inheritDoc} The outline of its wheels. */

@@ -36,12 +36,33 @@ record Bounds(double x0, double y0, double z0, double x1, double y1, double z1) 
 
   /** A distance along the ray before which it is not inside; infinite if it never is. */
   double enteredM(Ray ray) {
-    double[] span = {0.0, Double.POSITIVE_INFINITY};
-    boolean met =
-        cut(span, ray.x(), ray.dx(), x0 - ROUNDING, x1 + ROUNDING)
-            && cut(span, ray.y(), ray.dy(), y0 - ROUNDING, y1 + ROUNDING)
-            && cut(span, ray.z(), ray.dz(), z0 - ROUNDING, z1 + ROUNDING);
-    return met ? span[0] : Double.POSITIVE_INFINITY;
+    double in =
+        Math.max(
+            Math.max(0.0, first(ray.x(), ray.dx(), x0, x1)),
+            Math.max(first(ray.y(), ray.dy(), y0, y1), first(ray.z(), ray.dz(), z0, z1)));
+    double out =
+        Math.min(
+            last(ray.x(), ray.dx(), x0, x1),
+            Math.min(last(ray.y(), ray.dy(), y0, y1), last(ray.z(), ray.dz(), z0, z1)));
+    return in <= out ? in : Double.POSITIVE_INFINITY;
+  }
+
+  private static double first(double start, double change, double low, double high) {
+    if (change == 0.0) {
+      return isBetween(start, low, high) ? 0.0 : Double.POSITIVE_INFINITY;
+    }
+    return change > 0.0 ? (low - ROUNDING - start) / change : (high + ROUNDING - start) / change;
+  }
+
+  private static double last(double start, double change, double low, double high) {
+    if (change == 0.0) {
+      return isBetween(start, low, high) ? Double.POSITIVE_INFINITY : -1.0;
+    }
+    return change > 0.0 ? (high + ROUNDING - start) / change : (low - ROUNDING - start) / change;
+  }
+
+  private static boolean isBetween(double value, double low, double high) {
+    return value >= low - ROUNDING && value <= high + ROUNDING;
   }
 
   /** Cuts a span of a line to where one coordinate is inside; false if none is left. */

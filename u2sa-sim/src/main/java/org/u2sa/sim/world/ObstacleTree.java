@@ -47,18 +47,23 @@ final class ObstacleTree {
         all, null, of(ordered.subList(0, half)), of(ordered.subList(half, ordered.size())));
   }
 
-  /** The nearest hit of a ray; the same one if it was nearer than any here. */
+  /** The nearest hit of a ray; what it is given if that is nearer than any here. */
   Nearest nearest(Ray ray, Nearest soFar) {
-    if (!(bounds.enteredM(ray) < soFar.distanceM())) {
-      return soFar;
-    }
     if (leaf != null) {
       double distance = leaf.shape.distanceM(ray);
       return distance < soFar.distanceM() ? new Nearest(distance, leaf.object) : soFar;
     }
-    boolean inOrder = one.bounds.enteredM(ray) <= other.bounds.enteredM(ray);
-    Nearest first = (inOrder ? one : other).nearest(ray, soFar);
-    return (inOrder ? other : one).nearest(ray, first);
+    double toOne = one.bounds.enteredM(ray);
+    double toOther = other.bounds.enteredM(ray);
+    boolean inOrder = toOne <= toOther;
+    Nearest nearest = soFar;
+    if (Math.min(toOne, toOther) < nearest.distanceM()) {
+      nearest = (inOrder ? one : other).nearest(ray, nearest);
+    }
+    if (Math.max(toOne, toOther) < nearest.distanceM()) {
+      nearest = (inOrder ? other : one).nearest(ray, nearest);
+    }
+    return nearest;
   }
 
   /** What was hit, how far away; the object is null for the ground or nothing. */

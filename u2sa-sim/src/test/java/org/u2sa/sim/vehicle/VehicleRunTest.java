@@ -40,7 +40,7 @@ class VehicleRunTest {
 
   private static void full(VehicleRun run, long nowMicros) {
     for (String actuator : run.vehicle().actuators()) {
-      boolean drives = actuator.contains("WHEEL") || actuator.equals("THROTTLE");
+      boolean drives = actuator.contains("MOTOR") || actuator.equals("THROTTLE");
       run.command(nowMicros, actuator, drives || actuator.equals("MIXTURE") ? 1.0 : 0.0);
     }
   }
@@ -81,8 +81,8 @@ class VehicleRunTest {
         new DifferentialVehicle(
             DifferentialParameters.miniMolle(), new GroundStart(0.0, 0.0, Math.toRadians(90.0)));
     vehicle.enter(LAWN.with(Terrain.slope(0.02, 0.0))); // up to the north: to its left
-    vehicle.command("LEFT WHEEL", 0.0);
-    vehicle.command("RIGHT WHEEL", 0.0);
+    vehicle.command("LEFT MOTOR", 0.0);
+    vehicle.command("RIGHT MOTOR", 0.0);
     vehicle.step(3.0);
     VehicleTruth truth = vehicle.truth();
 

@@ -70,7 +70,7 @@ public final class CessnaControl extends ControlSystem {
     FlightState now = seen.get();
     Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
     Surfaces surfaces = autopilot.step(now, target);
-    for (CessnaActuator actuator : CessnaActuator.values()) {
+    for (AircraftActuator actuator : AircraftActuator.values()) {
       double percentage = FULL_PERCENT * actuator.of(surfaces);
       if (actuator.holdsThroughSilence()) {
         command(actuator.actuatorName(), percentage, getVariable(POWER_EXPIRY));
@@ -157,16 +157,16 @@ public final class CessnaControl extends ControlSystem {
     if (state.className().equals(getClass().getName())) {
       reader.takeOver(state);
       autopilot.takeOver(state);
-    } else if (lastCommand(CessnaActuator.THROTTLE.actuatorName()).isPresent()) {
+    } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
       autopilot.takeOver(
-          lastShare(CessnaActuator.AILERON),
-          lastShare(CessnaActuator.ELEVATOR),
-          lastShare(CessnaActuator.RUDDER),
-          lastShare(CessnaActuator.THROTTLE));
+          lastShare(AircraftActuator.AILERON),
+          lastShare(AircraftActuator.ELEVATOR),
+          lastShare(AircraftActuator.RUDDER),
+          lastShare(AircraftActuator.THROTTLE));
     }
   }
 
-  private double lastShare(CessnaActuator actuator) {
+  private double lastShare(AircraftActuator actuator) {
     return lastCommand(actuator.actuatorName()).orElse(0.0) / FULL_PERCENT;
   }
 
@@ -179,6 +179,6 @@ public final class CessnaControl extends ControlSystem {
 
   @Override
   protected Map<String, Double> neutral() {
-    return CessnaActuator.neutral();
+    return AircraftActuator.neutral();
   }
 }

@@ -1,7 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
-import org.u2sa.messages.frame.Gravity;
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Gravity;
 
 /**
  * The least path planner that a flight needs: a point ahead on the present leg, the next leg as
