@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
-import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.scenarios.report.Domain;
@@ -13,7 +12,6 @@ import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.StartPlace;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
-import org.u2sa.scenarios.run.Pace;
 import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.sim.aircraft.RunwayStart;
 import picocli.CommandLine.Command;
@@ -64,7 +62,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
 
   /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */
   static Profile flying(String directory) {
-    return new Profile("cessna", directory, "mission.xml", Domain.AIR, new Pace(600.0, 25.0));
+    return new Profile("cessna", directory, "mission.xml", Domain.AIR, 600.0, 25.0);
   }
 
   @Override
@@ -104,17 +102,13 @@ final class CessnaDemo implements Callable<Integer>, Demo {
     return new Trial(
         mission,
         FlightObserver::new,
-        launch -> configure(launch, mission, demoWind),
+        launch ->
+            demoWind.applyTo(launch.override("Simulator", "MISSION", DemoFrame.absolute(mission))),
         launch -> {
           launch.override("Simulator", "LINK", "embedded");
           return new Simulation.Within("embedded Cessna 172", "aircraft");
         },
         launch -> StandInSimulation.of(mission, demoWind.wind(seed), launch));
-  }
-
-  private static void configure(LaunchOptions launch, Mission mission, DemoWind wind) {
-    launch.override("Simulator", "MISSION", DemoFrame.absolute(mission));
-    wind.applyTo(launch);
   }
 
   private DemoWind windOf(long seed) {

@@ -18,9 +18,16 @@ public interface Demo {
    * @param directory where its runs go unless told otherwise: {@code out/<directory>-…}
    * @param missionFile the mission unless another is asked for
    * @param domain where it moves
-   * @param pace how long a run may take
+   * @param readyWithinS how long the vehicle may take to get ready [s]
+   * @param slowestMps mean speed along the mission's legs: slower vehicles never arrive [m/s]
    */
-  record Profile(String name, String directory, String missionFile, Domain domain, Pace pace) {}
+  record Profile(
+      String name,
+      String directory,
+      String missionFile,
+      Domain domain,
+      double readyWithinS,
+      double slowestMps) {}
 
   /** Its name, files and limits. */
   Profile profile();

@@ -74,17 +74,19 @@ public final class DemoFrame {
             demo.profile().directory(),
             (directory, seed, interruption) -> {
               Demo.Trial trial = demo.trial(mission, directory, seed);
+              RunPlan plan = plan(demo, trial.mission());
               DemoRun run =
                   new DemoRun(
-                          name,
-                          system,
-                          plan(demo, trial.mission()),
-                          demo.profile().pace(),
-                          trial.observer(),
-                          directory,
-                          terminal(),
-                          interruption)
-                      .swapping(changes.swaps());
+                      name,
+                      system,
+                      plan,
+                      demo.profile().readyWithinS()
+                          + RunPlans.lengthM(plan) / demo.profile().slowestMps(),
+                      trial.observer(),
+                      directory,
+                      terminal(),
+                      interruption,
+                      changes.swaps());
               return run(run, launch(system, trial), trial, seed, realTime, patience);
             });
   }

@@ -48,12 +48,10 @@ final class RunChanges {
    *     does not have
    */
   public void check(SystemFile system) {
-    for (Setting setting : settings()) {
-      try {
-        setting.requireServiceOf(system);
-      } catch (IllegalArgumentException e) {
-        throw faulty(e);
-      }
+    try {
+      Setting.parseAll(settings).forEach(setting -> setting.requireServiceOf(system));
+    } catch (IllegalArgumentException e) {
+      throw faulty(e);
     }
     swaps();
   }

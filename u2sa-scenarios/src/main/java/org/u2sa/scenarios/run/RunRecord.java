@@ -38,11 +38,6 @@ public final class RunRecord {
     legs = new PlannedLegs(plan);
   }
 
-  /** Whether a message says what the Mission Manager pursues from now on. */
-  boolean isNextGoal(U2SAData data) {
-    return data instanceof GoalList;
-  }
-
   /** Takes note of goals and reports of goals; false if the message is neither. */
   public boolean received(U2SAData data) {
     if (data instanceof GoalList goals) {

@@ -5,6 +5,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -75,7 +76,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
 
   @Override
   public void callback(U2SAData data) {
-    if (record.isNextGoal(data) && record.isTargetUnseen()) {
+    if (data instanceof GoalList && record.isTargetUnseen()) {
       look(); // waypoints nearer to each other than two looks
     }
     if (data instanceof ArmingState state) {

@@ -139,16 +139,9 @@ final class ConditionOptions {
 
   private void require(String option, double value, double least, double most, String unit) {
     if (!(value >= least && value <= most)) {
+      String range = DriveConditions.figure(least) + " to " + DriveConditions.figure(most);
       throw wrong(
-          option
-              + " "
-              + DriveConditions.figure(value)
-              + ": expected "
-              + DriveConditions.figure(least)
-              + " to "
-              + DriveConditions.figure(most)
-              + " "
-              + unit);
+          option + " " + DriveConditions.figure(value) + ": expected " + range + " " + unit);
     }
   }
 

@@ -13,7 +13,6 @@ import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Laps;
-import org.u2sa.scenarios.run.Pace;
 import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.ground.Hazards;
@@ -87,7 +86,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
 
   @Override
   public Profile profile() {
-    return new Profile("ugv", "ugv", "loop.xml", Domain.GROUND, new Pace(60.0, 0.2));
+    return new Profile("ugv", "ugv", "loop.xml", Domain.GROUND, 60.0, 0.2);
   }
 
   @Override
