@@ -68,6 +68,8 @@ abstract class PlanarVehicle implements GroundVehicle {
     s[NORTH] = start.northM();
     s[PSI] = start.headingRad();
     System.arraycopy(s, 0, before, 0, FREE);
+    sinPsi = StrictMath.sin(s[PSI]);
+    cosPsi = StrictMath.cos(s[PSI]);
     surface = world.surface();
     rate = new double[size];
     integrator = new RungeKutta(size);
@@ -269,10 +271,12 @@ abstract class PlanarVehicle implements GroundVehicle {
 
   @Override
   public final VehicleTruth truth() {
-    Attitude now = attitude(s);
-    Attitude then = attitude(before);
-    Point velocity = velocity(s);
-    Point old = velocity(before);
+    double sin = StrictMath.sin(s[PSI]);
+    double cos = StrictMath.cos(s[PSI]);
+    Attitude now = attitude(s, sin, cos);
+    Attitude then = attitude(before, sinPsi, cosPsi);
+    Point velocity = velocity(s, sin, cos);
+    Point old = velocity(before, sinPsi, cosPsi);
     Point euler =
         Point.of((now.phi() - then.phi()) / TICK_S, (now.theta() - then.theta()) / TICK_S, s[R]);
     return new VehicleTruth(
@@ -288,12 +292,10 @@ abstract class PlanarVehicle implements GroundVehicle {
   }
 
   /** How it lies on the slope: its axes are the slope's, turned by its heading. */
-  private Attitude attitude(double[] state) {
+  private Attitude attitude(double[] state, double sin, double cos) {
     double heading = state[PSI] - TURN_RAD * StrictMath.floor(state[PSI] / TURN_RAD);
     double riseEast = terrain.riseEast(state[EAST], state[NORTH]);
     double riseNorth = terrain.riseNorth(state[EAST], state[NORTH]);
-    double sin = StrictMath.sin(heading);
-    double cos = StrictMath.cos(heading);
     double ahead = riseEast * sin + riseNorth * cos;
     double aside = riseEast * cos - riseNorth * sin; // rise to the right: left wing down
     double pitch = StrictMath.atan(ahead);
@@ -301,9 +303,7 @@ abstract class PlanarVehicle implements GroundVehicle {
   }
 
   /** Of the reference point: east, north, up [m/s]. */
-  private Point velocity(double[] state) {
-    double sin = StrictMath.sin(state[PSI]);
-    double cos = StrictMath.cos(state[PSI]);
+  private Point velocity(double[] state, double sin, double cos) {
     double u = state[U] - state[R] * referenceY;
     double v = state[V] + state[R] * referenceX;
     double east = u * sin + v * cos;
