@@ -49,7 +49,10 @@ public final class Devices {
   }
 
   private static DeviceProvider<?> named(
-      String name, Map<String, DeviceProvider<?>> providers, Class<?> port, VariableDeclaration<?> choice) {
+      String name,
+      Map<String, DeviceProvider<?>> providers,
+      Class<?> port,
+      VariableDeclaration<?> choice) {
     DeviceProvider<?> provider = providers.get(name);
     if (provider == null) {
       throw new BadInputException(

@@ -24,7 +24,9 @@ public final class ImuSensor extends ProprioceptiveSensor {
           .describedAs("Address of the IMU, as its driver takes it (docs/drivers/links.md).");
 
   static final VariableDeclaration<String> IMU =
-      VariableDeclaration.text("IMU").ifAbsent("VECTORNAV").describedAs("Kind of IMU: the name of a driver.");
+      VariableDeclaration.text("IMU")
+          .ifAbsent("VECTORNAV")
+          .describedAs("Kind of IMU: the name of a driver.");
 
   static final VariableDeclaration<Double> TIMEOUT =
       VariableDeclaration.number("TIMEOUT", "s")

@@ -54,6 +54,9 @@ public final class PulseVariables {
   }
 
   private static VariableDeclaration<Double> pulse(String name, double us, String description) {
-    return VariableDeclaration.number(name, "us").range(PULSE_US).ifAbsent(us).describedAs(description);
+    return VariableDeclaration.number(name, "us")
+        .range(PULSE_US)
+        .ifAbsent(us)
+        .describedAs(description);
   }
 }

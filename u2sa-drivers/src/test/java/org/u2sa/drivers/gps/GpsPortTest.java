@@ -14,12 +14,12 @@ import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.sensor.GpsParameters;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.sensor.UtcTime;
+import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.testkit.DeviceContract;
 
 /** Every satellite receiver, north-east of Blacksburg, moving north at 5 m/s. */

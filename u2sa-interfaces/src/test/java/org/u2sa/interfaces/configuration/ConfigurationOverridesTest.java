@@ -11,7 +11,8 @@ import org.junit.jupiter.api.Test;
 class ConfigurationOverridesTest extends RefusedFile {
   private static final VariableDeclaration<Double> BANK =
       VariableDeclaration.number("BANK", "rad").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
-  private static final VariableDeclaration<Integer> PORT = VariableDeclaration.integer("PORT").ifAbsent(1883);
+  private static final VariableDeclaration<Integer> PORT =
+      VariableDeclaration.integer("PORT").ifAbsent(1883);
   private static final ChangeOrigin ANN = new ChangeOrigin(0, "Test", "ann");
 
   private static ConfigurationOutcome change(XmlConfiguration configuration, String name, int n) {

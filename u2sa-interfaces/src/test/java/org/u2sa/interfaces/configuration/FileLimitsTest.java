@@ -57,7 +57,8 @@ class FileLimitsTest extends RefusedFile {
   @Test
   void describe_choices_areListed() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of());
-    configuration.getVariable(VariableDeclaration.text("LEVEL").oneOf("debug", "info").ifAbsent("info"));
+    configuration.getVariable(
+        VariableDeclaration.text("LEVEL").oneOf("debug", "info").ifAbsent("info"));
 
     assertThat(configuration.describe())
         .singleElement()

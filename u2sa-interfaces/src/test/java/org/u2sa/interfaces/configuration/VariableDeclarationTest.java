@@ -47,7 +47,8 @@ class VariableDeclarationTest {
         .isNotEqualTo(VariableDeclaration.number("B", "m"))
         .isNotEqualTo("A");
     assertThat(VariableDeclaration.text("A")).isNotEqualTo(VariableDeclaration.flag("A"));
-    assertThat(VariableDeclaration.text("A").hashCode()).isNotEqualTo(VariableDeclaration.text("B").hashCode());
+    assertThat(VariableDeclaration.text("A").hashCode())
+        .isNotEqualTo(VariableDeclaration.text("B").hashCode());
   }
 
   @Test

@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
  * Where the broker of a run listens for other MQTT clients. A run needs none of them, so a port
  * that another program has does not hinder it, unless it was asked for.
  */
-public final class BrokerPort {
+final class BrokerPort {
   private static final String MANAGER = "CommunicationManager";
   private static final int HIGHEST_PORT = 65_535;
 

@@ -12,7 +12,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.mission.Home;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.device.CompassSensor;
 import org.u2sa.device.GpsSensor;
@@ -20,6 +19,9 @@ import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.scenarios.report.StartPlace;
+import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.sim.device.SimulatedCompass;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.ground.GroundState;
@@ -27,9 +29,9 @@ import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.sensor.CompassField;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.world.LocalPlane;
 
 /**
  * The ground vehicle with its GPS and its compass as services of their own (thesis 4.6.3), and
@@ -57,8 +59,9 @@ class SeparateSensorsTest {
             .replace("configuration=\"", "configuration=\"" + ugv + "/"),
         UTF_8);
     Mission mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
-    Home home = UgvFiles.home(mission);
-    LocalPlane plane = new LocalPlane(home.geodetic().orElseThrow());
+    StartPlace start = RunPlans.start(mission);
+    LocalPlane plane =
+        new LocalPlane(new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()));
     NoiseStreams streams = new NoiseStreams(1);
     SimulatedGps gps =
         new SimulatedGps(GpsParameters.survey(), plane, streams, this::truth, () -> false);
@@ -71,7 +74,14 @@ class SeparateSensorsTest {
     SimulatedCompass compass =
         new SimulatedCompass(
             CompassParameters.calibrated(declinationRad), streams, this::truth, CompassField::none);
-    world = new UgvWorld(home, VehicleKind.DIFFERENTIAL, GpsGrade.SURVEY, 1, Hazards.none());
+    world =
+        new UgvWorld(
+            start,
+            VehicleKind.DIFFERENTIAL,
+            GpsGrade.SURVEY,
+            1,
+            Hazards.none(),
+            DriveConditions.usual());
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
@@ -90,7 +100,7 @@ class SeparateSensorsTest {
   }
 
   private TrueMotion truth() {
-    GroundState truth = world.truth();
+    GroundState truth = world.state();
     return new TrueMotion(
         truth.eastM(),
         truth.northM(),
@@ -128,10 +138,10 @@ class SeparateSensorsTest {
   @Test
   void gpsWithoutCompass_standsAndTheEstimatorSaysWhy() throws Exception {
     try (RunningSystem running = start(GPS)) {
-      GroundState began = world.truth();
+      GroundState began = world.state();
       clock.advance(Clock.micros(15.0));
       assertThat(running.isRunning()).isTrue();
-      assertThat(world.truth().eastM()).isEqualTo(began.eastM());
+      assertThat(world.state().eastM()).isEqualTo(began.eastM());
     }
     assertThat(log("StateEstimator"))
         .contains("state lacks psi: no source of heading on sensed-state (heard: GpsSensor)");

@@ -17,12 +17,12 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.GpsMessage;
 import org.u2sa.sim.sensor.GpsParameters;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.sensor.UtcTime;
+import org.u2sa.sim.world.LocalPlane;
 
 /** The drivers understand the simulated receiver, and what they make of its bytes is the truth. */
 class SimulatedGpsTest {

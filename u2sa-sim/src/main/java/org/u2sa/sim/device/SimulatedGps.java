@@ -8,9 +8,9 @@ import org.u2sa.device.GpsReceiver;
 import org.u2sa.sim.sensor.GpsModel;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.GpsSample;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.world.LocalPlane;
 
 /** A satellite receiver with the errors of {@link GpsModel}. */
 public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsReceiver {

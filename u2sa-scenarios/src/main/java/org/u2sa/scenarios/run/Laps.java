@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.ugv;
+package org.u2sa.scenarios.run;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,7 +18,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * A mission that goes several times round another one's waypoints, in the order of its file: one
  * that ends, so that a run can be judged.
  */
-final class Laps {
+public final class Laps {
   private Laps() {}
 
   /**
@@ -29,8 +29,8 @@ final class Laps {
    * @return the mission in the file
    * @throws BadInputException if a goal is no waypoint on the earth
    */
-  static Mission write(Mission mission, int laps, double leastThresholdM, Path file) {
-    Home home = UgvFiles.home(mission);
+  public static Mission write(Mission mission, int laps, double leastThresholdM, Path file) {
+    Home home = RunPlans.home(mission);
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     text.append("<!-- ").append(laps).append(" times round the waypoints of a mission. -->\n");
     text.append("<mission>\n  <home>\n");

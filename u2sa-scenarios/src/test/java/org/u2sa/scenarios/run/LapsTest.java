@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.ugv;
+package org.u2sa.scenarios.run;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

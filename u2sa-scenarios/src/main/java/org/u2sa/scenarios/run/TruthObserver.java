@@ -1,66 +1,87 @@
-package org.u2sa.scenarios.ugv;
+package org.u2sa.scenarios.run;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.TrackSample;
-import org.u2sa.scenarios.run.RunObserver;
-import org.u2sa.scenarios.run.RunRecord;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
-import org.u2sa.sim.ground.GroundState;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Records where the simulated vehicle truly is, for score and screen, and whether it moves when it
- * must not. In: goals, goal-reports, arming-state. Out: nothing.
+ * Records where a simulated vehicle truly is, for score and screen. In: goals, goal-reports,
+ * arming-state. Out: nothing.
  */
-final class UgvObserver extends PeriodicService implements RunObserver {
+public final class TruthObserver extends PeriodicService implements RunObserver {
   private static final double LOOKS_PER_S = 20.0;
+  private static final double SLOWEST_MPS = 0.02;
+  private static final double SLOWEST_RADPS = 0.05;
   private static final double STANDS_AFTER_S = 1.0; // without motion: not between two turns
   private static final double STOOD_S = 2.0; // at the end of the mission
   private static final double PARKED_WITHIN_S = 30.0; // after the last goal
 
-  private final UgvWorld world;
+  private final Supplier<VehicleTruth> vehicle;
+  private final LocalPlane plane;
+  private final Scorer scorer;
   private final RunRecord record;
-  private final UnarmedMotion unarmed = new UnarmedMotion();
   private double lastS = Double.NEGATIVE_INFINITY;
   private double movedS = Double.NEGATIVE_INFINITY;
   private double missionOverS = Double.POSITIVE_INFINITY;
   private volatile boolean over;
 
-  /** See {@link RunObserver.Maker}. */
-  UgvObserver(ServiceContext context, RunPlan plan, Consumer<TrackSample> screen, UgvWorld world) {
-    super(context, ServiceRole.OBSERVER, "UgvObserver", LOOKS_PER_S);
-    this.world = world;
-    record = new RunRecord(plan, screen);
+  private TruthObserver(
+      ServiceContext context,
+      RunRecord record,
+      Supplier<VehicleTruth> vehicle,
+      LocalPlane plane,
+      Scorer scorer) {
+    super(context, ServiceRole.OBSERVER, "TruthObserver", LOOKS_PER_S);
+    this.record = record;
+    this.vehicle = vehicle;
+    this.plane = plane;
+    this.scorer = scorer;
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.ARMING_STATE);
   }
 
+  /**
+   * Observes a vehicle.
+   *
+   * @param vehicle safe from any thread
+   * @param scorer a new one for each run
+   */
+  public static RunObserver.Maker of(
+      Supplier<VehicleTruth> vehicle, LocalPlane plane, Scorer scorer) {
+    return (ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) ->
+        new TruthObserver(context, new RunRecord(plan, screen), vehicle, plane, scorer);
+  }
+
+  /** Whether a vehicle moves at all. */
+  public static boolean moves(VehicleTruth truth) {
+    return truth.speedMps() > SLOWEST_MPS || Math.abs(truth.rates().z()) > SLOWEST_RADPS;
+  }
+
   @Override
   public void callback(U2SAData data) {
-    if (data instanceof GoalList goals) {
-      if (record.isTargetUnseen()) { // waypoints nearer to each other than two looks
-        look();
-      }
-      record.follow(goals);
-    } else if (data instanceof GoalInformation report) {
-      record.reported(report);
-    } else if (data instanceof ArmingState state) {
-      unarmed.see(state, world.truth());
-    } else {
+    if (data instanceof GoalList && record.isTargetUnseen()) {
+      look(); // waypoints nearer to each other than two looks
+    }
+    if (data instanceof ArmingState state) {
+      scorer.armed(state, vehicle.get());
+    } else if (!record.received(data)) {
       unexpected(data);
     }
   }
@@ -72,18 +93,19 @@ final class UgvObserver extends PeriodicService implements RunObserver {
     }
   }
 
-  /** Records the truth; false if its time stands still, as until the board is there. */
+  /** Records the truth; false if its time stands still, as until the vehicle is there. */
   private boolean look() {
-    GroundState truth = world.truth();
+    VehicleTruth truth = vehicle.get();
     if (truth.timeS() <= lastS) {
       return false;
     }
     lastS = truth.timeS();
-    unarmed.see(truth, world.motors(), world.rise(truth));
-    if (UnarmedMotion.moves(truth)) {
+    scorer.see(truth);
+    if (moves(truth)) {
       movedS = truth.timeS();
     }
-    Geodetic place = world.place(truth);
+    Point at = truth.position();
+    Geodetic place = plane.at(at.x(), at.y(), at.z());
     record.moment(
         Math.round(truth.timeS() * TimeUnit.SECONDS.toMicros(1)),
         place.longitudeDeg(),
@@ -91,7 +113,7 @@ final class UgvObserver extends PeriodicService implements RunObserver {
         place.altitudeM(),
         truth.headingRad(),
         truth.speedMps(),
-        truth.timeS() - movedS < STANDS_AFTER_S ? "DRIVES" : "STANDS",
+        scorer.phase(truth.timeS() - movedS < STANDS_AFTER_S),
         Optional.empty());
     return true;
   }
@@ -120,9 +142,8 @@ final class UgvObserver extends PeriodicService implements RunObserver {
     return over;
   }
 
-  /** {@inheritDoc} There is nothing on the lawn to hit. */
   @Override
   public RunOutcome outcome() {
-    return new RunOutcome(0, false, List.copyOf(unarmed.violations()));
+    return scorer.outcome();
   }
 }

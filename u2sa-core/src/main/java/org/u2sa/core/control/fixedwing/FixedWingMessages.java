@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 
 /** Makes this module's messages known to every reader on the class path. */
-public final class CessnaMessages implements MessageTypeProvider {
+public final class FixedWingMessages implements MessageTypeProvider {
   @Override
   public Collection<MessageType<?>> messageTypes() {
     return List.of(AircraftState.TYPE, ControlStatus.TYPE);

@@ -1,4 +1,4 @@
-package org.u2sa.sim.ground;
+package org.u2sa.sim.world;
 
 import org.u2sa.sim.motion.Arguments;
 

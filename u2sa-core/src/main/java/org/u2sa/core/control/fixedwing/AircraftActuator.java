@@ -4,8 +4,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
-/** The Cessna's actuators by the names that commands address. */
-enum CessnaActuator {
+/** An aeroplane's actuators by the names that commands address. */
+enum AircraftActuator {
   AILERON("AILERON", Surfaces::aileron),
   ELEVATOR("ELEVATOR", Surfaces::elevator),
   RUDDER("RUDDER", Surfaces::rudder),
@@ -18,7 +18,7 @@ enum CessnaActuator {
   private final String actuatorName;
   private final ToDoubleFunction<Surfaces> share;
 
-  CessnaActuator(String actuatorName, ToDoubleFunction<Surfaces> share) {
+  AircraftActuator(String actuatorName, ToDoubleFunction<Surfaces> share) {
     this.actuatorName = actuatorName;
     this.share = share;
   }
@@ -44,7 +44,7 @@ enum CessnaActuator {
   /** Surfaces left alone, engine idling on a rich mixture, brakes off [%]. */
   static Map<String, Double> neutral() {
     Map<String, Double> neutral = new LinkedHashMap<>();
-    for (CessnaActuator actuator : values()) {
+    for (AircraftActuator actuator : values()) {
       neutral.put(actuator.actuatorName(), 0.0);
     }
     neutral.put(ELEVATOR.actuatorName(), HandsOff.ELEVATOR_PERCENT);

@@ -1,10 +1,10 @@
-package org.u2sa.sim.sensor;
+package org.u2sa.sim.world;
 
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The level plane that a vehicle drives on, and where on earth it lies. Within 2 km of the origin
+ * The level plane of a simulated world, and where on earth it lies. Within 2 km of the origin
  * distances are those on the ground to a millimetre; north is that of the origin, which differs
  * from a place's own by its easting times the tangent of the latitude by the earth's radius: 0.02°
  * at 2 km and 50°.
@@ -20,5 +20,12 @@ public record LocalPlane(Geodetic origin) {
     Geodetic onTangent = origin.fromEnu(Point.of(eastM, northM, 0.0));
     return new Geodetic(
         onTangent.longitudeDeg(), onTangent.latitudeDeg(), origin.altitudeM() + upM);
+  }
+
+  /** A place's point on the plane or above it: the way back of {@link #at}. */
+  public Point point(Geodetic place) {
+    Point enu =
+        origin.enuOf(new Geodetic(place.longitudeDeg(), place.latitudeDeg(), origin.altitudeM()));
+    return Point.of(enu.x(), enu.y(), place.altitudeM() - origin.altitudeM());
   }
 }

@@ -1,4 +1,4 @@
-package org.u2sa.sim.sensor;
+package org.u2sa.sim.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
