@@ -89,6 +89,12 @@ public final class RunCommand implements Callable<Integer> {
   private String broker;
 
   @Option(
+      names = "--through-broker",
+      description =
+          "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
+  private boolean throughBroker;
+
+  @Option(
       names = "--supervised",
       hidden = true,
       description = "With --only: the process that started this one starts it again if need be.")
@@ -118,6 +124,9 @@ public final class RunCommand implements Callable<Integer> {
       settings.addAll(settingsOfBroker());
     }
     set(options, system);
+    if (throughBroker) {
+      options.throughBroker();
+    }
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
       throw new ParameterException(
           command.commandLine(), "--separate, --only and --host: expected one of them at most");
