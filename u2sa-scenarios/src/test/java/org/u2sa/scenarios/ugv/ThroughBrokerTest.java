@@ -18,8 +18,8 @@ class ThroughBrokerTest {
       """
       <mission>
         <home><x>-81.0478</x><y>29.1885</y><psi>0.0</psi></home>
-        <waypoint><x>-81.0478</x><y>29.188541</y><horizontalThreshold>0.8</horizontalThreshold></waypoint>
-        <waypoint><x>-81.04777</x><y>29.188568</y><horizontalThreshold>0.8</horizontalThreshold></waypoint>
+        <waypoint><x>-81.0478</x><y>29.188530</y><horizontalThreshold>0.8</horizontalThreshold></waypoint>
+        <waypoint><x>-81.04777</x><y>29.188550</y><horizontalThreshold>0.8</horizontalThreshold></waypoint>
       </mission>
       """;
 

@@ -1,9 +1,9 @@
-package org.u2sa.gcs.draw;
+package org.u2sa.scenarios.report;
 
-/** Text for XML files written by hand. */
-public final class SvgEscapes {
+/** Text for XML files that are written as text. */
+public final class XmlText {
 
-  private SvgEscapes() {}
+  private XmlText() {}
 
   /**
    * {@code text} as character data or attribute value: markup escaped, characters that XML 1.0
