@@ -52,7 +52,7 @@ class DrawingTest {
 
   @Test
   void escaped_markupAndControls_isSafeXml() {
-    assertThat(XmlText.escaped("a<b>&\"c\"\u0000\ud83d\ude81"))
+    assertThat(EscapedXml.of("a<b>&\"c\"\u0000\ud83d\ude81"))
         .isEqualTo("a&lt;b&gt;&amp;&quot;c&quot;\ufffd\ud83d\ude81");
   }
 }
