@@ -81,7 +81,7 @@ public final class CommunicationManager implements AutoCloseable {
   private final Transport transport;
   private final Supplier<MqttTransport> remote; // null without a broker
   private final Supplier<MqttTransport> own; // likewise
-  private final BrokerKeeper broker; // null unless embedded
+  private final BrokerSupervisor broker; // null unless embedded
   private final BrokerAnnouncement announcement; // null if there is none
   private final BrokerSecurity security; // null unless embedded
 
@@ -89,7 +89,7 @@ public final class CommunicationManager implements AutoCloseable {
       Transport transport,
       Supplier<MqttTransport> remote,
       Supplier<MqttTransport> own,
-      BrokerKeeper broker,
+      BrokerSupervisor broker,
       BrokerAnnouncement announcement,
       BrokerSecurity security) {
     this.security = security;
@@ -138,7 +138,7 @@ public final class CommunicationManager implements AutoCloseable {
           transport, () -> transport, () -> transport, null, null, null);
     }
     LocalBus bus = new LocalBus(systemId);
-    BrokerKeeper broker = null;
+    BrokerSupervisor broker = null;
     BrokerAnnouncement announcement = null;
     Supplier<MqttTransport> remote = null;
     Supplier<MqttTransport> own = null;
@@ -150,7 +150,7 @@ public final class CommunicationManager implements AutoCloseable {
       broker =
           security.starting(
               () ->
-                  new BrokerKeeper(
+                  new BrokerSupervisor(
                       died ->
                           EmbeddedBroker.start(bus, codec, address, security, limits, log, died),
                       log));
@@ -219,7 +219,7 @@ public final class CommunicationManager implements AutoCloseable {
 
   /** Where the embedded broker listens. */
   public Optional<InetSocketAddress> address() {
-    return Optional.ofNullable(broker).map(BrokerKeeper::address);
+    return Optional.ofNullable(broker).map(BrokerSupervisor::address);
   }
 
   /**
