@@ -86,6 +86,7 @@ class HouseRulesBiteTest {
           no objects from data    | package org.u2sa.gcs; class Bad { com.fasterxml.jackson.databind.ObjectMapper m; }
           no objects from data    | package org.u2sa.core; class Bad { Object o = new java.beans.XMLDecoder(System.in); }
           one XML reader          | package org.u2sa.core.mission; class Bad { javax.xml.parsers.SAXParser p; }
+          SVG                     | package org.u2sa.gcs; class Bad { org.w3c.dom.Document d; }
           one XML reader          | package org.u2sa.gcs; class Bad { Object f = javax.xml.stream.XMLInputFactory.newFactory(); }
           no Java serialization   | package org.u2sa.core; class Bad { void w(java.io.ObjectOutputStream o) throws Exception { o.writeObject(""); } }
           """)

@@ -101,11 +101,13 @@ class ConfigurationPageTest {
     new Page("docs/configuration.md").mustBe(page.toString());
   }
 
-  private static void section(StringBuilder page, String heading, List<VariableDeclaration<?>> variables) {
+  private static void section(
+      StringBuilder page, String heading, List<VariableDeclaration<?>> variables) {
     page.append('\n').append(ConfigurationReference.markdownFor(heading, variables));
   }
 
-  private List<VariableDeclaration<?>> declaredBy(Class<?> service) throws ReflectiveOperationException {
+  private List<VariableDeclaration<?>> declaredBy(Class<?> service)
+      throws ReflectiveOperationException {
     // Neither changes what is declared: some need a mission to begin with, drivers look for
     // devices.
     XmlConfiguration configuration =
@@ -133,7 +135,8 @@ class ConfigurationPageTest {
     return configuration.declared();
   }
 
-  private static List<VariableDeclaration<?>> inAll(Iterable<List<VariableDeclaration<?>>> services) {
+  private static List<VariableDeclaration<?>> inAll(
+      Iterable<List<VariableDeclaration<?>>> services) {
     List<VariableDeclaration<?>> common = new ArrayList<>();
     for (List<VariableDeclaration<?>> variables : services) {
       if (common.isEmpty()) {

@@ -30,6 +30,12 @@ final class BrokerPort {
   private Integer asked; // null: not given
 
   @Option(
+      names = "--through-broker",
+      description =
+          "Send all messages between the services through the broker, by MQTT; needs real time.")
+  private boolean throughBroker;
+
+  @Option(
       names = "--port",
       paramLabel = "PORT",
       description =
@@ -44,6 +50,9 @@ final class BrokerPort {
 
   /** Sets the Communication Manager's port for a run, and says so where it is not as configured. */
   public void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
+    if (throughBroker) {
+      launch.throughBroker();
+    }
     if (asked == null) {
       evadeTakenPort(system, launch, terminal);
     } else if (asked == 0) {

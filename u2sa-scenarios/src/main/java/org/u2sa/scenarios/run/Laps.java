@@ -8,11 +8,11 @@ import java.util.OptionalDouble;
 import org.u2sa.core.mission.Home;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.draw.SvgEscapes;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.scenarios.report.EscapedXml;
 
 /**
  * A mission that goes several times round another one's waypoints, in the order of its file: one
@@ -77,7 +77,7 @@ public final class Laps {
   private static void waypoint(
       StringBuilder text, Waypoint waypoint, String name, double leastThresholdM) {
     double threshold = Math.max(leastThresholdM, waypoint.horizontalThreshold());
-    text.append("  <waypoint>\n    <name>").append(SvgEscapes.escaped(name)).append("</name>\n");
+    text.append("  <waypoint>\n    <name>").append(EscapedXml.of(name)).append("</name>\n");
     number(text, "x", waypoint.x());
     number(text, "y", waypoint.y());
     number(text, "z", waypoint.z());

@@ -14,12 +14,12 @@ import org.u2sa.core.security.User;
 import org.u2sa.messages.registry.StandardTypes;
 
 /** What a verdict says besides yes and no, and which ones are remembered. */
-class TopicJudgeVerdictTest {
+class TopicPermissionsVerdictTest {
   private static final PasswordHash NONE = new PasswordHash(1, new byte[12], new byte[64]);
 
-  private static TopicJudge of(AccessRole... roles) {
+  private static TopicPermissions of(AccessRole... roles) {
     User user = new User("ann", EnumSet.of(roles[0], roles), List.of("cessna"), NONE);
-    return new TopicJudge(StandardTypes.registry(), user);
+    return new TopicPermissions(StandardTypes.registry(), user);
   }
 
   @ParameterizedTest
@@ -39,7 +39,7 @@ class TopicJudgeVerdictTest {
 
   @Test
   void judge_oneOfSeveralRolesMay_isAllowed() {
-    TopicJudge.Verdict verdict =
+    TopicPermissions.Verdict verdict =
         of(AccessRole.OBSERVER, AccessRole.OPERATOR).judge("u2sa/cessna/stop/StopCommand");
 
     assertThat(verdict.refusal()).isNull();
@@ -50,7 +50,8 @@ class TopicJudgeVerdictTest {
 
   @Test
   void judge_ownChannel_isOfNoKind() {
-    TopicJudge.Verdict verdict = of(AccessRole.SERVICE).judge("u2sa/cessna/tide/StateInformation");
+    TopicPermissions.Verdict verdict =
+        of(AccessRole.SERVICE).judge("u2sa/cessna/tide/StateInformation");
 
     assertThat(verdict.refusal()).isNull();
     assertThat(verdict.topic()).hasToString("u2sa/cessna/tide/StateInformation");
@@ -70,11 +71,11 @@ class TopicJudgeVerdictTest {
 
   @Test
   void judge_topicOfTheGreatestLengthAndDepth_isReadAndALongerOneIsNot() {
-    TopicJudge judge = of(AccessRole.SERVICE);
+    TopicPermissions judge = of(AccessRole.SERVICE);
     String start = "u2sa/cessna/tide/";
 
     assertThat(judge.judge(start + "T".repeat(1_024 - start.length())).refusal()).isNull();
-    TopicJudge.Verdict longer = judge.judge(start + "T".repeat(1_025 - start.length()));
+    TopicPermissions.Verdict longer = judge.judge(start + "T".repeat(1_025 - start.length()));
     assertThat(longer.refusal()).isEqualTo("its topic is too long");
     assertThat(longer.topic()).isNull();
     assertThat(judge.judge("/".repeat(31)).refusal()).isEqualTo("its topic is none of U2SA");
@@ -83,13 +84,13 @@ class TopicJudgeVerdictTest {
 
   @Test
   void judge_asManyTopicsAsAreRemembered_areJudgedOnce() {
-    TopicJudge judge = of(AccessRole.OBSERVER);
-    TopicJudge.Verdict first = judge.judge("t1");
+    TopicPermissions judge = of(AccessRole.OBSERVER);
+    TopicPermissions.Verdict first = judge.judge("t1");
     for (int i = 2; i < 256; i++) {
       judge.judge("t" + i);
     }
-    TopicJudge.Verdict last = judge.judge("t256");
-    TopicJudge.Verdict beyond = judge.judge("t257");
+    TopicPermissions.Verdict last = judge.judge("t256");
+    TopicPermissions.Verdict beyond = judge.judge("t257");
 
     assertThat(judge.judge("t1")).isSameAs(first);
     assertThat(judge.judge("t256")).isSameAs(last);

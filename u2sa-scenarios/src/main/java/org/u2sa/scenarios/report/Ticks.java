@@ -1,4 +1,4 @@
-package org.u2sa.gcs.draw;
+package org.u2sa.scenarios.report;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +10,7 @@ import java.util.Locale;
  * @param step distance of neighbours: 1, 2 or 5 times a power of ten
  * @param values the multiples of it within the axis, ascending
  */
-public record Ticks(double step, List<Double> values) {
+record Ticks(double step, List<Double> values) {
 
   /**
    * @param from least value of the axis
@@ -18,7 +18,7 @@ public record Ticks(double step, List<Double> values) {
    * @param most how many ticks there is room for, 2 or more
    * @throws IllegalArgumentException if from, to and most are not so
    */
-  public static Ticks between(double from, double to, int most) {
+  static Ticks between(double from, double to, int most) {
     if (!(to > from) || most < 2) {
       throw new IllegalArgumentException("axis " + from + "…" + to + " with " + most + " ticks");
     }
@@ -26,7 +26,7 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /** Ticks at the multiples of {@code step}. */
-  public static Ticks every(double step, double from, double to) {
+  static Ticks every(double step, double from, double to) {
     List<Double> values = new ArrayList<>();
     for (long i = (long) Math.ceil(from / step - 1e-9); i * step <= to + step * 1e-9; i++) {
       values.add(i * step);
@@ -35,7 +35,7 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /** The least round step (1, 2 or 5 times a power of ten) that is {@code least} or more. */
-  public static double stepFor(double least) {
+  static double stepFor(double least) {
     double power = Math.pow(10.0, Math.floor(Math.log10(least)));
     for (double factor : new double[] {1.0, 2.0, 5.0}) {
       if (factor * power >= least * (1.0 - 1e-9)) {
@@ -46,7 +46,7 @@ public record Ticks(double step, List<Double> values) {
   }
 
   /** {@code value} with just the decimals that the step needs. */
-  public String label(double value) {
+  String label(double value) {
     int decimals = Math.max(0, (int) -Math.floor(Math.log10(step) + 1e-9));
     return String.format(Locale.ROOT, "%." + decimals + "f", value + 0.0);
   }

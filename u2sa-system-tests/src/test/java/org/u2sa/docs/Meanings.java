@@ -1,13 +1,13 @@
-package org.u2sa.messages.schema;
-
-import static java.nio.charset.StandardCharsets.UTF_8;
+package org.u2sa.docs;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.u2sa.messages.StateField;
+import java.util.stream.Stream;
+import org.u2sa.messages.schema.MessageType;
 
 /** What classes, fields and constants mean: the words of their Javadoc, for the wire protocol. */
 final class Meanings {
@@ -26,7 +26,7 @@ final class Meanings {
         return found(source(each), getter, field);
       }
     }
-    return found(source(StateField.class), "\\w+\\(\"" + field + "\",", field);
+    return found(source("org.u2sa.messages.StateField"), "\\w+\\(\"" + field + "\",", field);
   }
 
   static String ofConstant(Object constant) {
@@ -50,11 +50,21 @@ final class Meanings {
   }
 
   private static String source(Class<?> type) {
-    String file = "u2sa-messages/src/main/java/" + type.getName().replace('.', '/') + ".java";
-    try {
-      return new String(Files.readAllBytes(Repository.file(file)), UTF_8);
+    return source(type.getName());
+  }
+
+  private static String source(String className) {
+    try (Stream<Path> modules = Files.list(Page.ROOT)) {
+      String file = "src/main/java/" + className.replace('.', '/') + ".java";
+      Path found =
+          modules
+              .map(module -> module.resolve(file))
+              .filter(Files::isRegularFile)
+              .findFirst()
+              .orElseThrow(() -> new AssertionError("no source of " + className));
+      return Files.readString(found);
     } catch (IOException e) {
-      throw new UncheckedIOException(file, e);
+      throw new UncheckedIOException(className, e);
     }
   }
 }

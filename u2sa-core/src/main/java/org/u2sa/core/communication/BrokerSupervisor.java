@@ -7,7 +7,7 @@ import java.util.function.Function;
 import org.u2sa.interfaces.communication.CommunicationException;
 
 /** Holds the embedded broker of a running system, and puts a new one in its place when it fails. */
-final class BrokerKeeper implements AutoCloseable {
+final class BrokerSupervisor implements AutoCloseable {
   private static final long TRY_AGAIN_MS = 500;
 
   private final Function<Runnable, EmbeddedBroker> starter;
@@ -23,7 +23,7 @@ final class BrokerKeeper implements AutoCloseable {
    * @param starter starts one, given whom to tell when it fails
    * @throws CommunicationException if it cannot listen
    */
-  BrokerKeeper(Function<Runnable, EmbeddedBroker> starter, Consumer<String> log) {
+  BrokerSupervisor(Function<Runnable, EmbeddedBroker> starter, Consumer<String> log) {
     this.starter = starter;
     this.log = log;
     broker = started();

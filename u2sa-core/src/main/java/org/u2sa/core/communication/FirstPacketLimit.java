@@ -6,26 +6,26 @@ import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.util.ReferenceCountUtil;
 
 /**
- * Bounds what a stranger may send before its first packet is whole, which would be kept until then.
+ * Bounds what a client may send before its first packet is whole, which would be kept until then.
  * Belongs to its connection's thread.
  */
-final class FirstBytes extends ChannelInboundHandlerAdapter {
-  private final ClientSession gate;
+final class FirstPacketLimit extends ChannelInboundHandlerAdapter {
+  private final ClientSession session;
   private long bytes;
 
-  FirstBytes(ClientSession gate) {
-    this.gate = gate;
+  FirstPacketLimit(ClientSession session) {
+    this.session = session;
   }
 
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     bytes += ((ByteBuf) message).readableBytes();
-    if (!gate.isStranger()) {
+    if (!session.isPending()) {
       ctx.fireChannelRead(message);
       ctx.pipeline().remove(this);
-    } else if (bytes > BrokerLimits.STRANGERS_BYTES) {
+    } else if (bytes > BrokerLimits.FIRST_PACKET_BYTES) {
       ReferenceCountUtil.release(message);
-      gate.putOutFor("connection closed, its first packet is too long");
+      session.putOutFor("connection closed, its first packet is too long");
     } else {
       ctx.fireChannelRead(message);
     }

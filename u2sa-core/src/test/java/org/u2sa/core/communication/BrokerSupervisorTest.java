@@ -24,18 +24,18 @@ import org.u2sa.testkit.FreePort;
 
 /** What is done about an embedded broker that fails. */
 @Timeout(120)
-class BrokerKeeperTest {
+class BrokerSupervisorTest {
   private static final Duration SOON = Duration.ofSeconds(30);
 
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final List<Runnable> died = new CopyOnWriteArrayList<>();
   private final AtomicInteger failuresToCome = new AtomicInteger();
   private final InetSocketAddress address = new InetSocketAddress("127.0.0.1", FreePort.find());
-  private BrokerKeeper keeper;
+  private BrokerSupervisor keeper;
 
   @BeforeEach
   void start() {
-    keeper = new BrokerKeeper(this::broker, log::add);
+    keeper = new BrokerSupervisor(this::broker, log::add);
   }
 
   private EmbeddedBroker broker(Runnable whenDead) {

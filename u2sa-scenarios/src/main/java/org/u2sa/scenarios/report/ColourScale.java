@@ -1,4 +1,4 @@
-package org.u2sa.gcs.draw;
+package org.u2sa.scenarios.report;
 
 import java.awt.Color;
 
@@ -6,10 +6,10 @@ import java.awt.Color;
  * Colours for a quantity, in {@link #STEPS} steps of the lower five sixths of matplotlib's viridis
  * (CC0): of even brightness, told apart with any colour vision, and dark enough on white.
  */
-public final class ColourScale {
+final class ColourScale {
 
   /** How many different colours there are. */
-  public static final int STEPS = 24;
+  static final int STEPS = 24;
 
   private static final int[] VIRIDIS = {
     0x440154, 0x482878, 0x3e4989, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6ece58, 0xa5db36
@@ -21,7 +21,7 @@ public final class ColourScale {
    * Step (0…STEPS−1) of {@code value} on a scale from {@code from} to {@code to}; values outside
    * take the nearest end.
    */
-  public static int step(double value, double from, double to) {
+  static int step(double value, double from, double to) {
     if (!(to > from)) {
       return 0;
     }
@@ -29,7 +29,7 @@ public final class ColourScale {
   }
 
   /** Colour of a step. */
-  public static Color colour(int step) {
+  static Color colour(int step) {
     double at = (double) step / (STEPS - 1) * (VIRIDIS.length - 1);
     int below = Math.min(VIRIDIS.length - 2, (int) at);
     double share = at - below;

@@ -17,7 +17,7 @@ import org.u2sa.messages.schema.MessageTypes;
  * What one client may publish, by topic alone: judged is the type that a reader will make of the
  * whole chain, on the channel on which it comes. For one thread.
  */
-final class TopicJudge {
+final class TopicPermissions {
   private static final int TOPICS_REMEMBERED = 256;
 
   /**
@@ -37,7 +37,7 @@ final class TopicJudge {
   private final User user; // null: in the place of every role
   private final Map<String, Verdict> verdicts = new HashMap<>();
 
-  TopicJudge(MessageTypes types, User user) {
+  TopicPermissions(MessageTypes types, User user) {
     this.types = types;
     this.user = user;
   }

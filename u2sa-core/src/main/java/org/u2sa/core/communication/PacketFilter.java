@@ -10,20 +10,20 @@ import io.netty.handler.codec.mqtt.MqttUnsubscribeMessage;
 import java.util.Optional;
 
 /** Looks at each packet of a client that was let in. Belongs to its connection's thread. */
-final class PacketDesk {
-  private final ConnectionFilter door;
+final class PacketFilter {
+  private final ConnectionFilter filter;
   private final PacketRules rules;
   private final String who;
-  private final ClientSession gate;
+  private final ClientSession session;
 
   /**
    * @param who for the log
    */
-  PacketDesk(ConnectionFilter door, PacketRules rules, String who, ClientSession gate) {
-    this.door = door;
+  PacketFilter(ConnectionFilter filter, PacketRules rules, String who, ClientSession session) {
+    this.filter = filter;
     this.rules = rules;
     this.who = who;
-    this.gate = gate;
+    this.session = session;
   }
 
   /**
@@ -39,7 +39,7 @@ final class PacketDesk {
         MqttSubscribeMessage wanted = (MqttSubscribeMessage) packet;
         Optional<String> refused = rules.refusalOf(wanted);
         if (refused.isPresent()) {
-          door.refusals().add("subscription refused, " + refused.get(), who);
+          filter.refusals().add("subscription refused, " + refused.get(), who);
           ctx.writeAndFlush(PacketRules.refusedAnswer(wanted));
           return false;
         }
@@ -52,7 +52,7 @@ final class PacketDesk {
       case DISCONNECT:
         break;
       default: // QoS 2, a second CONNECT, or what only a broker says
-        gate.putOut(ctx, "unexpected packet", packet.fixedHeader().messageType().toString());
+        session.putOut(ctx, "unexpected packet", packet.fixedHeader().messageType().toString());
         return false;
     }
     ctx.fireChannelRead(packet);
@@ -62,26 +62,26 @@ final class PacketDesk {
   private boolean examine(ChannelHandlerContext ctx, MqttPublishMessage publish) {
     MqttQoS qos = publish.fixedHeader().qosLevel();
     if (qos == MqttQoS.EXACTLY_ONCE) {
-      gate.putOut(ctx, "unexpected packet", "QoS 2, which no channel of U2SA uses");
+      session.putOut(ctx, "unexpected packet", "QoS 2, which no channel of U2SA uses");
       return false;
     }
-    if (door.isEnding()) { // not acknowledged: who wants to know learns that it is lost
-      door.refusals().add("message not taken, the broker ends", who);
+    if (filter.isEnding()) { // not acknowledged: who wants to know learns that it is lost
+      filter.refusals().add("message not taken, the broker ends", who);
       return false;
     }
     Optional<String> refused = rules.refusalOf(publish);
     if (refused.isPresent()) {
       String topic = Refusals.shown(publish.variableHeader().topicName());
-      door.refusals().add("message refused, " + refused.get(), who + ", topic " + topic);
+      filter.refusals().add("message refused, " + refused.get(), who + ", topic " + topic);
       if (qos == MqttQoS.AT_LEAST_ONCE) { // MQTT 3.1.1 knows no other answer
         int packet = publish.variableHeader().packetId();
         ctx.writeAndFlush(MqttMessageBuilders.pubAck().packetId(packet).build());
       }
       return false;
     }
-    door.backlog().in(publish.content().readableBytes());
+    filter.backlog().in(publish.content().readableBytes());
     if (qos == MqttQoS.AT_LEAST_ONCE) {
-      door.backlog().keep(publish.content().readableBytes());
+      filter.backlog().keep(publish.content().readableBytes());
     }
     ctx.fireChannelRead(publish);
     return true;

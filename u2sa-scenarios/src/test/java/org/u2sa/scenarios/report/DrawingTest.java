@@ -1,14 +1,15 @@
-package org.u2sa.gcs.draw;
+package org.u2sa.scenarios.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-class DrawTest {
+class DrawingTest {
 
   @Test
   void ticks_between_areRoundAndWithin() {
@@ -30,37 +31,28 @@ class DrawTest {
   }
 
   @Test
-  void textWidth_estimate_growsWithTextAndSize() {
-    TextStyle style = TextStyle.of(Color.BLACK, 10.0);
-    assertThat(style.widthOf("0000"))
-        .isCloseTo(22.24, within(1e-9)); // digits are 556 thousandths wide
-    assertThat(style.widthOf("~")).isCloseTo(5.84, within(1e-9)); // the last of the table
-    assertThat(style.widthOf("i")).isLessThan(style.widthOf("W"));
-  }
-
-  @Test
   void place_crowdedPoints_overlapNothing() {
-    LabelPlacer placer = new LabelPlacer(new PixelBox(0.0, 0.0, 400.0, 300.0));
-    List<PixelBox> labels = new ArrayList<>();
+    LabelPlacer placer = new LabelPlacer(new Rectangle2D.Double(0.0, 0.0, 400.0, 300.0));
+    List<Rectangle2D.Double> labels = new ArrayList<>();
     for (int i = 0; i < 8; i++) {
       labels.add(placer.place(200.0 + 6.0 * i, 150.0, 5.0, 60.0, 16.0));
     }
     for (int i = 0; i < labels.size(); i++) {
       for (int k = 0; k < i; k++) {
-        assertThat(labels.get(i).overlap(labels.get(k))).isZero();
+        assertThat(LabelPlacer.overlap(labels.get(i), labels.get(k))).isZero();
       }
     }
   }
 
   @Test
   void place_pointInTheCorner_staysInTheFrame() {
-    PixelBox frame = new PixelBox(0.0, 0.0, 400.0, 300.0);
+    Rectangle2D.Double frame = new Rectangle2D.Double(0.0, 0.0, 400.0, 300.0);
     assertThat(frame.contains(new LabelPlacer(frame).place(399.0, 1.0, 5.0, 80.0, 16.0))).isTrue();
   }
 
   @Test
   void escaped_markupAndControls_isSafeXml() {
-    assertThat(SvgEscapes.escaped("a<b>&\"c\"\u0000\ud83d\ude81"))
+    assertThat(EscapedXml.of("a<b>&\"c\"\u0000\ud83d\ude81"))
         .isEqualTo("a&lt;b&gt;&amp;&quot;c&quot;\ufffd\ud83d\ude81");
   }
 }

@@ -28,7 +28,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Every role on every channel with every chain of types, true ones and made-up ones. */
-class TopicJudgeTest {
+class TopicPermissionsTest {
   private static final String OWN = "my-own-channel";
   private static final MessageTypes TYPES = StandardTypes.registry();
   private static final Set<AccessRole> OWN_CHANNELS =
@@ -43,7 +43,7 @@ class TopicJudgeTest {
   private final List<String> channels = new ArrayList<>(List.of(OWN, "stop-it", "EMERGENCY-STOP"));
   private int judged;
 
-  TopicJudgeTest() {
+  TopicPermissionsTest() {
     PasswordHash none = new PasswordHash(1, new byte[12], new byte[64]);
     for (AccessRole role : AccessRole.values()) {
       users.put(role, new User(role.text(), EnumSet.of(role), List.of("cessna"), none));
@@ -114,7 +114,7 @@ class TopicJudgeTest {
     List<String> wrong = new ArrayList<>();
     List<List<String>> chains = chains();
     for (AccessRole role : AccessRole.values()) {
-      TopicJudge judge = new TopicJudge(TYPES, users.get(role));
+      TopicPermissions judge = new TopicPermissions(TYPES, users.get(role));
       for (String channel : channels) {
         Map<MessageType<?>, Boolean> allowed = new HashMap<>();
         for (List<String> chain : chains) {
@@ -138,7 +138,7 @@ class TopicJudgeTest {
 
   @Test
   void judge_withoutUsers_typeAndChannelMustBelongTogetherAllTheSame() {
-    TopicJudge judge = new TopicJudge(TYPES, null);
+    TopicPermissions judge = new TopicPermissions(TYPES, null);
     for (Channel<?> channel : Channels.all()) {
       for (MessageType<?> type : TYPES.all()) {
         String topic = Topic.of("cessna", channel, type).toString();
@@ -174,8 +174,8 @@ class TopicJudgeTest {
         ""
       })
   void judge_topicThatIsNoneOfU2sa_isRefusedToTheOperatorToo(String topic) {
-    assertThat(new TopicJudge(TYPES, users.get(AccessRole.OPERATOR)).judge(topic).refusal())
+    assertThat(new TopicPermissions(TYPES, users.get(AccessRole.OPERATOR)).judge(topic).refusal())
         .isNotNull();
-    assertThat(new TopicJudge(TYPES, null).judge(topic).refusal()).isNotNull();
+    assertThat(new TopicPermissions(TYPES, null).judge(topic).refusal()).isNotNull();
   }
 }

@@ -1,15 +1,15 @@
-package org.u2sa.gcs.draw;
+package org.u2sa.scenarios.report;
 
-/** Text for XML files written by hand. */
-public final class SvgEscapes {
+/** Text for XML files that are written as text. */
+public final class EscapedXml {
 
-  private SvgEscapes() {}
+  private EscapedXml() {}
 
   /**
    * {@code text} as character data or attribute value: markup escaped, characters that XML 1.0
    * forbids replaced by U+FFFD.
    */
-  public static String escaped(String text) {
+  public static String of(String text) {
     StringBuilder xml = new StringBuilder(text.length() + 16);
     text.codePoints().forEach(c -> append(xml, c));
     return xml.toString();
