@@ -12,6 +12,10 @@ dependencies {
     api(project(":u2sa-flightgear"))
     api(libs.jackson.core)
     api(libs.geographiclib)
+    // Without what draws images and fonts within pictures.
+    api(libs.batik.svggen) {
+        exclude(group = "org.apache.xmlgraphics", module = "xmlgraphics-commons")
+    }
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
     testImplementation(libs.jackson.databind)

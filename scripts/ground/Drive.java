@@ -12,9 +12,9 @@ import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsModel;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.GpsSample;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.world.LocalPlane;
 
 /**
  * Drives the simulated Mini-Molle around a square by its true place and prints what it did and what
@@ -30,7 +30,7 @@ public final class Drive {
     GpsModel survey = new GpsModel(GpsParameters.survey(), plane, streams);
     GpsModel phone = new GpsModel(GpsParameters.phone(), plane, streams);
     CompassModel compass = new CompassModel(CompassParameters.calibrated(0.0), streams);
-    Hazard.Magnetic magnet = new Hazard.Magnetic(20.0, 10.0, 1.0, 10.0, 0.0);
+    DrivingHazard.Magnetic magnet = new DrivingHazard.Magnetic(20.0, 10.0, 1.0, 10.0, 0.0);
     DifferentialVehicle vehicle = new DifferentialVehicle(DifferentialParameters.miniMolle());
     System.out.println("t,east,north,speed,left,right,first,second,volts,compass,surveyE,surveyN,phoneE,phoneN");
     int corner = 0;
@@ -55,7 +55,7 @@ public final class Drive {
   }
 
   private static void print(LocalPlane plane, GroundState s, GpsModel survey, GpsModel phone,
-      CompassModel compass, Hazard.Magnetic magnet, int i, double first, double second) {
+      CompassModel compass, DrivingHazard.Magnetic magnet, int i, double first, double second) {
     TrueMotion truth = new TrueMotion(
         s.eastM(), s.northM(), 0, s.eastMps(), s.northMps(), 0, s.headingRad());
     String fixes = i % 5 == 0 ? place(plane, survey.sample(s.timeS(), truth, false)) : ",";

@@ -2,10 +2,10 @@
 """Sets the simulated Cessna 172 beside JSBSim's c172p and prints a Markdown table.
 
     pip install jsbsim==1.3.3
-    mvn -q -B -pl u2sa-sim -am compile
+    ./u2sa --help
     python3 scripts/jsbsim/compare.py
 
-Our side is measured by org.u2sa.sim.aircraft.PerformanceTable, JSBSim's here with the same procedures. JSBSim's aircraft is loaded to the
+Our side is measured by PerformanceTable.java, JSBSim's here with the same procedures. JSBSim's aircraft is loaded to the
 same 2400 lb by its front seats, which leaves its centre of gravity where it was. JSBSim's rudder is positive to the left.
 """
 
@@ -39,10 +39,10 @@ HANDBOOK = {
 
 
 def ours(classes):
-    command = ["java", "-cp", str(classes), "org.u2sa.sim.aircraft.PerformanceTable"]
+    command = ["java", "-cp", str(classes), str(ROOT / "scripts/jsbsim/PerformanceTable.java")]
     answer = subprocess.run(command, capture_output=True, text=True)
     if answer.returncode != 0:
-        sys.exit(f"{' '.join(command)} failed: {answer.stderr.strip()}\nbuild first: mvn -q -B -pl u2sa-sim -am compile")
+        sys.exit(f"{' '.join(command)} failed: {answer.stderr.strip()}\nbuild first: ./u2sa --help")
     rows = csv.DictReader(io.StringIO(answer.stdout))
     return {(r["kind"], r["condition"], r["quantity"]): float(r["value"]) for r in rows}
 
@@ -265,7 +265,7 @@ def turn(table):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--classes", type=pathlib.Path, default=ROOT / "u2sa-sim" / "target" / "classes")
+    parser.add_argument("--classes", default=f"{ROOT}/target/u2sa/lib/*")
     arguments = parser.parse_args()
     mine = ours(arguments.classes)
     theirs = {}

@@ -1,4 +1,4 @@
-"""What docs/wire-protocol.md says of one message on a broker, read from the page itself. Knows nothing else of U2SA."""
+"""What docs/wire-protocol.md and docs/schema/u2sa-messages.json say of one message on a broker. Knows nothing else of U2SA."""
 import io
 import math
 import pathlib
@@ -9,44 +9,17 @@ import cbor2
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(REPOSITORY / "clients" / "python" / "tools"))
-import tables  # noqa: E402  (reads the page's tables)
+import tables  # noqa: E402  (reads the schema)
 
-PAGE = tables.DOC.read_text(encoding="utf-8")
-CHANNELS = {name: (qos, retained, source) for name, qos, retained, source in tables.channels(PAGE)}
-MESSAGES = {chain[-1]: (chain, abstract, fields) for chain, abstract, fields in tables.messages(PAGE)}
-STANDARD = (tuple(CHANNELS), tuple(MESSAGES))
+_SCHEMA = tables.schema()
+CHANNELS = {row["name"]: tables.channel(row)[1:] for row in _SCHEMA["channels"]}
+MESSAGES = {row["name"]: tables.message(row) for row in _SCHEMA["messages"]}
+CARRIED = {row["name"]: row["types"] for row in _SCHEMA["channels"]}
+STANDARD = tuple(tuple(row["name"] for row in tables.standard(_SCHEMA[part])) for part in ("channels", "messages"))
 CHECKED = set()  # classes of which a message was held to its table
 WILL = "ConnectionLost"
 _SYSTEM_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,63}")
 _FRAME = re.compile(r"GLOBAL|LOCAL_ENU|LOCAL_NED|BODY|BODY_FRD|BODY_FLU|UTM ([1-9]|[1-5][0-9]|60)[NS]")
-
-
-def _rows(head, start=0):
-    """Cells of the rows of the table with that head."""
-    lines = PAGE[PAGE.index(head, start):].splitlines()[2:]
-    return [tables.cells(line) for line in lines[:next(i for i, line in enumerate(lines) if not line.startswith("|"))]]
-
-
-def _names(types):
-    """The classes that a channel carries; of "and subclasses" nothing needs to be said."""
-    return re.findall(r"[A-Z…]\w*", types.replace("GoalInformation's", "GoalInformation"))
-
-
-CARRIED = {cells[0]: _names(cells[1]) for cells in _rows("| channel |") + _rows("| own channel |")}
-
-
-def _add_own():
-    """The Cessna's channels and classes; a class's table has its own fields only."""
-    for name, _types, _way, qos, _retained in _rows("| own channel |"):
-        CHANNELS[name] = (int(qos), False, "")
-    for found in re.finditer(r"^`(\w+)`, chain `([\w/]+)`", PAGE, re.M):
-        chain = tuple(found.group(2).split("/"))
-        parent = MESSAGES[chain[-2]][2] if len(chain) > 1 else MESSAGES["DiscoveryRequest"][2]  # systemId and timestamp
-        own = [tables.field(*row) for row in _rows("| field |", found.end())]
-        MESSAGES[chain[-1]] = (chain, False, [*parent, *own])
-
-
-_add_own()
 
 
 class Difference(Exception):
@@ -75,8 +48,7 @@ def check(topic, qos, payload, now_s):
     """
     system, channel, chain, source = split(topic)
     carried = CARRIED[channel]
-    require(any(name in carried or any(kind[0] == "…" and name.endswith(kind[1:]) for kind in carried) for name in chain),
-            f"{'/'.join(chain)} is none of {carried}")
+    require(any(name in carried for name in chain), f"{'/'.join(chain)} is none of {carried}")
     expected = 1 if WILL in chain else CHANNELS[channel][0]
     require(qos == expected, f"QoS {qos}, the page says {expected}")
     message, origin = parts(payload)

@@ -1,4 +1,4 @@
-"""The tables are those of docs/wire-protocol.md."""
+"""The tables are those of docs/schema/u2sa-messages.json."""
 import pathlib
 import subprocess
 import sys
@@ -8,7 +8,7 @@ TOOL = pathlib.Path(__file__).resolve().parents[1] / "tools" / "tables.py"
 
 
 class TablesTest(unittest.TestCase):
-    def test_tables_are_those_of_the_documentation(self):
+    def test_tables_are_those_of_the_schema(self):
         run = subprocess.run([sys.executable, str(TOOL), "--check"], capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, 0, run.stderr)
 

@@ -1,97 +1,49 @@
 #!/usr/bin/env python3
-"""Writes u2sa/tables.py from the tables of docs/wire-protocol.md, or says with --check whether it is what they say."""
+"""Writes u2sa/tables.py from docs/schema/u2sa-messages.json, or says with --check whether it is what that says."""
+import json
 import pathlib
-import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent.parent
-DOC = HERE.parent.parent / "docs" / "wire-protocol.md"
+SCHEMA = HERE.parent.parent / "docs" / "schema" / "u2sa-messages.json"
 TABLES = HERE / "u2sa" / "tables.py"
 
 
-def cells(line):
-    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+def schema():
+    return json.loads(SCHEMA.read_text(encoding="utf-8"))
 
 
-def channels(text):
-    """(name, QoS, retained, field of the source) of each channel of the first table."""
-    lines = text[text.index("| channel |"):].splitlines()[2:]
-    rows = []
-    for line in lines:
-        if not line.startswith("|"):
-            break
-        name, _types, _way, qos, retained = cells(line)
-        rows.append((name, int(qos), retained != "", retained[len("of each "):]))
-    return rows
+def channel(row):
+    """(name, QoS, retained, field of the source)"""
+    return row["name"], row["qos"], row["retained"], row["source"]
 
 
-def messages(text):
-    """(chain, abstract, fields) of each message; a field is (name, kind, presence, default, low, high, choices, since)."""
-    found = []
-    for section in re.split(r"^### ", text, flags=re.M)[1:]:
-        chain = re.search(r"Type chain `([^`]+)`(, abstract)?", section)
-        if not chain:
-            continue
-        rows = [cells(line) for line in section.splitlines() if line.startswith("|")][2:]
-        fields = [field(*row[:6]) for row in rows]
-        found.append((tuple(chain.group(1).split("/")), bool(chain.group(2)), fields))
-    return found
+def message(row):
+    """(chain, abstract, fields); a field is (name, kind, presence, default, low, high, choices, since)."""
+    return tuple(row["chain"]), row["abstract"], [field(each) for each in row["fields"]]
 
 
-def field(name, cbor, _unit, presence, _bit, since):
-    kind, low, high, choices = cbor, None, None, ()
-    if cbor.startswith("text: "):
-        kind, choices = "enum", tuple(cbor[len("text: "):].split(", "))
-    elif cbor.startswith("float64, ≥ "):
-        kind, low = "float64", float(cbor[len("float64, ≥ "):])
-    elif cbor.startswith("float64, "):
-        kind = "float64"
-        low, high = (float(end) for end in cbor[len("float64, "):].split("…"))
-    elif cbor == "text (frame)":
-        kind = "frame"
-    elif cbor == "array of 3 float64":
-        kind = "point"
-    elif cbor == "array of text":
-        kind = "texts"
-    elif cbor == "array of float64":
-        kind = "numbers"
-    elif cbor == "array of bool":
-        kind = "flags"
-    elif cbor == "array of points":
-        kind = "points"
-    elif cbor.startswith("array of "):
-        kind = "messages:" + cbor[len("array of "):-len(" maps")]
-    elif kind not in ("text", "int", "bool", "float64"):
-        raise ValueError(f"{name}: the table says \"{cbor}\", which no reader knows")
-    default = None
-    if presence.startswith("always; "):
-        text = presence[len("always; "):-len(" unless set")]
-        presence = "always"
-        default = parsed(text, kind)
-    return (name, kind, presence, default, low, high, choices, int(since))
+def field(row):
+    kind = row["kind"] + (":" + row["element"] if "element" in row else "")
+    default = row.get("default")
+    return (row["name"], kind, row["presence"], () if default == [] else default, row.get("min"), row.get("max"),
+            tuple(row.get("constants", ())), row["since"])
 
 
-def parsed(text, kind):
-    if kind == "float64":
-        return float(text)
-    if kind == "int":
-        return int(text)
-    if kind == "bool":
-        return text == "true"
-    if kind in ("texts", "numbers", "flags", "points") or kind.startswith("messages"):
-        return ()
-    return "" if text == '""' else text
+def standard(rows):
+    """Those of every system."""
+    return [row for row in rows if not row["system"]]
 
 
 def written():
-    text = DOC.read_text(encoding="utf-8")
-    out = ['"""Channels and messages, written by tools/tables.py from docs/wire-protocol.md. Do not edit."""', ""]
+    whole = schema()
+    out = ['"""Channels and messages, written by tools/tables.py from docs/schema/u2sa-messages.json. Do not edit."""', ""]
     out += ["# name: (QoS, retained, field that names the source in the topic)", "CHANNELS = {"]
-    out += [f"    {name!r}: ({qos}, {retained}, {source!r})," for name, qos, retained, source in channels(text)]
+    out += [f"    {name!r}: ({qos}, {retained}, {source!r})," for name, qos, retained, source in map(channel, standard(whole["channels"]))]
     out += ["}", ""]
     out += ["# (type chain, abstract, fields); a field: (name, kind, presence, default, least, most, constants, since)"]
     out += ["MESSAGES = ["]
-    for chain, abstract, fields in messages(text):
+    for chain, abstract, fields in map(message, standard(whole["messages"])):
         out += [f"    ({chain!r}, {abstract}, ["]
         out += [f"        {each!r}," for each in fields]
         out += ["    ]),"]
@@ -102,7 +54,7 @@ def written():
 def main():
     if sys.argv[1:] == ["--check"]:
         if TABLES.read_text(encoding="utf-8") != written():
-            sys.exit("clients/python/u2sa/tables.py is not what docs/wire-protocol.md says: "
+            sys.exit("clients/python/u2sa/tables.py is not what docs/schema/u2sa-messages.json says: "
                      "run python3 clients/python/tools/tables.py")
         return
     TABLES.write_text(written(), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Channels and messages, written by tools/tables.py from docs/wire-protocol.md. Do not edit."""
+"""Channels and messages, written by tools/tables.py from docs/schema/u2sa-messages.json. Do not edit."""
 
 # name: (QoS, retained, field that names the source in the topic)
 CHANNELS = {

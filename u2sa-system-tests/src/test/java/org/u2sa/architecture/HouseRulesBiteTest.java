@@ -31,6 +31,7 @@ class HouseRulesBiteTest {
           "package org.u2sa.messages; public class M {}",
           "package org.u2sa.interfaces; public class I {}",
           "package org.u2sa.service; public class S {}",
+          "package org.u2sa.device; public class P {}",
           "package org.u2sa.core; public class C {}",
           "package org.u2sa.drivers; public class D {}",
           "package org.u2sa.sim; public class X {}",
@@ -53,6 +54,10 @@ class HouseRulesBiteTest {
           arrows of interfaces    | package org.u2sa.interfaces.xml; class Bad { org.u2sa.service.S s; }
           arrows of service       | package org.u2sa.service; class Bad { org.u2sa.core.C c; }
           arrows of service       | package org.u2sa.service; class Bad { org.u2sa.testkit.T t; }
+          arrows of service       | package org.u2sa.service; class Bad { org.u2sa.device.P p; }
+          arrows of device        | package org.u2sa.device; class Bad { org.u2sa.drivers.D d; }
+          arrows of device        | package org.u2sa.device; class Bad { org.u2sa.core.C c; }
+          arrows of sim           | package org.u2sa.sim; class Bad { org.u2sa.drivers.D d; }
           arrows of core          | package org.u2sa.core; class Bad { org.u2sa.sim.X x; }
           arrows of core          | package org.u2sa.core; class Bad { org.u2sa.drivers.D d; }
           arrows of core          | package org.u2sa.core.launch; class Bad { Object o = new org.u2sa.gcs.G(); }
@@ -81,6 +86,7 @@ class HouseRulesBiteTest {
           no objects from data    | package org.u2sa.gcs; class Bad { com.fasterxml.jackson.databind.ObjectMapper m; }
           no objects from data    | package org.u2sa.core; class Bad { Object o = new java.beans.XMLDecoder(System.in); }
           one XML reader          | package org.u2sa.core.mission; class Bad { javax.xml.parsers.SAXParser p; }
+          SVG                     | package org.u2sa.gcs; class Bad { org.w3c.dom.Document d; }
           one XML reader          | package org.u2sa.gcs; class Bad { Object f = javax.xml.stream.XMLInputFactory.newFactory(); }
           no Java serialization   | package org.u2sa.core; class Bad { void w(java.io.ObjectOutputStream o) throws Exception { o.writeObject(""); } }
           """)

@@ -53,6 +53,7 @@ class HouseRulesTest {
                 "messages",
                 "interfaces",
                 "service",
+                "device",
                 "core",
                 "drivers",
                 "sim",

@@ -15,14 +15,14 @@ import org.u2sa.core.control.ground.DifferentialDriveControl;
 import org.u2sa.core.control.ground.DifferentialPursuitControl;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.planning.VectorFieldPlanner;
-import org.u2sa.drivers.compass.CompassSensor;
-import org.u2sa.drivers.gps.GpsSensor;
-import org.u2sa.drivers.imu.ImuSensor;
+import org.u2sa.device.CompassSensor;
+import org.u2sa.device.GpsSensor;
+import org.u2sa.device.ImuSensor;
+import org.u2sa.device.LidarSensor;
+import org.u2sa.device.RangeSensor;
+import org.u2sa.device.WheelMotors;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.drivers.mavlink.MavlinkAutopilot;
-import org.u2sa.drivers.motor.WheelMotors;
-import org.u2sa.drivers.range.LidarSensor;
-import org.u2sa.drivers.range.RangeSensor;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.ConfigurationReference;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
@@ -101,11 +101,13 @@ class ConfigurationPageTest {
     new Page("docs/configuration.md").mustBe(page.toString());
   }
 
-  private static void section(StringBuilder page, String heading, List<VariableDeclaration<?>> variables) {
+  private static void section(
+      StringBuilder page, String heading, List<VariableDeclaration<?>> variables) {
     page.append('\n').append(ConfigurationReference.markdownFor(heading, variables));
   }
 
-  private List<VariableDeclaration<?>> declaredBy(Class<?> service) throws ReflectiveOperationException {
+  private List<VariableDeclaration<?>> declaredBy(Class<?> service)
+      throws ReflectiveOperationException {
     // Neither changes what is declared: some need a mission to begin with, drivers look for
     // devices.
     XmlConfiguration configuration =
@@ -133,7 +135,8 @@ class ConfigurationPageTest {
     return configuration.declared();
   }
 
-  private static List<VariableDeclaration<?>> inAll(Iterable<List<VariableDeclaration<?>>> services) {
+  private static List<VariableDeclaration<?>> inAll(
+      Iterable<List<VariableDeclaration<?>>> services) {
     List<VariableDeclaration<?>> common = new ArrayList<>();
     for (List<VariableDeclaration<?>> variables : services) {
       if (common.isEmpty()) {

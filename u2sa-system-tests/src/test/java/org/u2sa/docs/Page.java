@@ -38,7 +38,7 @@ final class Page {
 
   /** What writes all generated pages anew. */
   static String command() {
-    return "mvn -q -pl u2sa-flightgear -am test -Dtest='org.u2sa.docs.*Test'"
+    return "mvn -q -pl u2sa-system-tests -am test -Dtest='org.u2sa.docs.*Test'"
         + " -Dsurefire.failIfNoSpecifiedTests=false -Du2sa.docs.write=true";
   }
 }

@@ -5,7 +5,7 @@ import android.os.Build
 import java.util.OptionalDouble
 import kotlin.math.cos
 import kotlin.math.sin
-import org.u2sa.drivers.gps.GpsFix
+import org.u2sa.device.GpsFix
 
 /** Android gives the radius that holds 68 % of the errors; of a round normal distribution that is 1.51 σ along an axis. */
 private const val RADIUS_68_PERCENT = 1.51

@@ -1,6 +1,6 @@
 package org.u2sa.android.sensor
 
-import org.u2sa.drivers.gps.GpsFix
+import org.u2sa.device.GpsFix
 import org.u2sa.messages.frame.Point
 
 /** All that [PhoneStateSensor] knows of a phone: a real one and one of a test look alike. */

@@ -1,7 +1,7 @@
 package org.u2sa.android.sensor
 
-import org.u2sa.drivers.compass.MagneticModel
-import org.u2sa.drivers.gps.GpsFix
+import org.u2sa.device.MagneticModel
+import org.u2sa.device.GpsFix
 import org.u2sa.interfaces.time.Clock
 import org.u2sa.interfaces.log.LogLevelEnum
 import org.u2sa.interfaces.configuration.Range

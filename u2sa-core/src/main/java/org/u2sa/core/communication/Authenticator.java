@@ -74,7 +74,10 @@ final class Authenticator implements AutoCloseable {
     thread.start();
   }
 
-  /** Checks a password; the answer comes at once or, when it took work, on this desk's thread. */
+  /**
+   * Checks a password; the answer comes at once or, when it took work, on the authenticator's
+   * thread.
+   */
   void check(String name, byte[] password, InetAddress from, Consumer<Verdict> answer) {
     LoginApplication application = new LoginApplication(name, password.clone(), from, answer);
     Optional<User> user = users.named(name);

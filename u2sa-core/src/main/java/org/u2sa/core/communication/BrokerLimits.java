@@ -100,13 +100,13 @@ record BrokerLimits(
               "Time after which the embedded broker puts a client out that reads or acknowledges nothing.");
 
   /** Connections that have not said who they are, from one address. */
-  static final int STRANGERS_PER_ADDRESS = 32;
+  static final int PENDING_PER_ADDRESS = 32;
 
   /** Connections that have not said who they are, from everywhere. */
-  static final int STRANGERS = 256;
+  static final int PENDING = 256;
 
   /** Time for encryption and the first packet [ms]. */
-  static final long INTRODUCTION_WITHIN_MS = 10_000;
+  static final long CONNECT_WITHIN_MS = 10_000;
 
   static final int FILTERS_PER_CLIENT = 256;
 
@@ -130,7 +130,7 @@ record BrokerLimits(
   private static final int OPERATORS_PART = 16;
 
   /** Bytes that may come before the first packet is whole, encryption's included. */
-  static final int STRANGERS_BYTES = 64 * 1_024;
+  static final int FIRST_PACKET_BYTES = 64 * 1_024;
 
   /** As the codec's limit: nobody could read more. */
   static final int LONGEST_PAYLOAD = 1 << 20;

@@ -12,6 +12,7 @@ import java.util.function.Supplier;
 import javax.net.ssl.SSLException;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 
@@ -42,6 +43,7 @@ final class BrokerSecurity {
   private final LocalAccount account; // null: no users, or those of the directory
   private final SecurityDirectory directory; // null: neither users nor encryption
   private final SslContext tls; // null likewise
+  private final ProcessAccount own; // null: everybody may do everything
 
   BrokerSecurity(SecurityDirectory directory, SslContext tls) {
     this(directory, tls, null);
@@ -51,6 +53,7 @@ final class BrokerSecurity {
     this.account = account;
     this.directory = directory;
     this.tls = tls;
+    own = directory != null ? ProcessAccount.unnamed() : account != null ? account.own() : null;
   }
 
   /** What the configuration says. */
@@ -138,7 +141,23 @@ final class BrokerSecurity {
     if (account != null) {
       return new Users(account);
     }
-    return directory == null ? null : new Users(directory.users(), log);
+    if (directory == null) {
+      return null;
+    }
+    Users users = new Users(directory.users(), log);
+    users.add(own.user());
+    return users;
+  }
+
+  /** As whom the services of the broker's own process come to it. */
+  BrokerAccess ownAccess() {
+    if (own == null) {
+      return BrokerAccess.open();
+    }
+    return BrokerAccess.of(
+        own.user().name(),
+        own.password().toCharArray(),
+        directory == null ? "" : directory.authority().toString());
   }
 
   /** Starts the broker that this secures; if that fails, nothing is left of either. */

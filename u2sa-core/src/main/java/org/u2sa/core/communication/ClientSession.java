@@ -38,12 +38,12 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private static final long FAREWELL_WITHIN_S = 10;
   private static final long LOOK_AGAIN_MS = 2;
 
-  private final ConnectionFilter door;
+  private final ConnectionFilter filter;
   private final Outflow outflow;
   private final String connection;
   private Inflow inflow;
   private Stage stage = Stage.STRANGER;
-  private PacketDesk desk; // from its admission, as the rules
+  private PacketFilter packets; // from its admission, as the rules
   private PacketRules rules;
   private String clientId = "";
   private volatile String name = ConnectionFilter.ANONYMOUS;
@@ -54,10 +54,10 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private volatile boolean connected; // Moquette has finished its part
   private volatile ChannelHandlerContext context;
 
-  ClientSession(ConnectionFilter door, Outflow outflow) {
-    this.door = door;
+  ClientSession(ConnectionFilter filter, Outflow outflow) {
+    this.filter = filter;
     this.outflow = outflow;
-    connection = door.newConnection();
+    connection = filter.newConnection();
   }
 
   void inflow(Inflow before) {
@@ -131,16 +131,16 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   @Override
   public void handlerAdded(ChannelHandlerContext ctx) {
     context = ctx;
-    since = door.nowMicros();
+    since = filter.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
-    for (ClientSession longest : door.strangers().add(this, from)) {
-      longest.putOutFor("stranger put out for a newer one");
+    for (ClientSession longest : filter.pending().add(this, from)) {
+      longest.putOutFor("pending connection closed for a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
   }
 
   /** Whether it has not said yet who it is. */
-  boolean isStranger() {
+  boolean isPending() {
     return stage == Stage.STRANGER;
   }
 
@@ -153,7 +153,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   void putOut(ChannelHandlerContext ctx, String kind, String details) {
     if (stage != Stage.OUT) {
       stage = Stage.OUT;
-      door.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
+      filter.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
       ctx.close();
     }
   }
@@ -169,11 +169,12 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
 
   private void look(ChannelHandlerContext ctx) {
     if (stage == Stage.STRANGER
-        && door.nowMicros() - since > 1_000 * BrokerLimits.INTRODUCTION_WITHIN_MS) {
+        && filter.nowMicros() - since > 1_000 * BrokerLimits.CONNECT_WITHIN_MS) {
       putOut(ctx, "connection closed, it does not say who it is", "");
     } else if (stage == Stage.IN) {
       outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, "client put out, it is too slow", why));
-      if (user != null && !door.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
+      if (user != null
+          && !filter.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
         putOut(ctx, "client put out, its user was changed or removed", "");
       }
     }
@@ -195,9 +196,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
             ConnectionFault.MALFORMED,
             cause == null ? "" : Refusals.shown("" + cause.getMessage()));
       } else if (stage == Stage.STRANGER) {
-        introduce(ctx, packet);
+        connect(ctx, packet);
       } else {
-        handedOn = desk.examine(ctx, packet);
+        handedOn = packets.examine(ctx, packet);
         if (packet.fixedHeader().messageType() == MqttMessageType.DISCONNECT) {
           // MQTT lets a server heed nothing after it (3.14.4): an acknowledgement that Moquette
           // meets after it has cleared the session up would end its thread.
@@ -211,28 +212,29 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
   }
 
-  private void introduce(ChannelHandlerContext ctx, MqttMessage packet) {
+  private void connect(ChannelHandlerContext ctx, MqttMessage packet) {
     if (!(packet instanceof MqttConnectMessage)) {
       putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
       return;
     }
-    ConnectRequest said = ConnectRequest.of((MqttConnectMessage) packet, door.pass());
+    ConnectRequest said = ConnectRequest.of((MqttConnectMessage) packet, filter.pass());
     clientId = said.clientId();
     Optional<String> fault = said.fault();
     if (fault.isPresent()) {
       refuse(
           ctx, MqttConnectReturnCode.CONNECTION_REFUSED_UNACCEPTABLE_PROTOCOL_VERSION, fault.get());
-    } else if (door.users().isEmpty()) {
+    } else if (filter.users().isEmpty()) {
       admit(ctx, said);
-    } else if (!door.users().get().havePasswords()) {
-      introduceLocally(ctx, said, door.users().get());
+    } else if (!filter.users().get().havePasswords()) {
+      loginLocally(ctx, said, filter.users().get());
     } else if (said.user().isEmpty()) {
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it says no user");
     } else {
       name = said.user();
       stage = Stage.CHECKED;
       inflow.hold();
-      door.desk()
+      filter
+          .authenticator()
           .check(
               name,
               said.password(),
@@ -241,7 +243,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     }
   }
 
-  private void introduceLocally(ChannelHandlerContext ctx, ConnectRequest said, Users users) {
+  private void loginLocally(ChannelHandlerContext ctx, ConnectRequest said, Users users) {
     Optional<User> known = users.ofAccount(said.user(), said.password());
     if (known.isEmpty()) {
       refuse(
@@ -268,38 +270,38 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
       return;
     }
     user = verdict.user().get();
-    door.strangers().proven(this);
+    filter.pending().proven(this);
     admit(ctx, said);
     ctx.fireChannelReadComplete();
   }
 
   private void admit(ChannelHandlerContext ctx, ConnectRequest said) {
-    PacketRules its = new PacketRules(door, user, clientId, connection);
+    PacketRules its = new PacketRules(filter, user, clientId, connection);
     Optional<String> foreign = said.willTopic().flatMap(its::refusalOfSystem);
     if (foreign.isPresent()) { // it means to act where it may not: better told at once
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
     }
-    ConnectionFilter.Entry entry = door.enter(clientId, this);
+    ConnectionFilter.Entry entry = filter.enter(clientId, this);
     if (entry != ConnectionFilter.Entry.FREE) {
       refuse(ctx, entry.answer(), entry.reason());
       return;
     }
     stage = Stage.IN;
     rules = its;
-    desk = new PacketDesk(door, its, who(), this);
+    packets = new PacketFilter(filter, its, who(), this);
     inflow.hold();
-    door.strangers().remove(this);
+    filter.pending().remove(this);
     outflow.admitted(user, clientId);
     // Without its will a client may still come: every client of U2SA has one, also an observer's.
     Optional<String> will = said.willTopic().flatMap(topic -> its.refusalOfWill(topic, said));
-    will.ifPresent(why -> door.refusals().add("will refused, " + why, who()));
+    will.ifPresent(why -> filter.refusals().add("will refused, " + why, who()));
     ctx.fireChannelRead(said.forMoquette(connection, name, will.isEmpty()));
   }
 
   private void refuse(ChannelHandlerContext ctx, MqttConnectReturnCode code, String why) {
     stage = Stage.OUT;
-    door.refusals().add("log-in refused, " + why, who());
+    filter.refusals().add("log-in refused, " + why, who());
     ctx.writeAndFlush(MqttMessageBuilders.connAck().returnCode(code).build())
         .addListener(ChannelFutureListener.CLOSE);
   }
@@ -314,8 +316,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   public void handlerRemoved(ChannelHandlerContext ctx) {
     stage = Stage.OUT;
     watch.cancel(false);
-    door.strangers().remove(this);
-    door.leave(clientId, this);
+    filter.pending().remove(this);
+    filter.leave(clientId, this);
   }
 
   @Override

@@ -76,22 +76,26 @@ public final class CommunicationManager implements AutoCloseable {
               "Whether the embedded broker announces itself by mDNS; auto: if it listens to a network.");
 
   private static final double SEARCH_AT_LEAST_S = 5.0;
+  private static final double OWN_BROKER_WITHIN_S = 30.0; // on a machine that is busy
 
   private final Transport transport;
   private final Supplier<MqttTransport> remote; // null without a broker
-  private final BrokerKeeper broker; // null unless embedded
+  private final Supplier<MqttTransport> own; // likewise
+  private final BrokerSupervisor broker; // null unless embedded
   private final BrokerAnnouncement announcement; // null if there is none
   private final BrokerSecurity security; // null unless embedded
 
   private CommunicationManager(
       Transport transport,
       Supplier<MqttTransport> remote,
-      BrokerKeeper broker,
+      Supplier<MqttTransport> own,
+      BrokerSupervisor broker,
       BrokerAnnouncement announcement,
       BrokerSecurity security) {
     this.security = security;
     this.transport = transport;
     this.remote = remote;
+    this.own = own;
     this.broker = broker;
     this.announcement = announcement;
   }
@@ -130,12 +134,14 @@ public final class CommunicationManager implements AutoCloseable {
           new MqttTransport(broker.getHostString(), broker.getPort(), systemId, codec, as)
               .waiting(patienceS);
       transport.connect("CommunicationManager", new Probe()).close();
-      return new CommunicationManager(transport, () -> transport, null, null, null);
+      return new CommunicationManager(
+          transport, () -> transport, () -> transport, null, null, null);
     }
     LocalBus bus = new LocalBus(systemId);
-    BrokerKeeper broker = null;
+    BrokerSupervisor broker = null;
     BrokerAnnouncement announcement = null;
     Supplier<MqttTransport> remote = null;
+    Supplier<MqttTransport> own = null;
     BrokerSecurity secured = null;
     if (kind.equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
@@ -144,7 +150,7 @@ public final class CommunicationManager implements AutoCloseable {
       broker =
           security.starting(
               () ->
-                  new BrokerKeeper(
+                  new BrokerSupervisor(
                       died ->
                           EmbeddedBroker.start(bus, codec, address, security, limits, log, died),
                       log));
@@ -153,12 +159,16 @@ public final class CommunicationManager implements AutoCloseable {
           () ->
               new MqttTransport(
                   reached, port, systemId, codec, access.beside(settings.directory()));
+      own =
+          () ->
+              new MqttTransport(reached, port, systemId, codec, security.ownAccess())
+                  .waiting(OWN_BROKER_WITHIN_S);
       if (announce.equals("yes")
           || announce.equals("auto") && !BrokerSecurity.isLoopback(bindAddress)) {
         announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
       }
     }
-    return new CommunicationManager(bus, remote, broker, announcement, secured);
+    return new CommunicationManager(bus, remote, own, broker, announcement, secured);
   }
 
   private static FoundBroker search(String systemId, BrokerAccess access, double timeoutS) {
@@ -177,6 +187,14 @@ public final class CommunicationManager implements AutoCloseable {
   /** The way to it for the services of this process. */
   public Transport transport() {
     return transport;
+  }
+
+  /**
+   * The way through the broker for the services of this process, by MQTT even to each other. They
+   * may do everything there; no account need be set up for them. Empty without a broker.
+   */
+  public Optional<Transport> brokerTransport() {
+    return Optional.ofNullable(own).map(Supplier::get);
   }
 
   /** Whether the broker is another process's. */
@@ -201,7 +219,7 @@ public final class CommunicationManager implements AutoCloseable {
 
   /** Where the embedded broker listens. */
   public Optional<InetSocketAddress> address() {
-    return Optional.ofNullable(broker).map(BrokerKeeper::address);
+    return Optional.ofNullable(broker).map(BrokerSupervisor::address);
   }
 
   /**

@@ -37,10 +37,10 @@ final class ConnectionFilter implements AutoCloseable {
   private final Clock clock;
   private final Refusals refusals;
   private final Users users; // null: everybody may do everything
-  private final Authenticator desk; // null likewise
+  private final Authenticator authenticator; // null likewise
   private final byte[] pass = newPass();
   private final Backlog backlog = new Backlog();
-  private final PendingConnections<ClientSession> strangers = new PendingConnections<>();
+  private final PendingConnections<ClientSession> pending = new PendingConnections<>();
   private final AtomicInteger open = new AtomicInteger();
   private final AtomicLong unsent = new AtomicLong();
   private final Map<String, ClientSession> clients = new ConcurrentHashMap<>();
@@ -61,7 +61,8 @@ final class ConnectionFilter implements AutoCloseable {
     this.codec = codec;
     this.clock = clock;
     this.users = users;
-    desk = users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
+    authenticator =
+        users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
     questions = new SharedAllowances(limits.questionsPerS());
@@ -107,7 +108,7 @@ final class ConnectionFilter implements AutoCloseable {
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
       // Who was let in and who has not said who it is are counted apart; more cannot be.
-      if (open.incrementAndGet() > limits.clients() + 2 * BrokerLimits.STRANGERS || ending) {
+      if (open.incrementAndGet() > limits.clients() + 2 * BrokerLimits.PENDING || ending) {
         open.decrementAndGet();
         refusals.add(
             "connection refused, " + (ending ? "the broker ends" : "too many"),
@@ -131,12 +132,12 @@ final class ConnectionFilter implements AutoCloseable {
     @Override
     public void channelActive(ChannelHandlerContext ctx) {
       Outflow outflow = new Outflow(ConnectionFilter.this);
-      ClientSession gate = new ClientSession(ConnectionFilter.this, outflow);
-      Inflow inflow = new Inflow(ConnectionFilter.this, gate);
-      gate.inflow(inflow);
-      ctx.pipeline().addFirst(new FirstBytes(gate));
+      ClientSession session = new ClientSession(ConnectionFilter.this, outflow);
+      Inflow inflow = new Inflow(ConnectionFilter.this, session);
+      session.inflow(inflow);
+      ctx.pipeline().addFirst(new FirstPacketLimit(session));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
-      ctx.pipeline().addBefore("handler", "u2sa-gate", gate);
+      ctx.pipeline().addBefore("handler", "u2sa-session", session);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);
       ctx.pipeline().addBefore("handler", "u2sa-retain-flag", new RetainFlag(retained.topics()));
       ctx.fireChannelActive();
@@ -180,22 +181,22 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /** Enters a client under its ID, in the place of an older connection of the same client. */
-  synchronized Entry enter(String clientId, ClientSession gate) {
+  synchronized Entry enter(String clientId, ClientSession session) {
     ClientSession before = clients.get(clientId);
-    if (before != null && !before.name().equals(gate.name())) {
+    if (before != null && !before.name().equals(session.name())) {
       return Entry.ANOTHERS_ID;
     }
     int others = clients.size() - (before == null ? 0 : 1);
-    boolean keepFree = users != null && !gate.isOperator();
+    boolean keepFree = users != null && !session.isOperator();
     if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clients())) {
       return Entry.FULL;
     }
     if (users != null
-        && ofUser(gate.name()) - (before == null ? 0 : 1) >= limits.clientsPerUser()) {
+        && ofUser(session.name()) - (before == null ? 0 : 1) >= limits.clientsPerUser()) {
       return Entry.FULL_FOR_USER;
     }
-    clients.put(clientId, gate);
-    connections.put(gate.connection(), gate);
+    clients.put(clientId, session);
+    connections.put(session.connection(), session);
     if (before != null) { // a client that comes back before its old connection was found dead
       before.replaced();
     }
@@ -208,16 +209,16 @@ final class ConnectionFilter implements AutoCloseable {
 
   /** Moquette is ready for the packets of a connection. */
   void connected(String connection) {
-    ClientSession gate = connections.get(connection);
-    if (gate != null) {
-      gate.connected();
+    ClientSession session = connections.get(connection);
+    if (session != null) {
+      session.connected();
     }
   }
 
-  void leave(String clientId, ClientSession gate) {
-    clients.remove(clientId, gate);
-    connections.remove(gate.connection());
-    subscriptions.remove(gate.connection());
+  void leave(String clientId, ClientSession session) {
+    clients.remove(clientId, session);
+    connections.remove(session.connection());
+    subscriptions.remove(session.connection());
   }
 
   /** Of which topics the broker holds a message. */
@@ -257,16 +258,16 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /** Where passwords are checked; there if {@link #users} have some. */
-  Authenticator desk() {
-    return desk;
+  Authenticator authenticator() {
+    return authenticator;
   }
 
   Backlog backlog() {
     return backlog;
   }
 
-  PendingConnections<ClientSession> strangers() {
-    return strangers;
+  PendingConnections<ClientSession> pending() {
+    return pending;
   }
 
   /** Counts a message that a client was too slow for. */
@@ -314,8 +315,8 @@ final class ConnectionFilter implements AutoCloseable {
 
   @Override
   public void close() {
-    if (desk != null) {
-      desk.close();
+    if (authenticator != null) {
+      authenticator.close();
     }
   }
 }

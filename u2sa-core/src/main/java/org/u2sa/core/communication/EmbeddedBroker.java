@@ -39,17 +39,17 @@ final class EmbeddedBroker implements AutoCloseable {
   private final IncomingCopies incoming;
   private final AtomicLong notTaken = new AtomicLong(); // when the broker ended
   private final OutgoingCopies copies;
-  private final ConnectionFilter door;
+  private final ConnectionFilter filter;
   private final Runnable died;
 
   private EmbeddedBroker(
       LocalBus bus,
       MessageCodec codec,
       InetSocketAddress address,
-      ConnectionFilter door,
+      ConnectionFilter filter,
       Consumer<String> log,
       Runnable died) {
-    this.door = door;
+    this.filter = filter;
     this.died = died;
     this.bus = bus;
     incoming = new IncomingCopies(bus, codec, log);
@@ -57,7 +57,12 @@ final class EmbeddedBroker implements AutoCloseable {
     this.log = log;
     copies =
         new OutgoingCopies(
-            server, bus.systemId(), door.subscriptions(), door.retained(), door.backlog(), log);
+            server,
+            bus.systemId(),
+            filter.subscriptions(),
+            filter.retained(),
+            filter.backlog(),
+            log);
   }
 
   /**
@@ -75,19 +80,19 @@ final class EmbeddedBroker implements AutoCloseable {
       Consumer<String> log,
       Runnable died) {
     refuseTakenPort(address);
-    ConnectionFilter door =
+    ConnectionFilter filter =
         new ConnectionFilter(limits, codec, new SystemClock(), security.users(log), log);
-    EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, door, log, died);
+    EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, filter, log, died);
     try {
       broker.server.startServer(
           new MemoryConfig(properties(address, security)),
           List.of(broker.new Listener()),
           security::tls,
-          (clientId, user, password) -> door.letIn(password),
+          (clientId, user, password) -> filter.letIn(password),
           new PermitAllAuthorizatorPolicy()); // the connection filter has looked at each packet
-      FilterInstaller.hang(door, broker.server);
+      FilterInstaller.hang(filter, broker.server);
     } catch (IOException | RuntimeException e) {
-      door.close();
+      filter.close();
       throw cannotListen(address, e);
     }
     broker.copies.start();
@@ -142,26 +147,26 @@ final class EmbeddedBroker implements AutoCloseable {
   }
 
   /** What the connection filter has refused and given up, for tests. */
-  ConnectionFilter door() {
-    return door;
+  ConnectionFilter filter() {
+    return filter;
   }
 
   long dropped() {
-    return copies.dropped() + door.dropped() + notTaken.get();
+    return copies.dropped() + filter.dropped() + notTaken.get();
   }
 
   @Override
   public void close() {
     bus.detach(copies);
     copies.close();
-    int owed = door.drain();
+    int owed = filter.drain();
     if (owed > 0) {
       notTaken.addAndGet(owed);
       log.accept(owed + " messages or more were not taken by remote subscribers before the end");
     }
     FilterInstaller.takeDown(server);
     server.stopServer();
-    door.close();
+    filter.close();
   }
 
   /** What a client wants to be said when its connection breaks. */
@@ -186,7 +191,7 @@ final class EmbeddedBroker implements AutoCloseable {
     @Override
     public void onPublish(InterceptPublishMessage message) {
       ByteBuf payload = message.getPayload();
-      door.backlog().out(payload.readableBytes());
+      filter.backlog().out(payload.readableBytes());
       try {
         incoming.deliver(message.getTopicName(), ByteBufUtil.getBytes(payload));
       } finally {
@@ -202,7 +207,7 @@ final class EmbeddedBroker implements AutoCloseable {
       } else {
         wills.remove(message.getClientID());
       }
-      door.connected(message.getClientID());
+      filter.connected(message.getClientID());
     }
 
     @Override

@@ -25,13 +25,13 @@ final class FilterInstaller {
 
   private FilterInstaller() {}
 
-  static void hang(ConnectionFilter door, Server server) {
+  static void hang(ConnectionFilter filter, Server server) {
     int hung = 0;
     try {
       Object acceptor = field(server, "acceptor");
       EventLoopGroup listening = (EventLoopGroup) field(acceptor, "bossGroup");
       for (EventExecutor executor : listening) {
-        hung += executor.submit(() -> hang(door, (EventLoop) executor)).get();
+        hung += executor.submit(() -> hang(filter, (EventLoop) executor)).get();
       }
     } catch (ReflectiveOperationException | ExecutionException e) {
       throw new CommunicationException("this version of Moquette cannot be secured: " + e, e);
@@ -66,14 +66,14 @@ final class FilterInstaller {
   }
 
   /** On the loop's own thread, as its channels may be looked at there only. */
-  private static int hang(ConnectionFilter door, EventLoop loop) {
+  private static int hang(ConnectionFilter filter, EventLoop loop) {
     int hung = 0;
     Iterator<Channel> channels = ((SingleThreadEventLoop) loop).registeredChannelsIterator();
     while (channels.hasNext()) {
       Channel channel = channels.next();
       if (channel instanceof ServerChannel) {
-        channel.pipeline().addFirst(door.new Acceptor());
-        loop.scheduleAtFixedRate(door::tidy, 1, 1, SECONDS);
+        channel.pipeline().addFirst(filter.new Acceptor());
+        loop.scheduleAtFixedRate(filter::tidy, 1, 1, SECONDS);
         hung++;
       }
     }

@@ -15,20 +15,20 @@ import java.util.concurrent.TimeUnit;
 final class Inflow extends ChannelInboundHandlerAdapter {
   private static final long LOOK_AGAIN_MS = 2;
 
-  private final ConnectionFilter door;
-  private final ClientSession gate;
+  private final ConnectionFilter filter;
+  private final ClientSession session;
   private final Deque<Object> held = new ArrayDeque<>(); // what was read already
   private final Allowance messages;
   private final Allowance bytes;
   private boolean paused;
   private ChannelHandlerContext context;
 
-  Inflow(ConnectionFilter door, ClientSession gate) {
-    this.door = door;
-    this.gate = gate;
-    long now = door.nowMicros();
-    messages = new Allowance(door.limits().messagesPerS(), now);
-    bytes = new Allowance(door.limits().bytesPerS(), now);
+  Inflow(ConnectionFilter filter, ClientSession session) {
+    this.filter = filter;
+    this.session = session;
+    long now = filter.nowMicros();
+    messages = new Allowance(filter.limits().messagesPerS(), now);
+    bytes = new Allowance(filter.limits().bytesPerS(), now);
   }
 
   @Override
@@ -52,13 +52,17 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   private boolean isOpen() {
-    long now = door.nowMicros();
-    return gate.isReady() && messages.isOpen(now) && bytes.isOpen(now) && !door.backlog().isFull();
+    long now = filter.nowMicros();
+    return session.isReady()
+        && messages.isOpen(now)
+        && bytes.isOpen(now)
+        && !filter.backlog().isFull();
   }
 
   /** Every service answers a question: so they are counted for all connections of a user. */
   private boolean isInTurn(Object message) {
-    return !gate.isQuestion(message) || door.questions().take(gate.name(), door.nowMicros());
+    return !session.isQuestion(message)
+        || filter.questions().take(session.name(), filter.nowMicros());
   }
 
   private void letIn(ChannelHandlerContext ctx, Object message) {

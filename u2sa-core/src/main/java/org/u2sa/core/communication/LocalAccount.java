@@ -7,14 +7,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.security.SecureRandom;
-import java.util.Base64;
 import java.util.EnumSet;
-import java.util.List;
-import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.core.security.AccessRole;
-import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.SecretFile;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.BadInputException;
@@ -25,23 +20,16 @@ import org.u2sa.interfaces.communication.LocalToken;
  * who can read the token's file may do everything, everybody else listens and asks.
  */
 final class LocalAccount implements AutoCloseable {
-  private static final int TOKEN_BYTES = 32;
-  // The token is random and long: nothing is gained by making a guess costly.
-  private static final int ITERATIONS = 1;
-
   private final Path file;
-  private final String token;
-  private final User user;
-  private final User anybody;
+  private final ProcessAccount own = ProcessAccount.named(LocalToken.USER);
+  private final User anybody =
+      ProcessAccount.with(ConnectionFilter.ANONYMOUS, EnumSet.of(AccessRole.OBSERVER)).user();
   private final Consumer<String> log;
   private boolean published; // while the broker is being started
 
-  private LocalAccount(Path file, String token, Consumer<String> log) {
+  private LocalAccount(Path file, Consumer<String> log) {
     this.log = log;
     this.file = file;
-    this.token = token;
-    user = user(LocalToken.USER, EnumSet.allOf(AccessRole.class), token);
-    anybody = user(ConnectionFilter.ANONYMOUS, EnumSet.of(AccessRole.OBSERVER), random());
   }
 
   /**
@@ -51,7 +39,7 @@ final class LocalAccount implements AutoCloseable {
    * @param log is told if it cannot be written, and what follows
    */
   static LocalAccount at(String bindAddress, int port, Consumer<String> log) {
-    LocalAccount account = new LocalAccount(LocalToken.file(bindAddress, port), random(), log);
+    LocalAccount account = new LocalAccount(LocalToken.file(bindAddress, port), log);
     if (isFree(new InetSocketAddress(bindAddress, port))) {
       account.publish();
     }
@@ -79,7 +67,7 @@ final class LocalAccount implements AutoCloseable {
       if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
         Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
       }
-      SecretFile.write(file, (token + "\n").getBytes(StandardCharsets.UTF_8));
+      SecretFile.write(file, (own.password() + "\n").getBytes(StandardCharsets.UTF_8));
     } catch (IOException | BadInputException e) {
       log.accept(
           "WARNING: no token for the programs of this account, which can only listen: "
@@ -87,23 +75,9 @@ final class LocalAccount implements AutoCloseable {
     }
   }
 
-  private static String random() {
-    byte[] bytes = new byte[TOKEN_BYTES];
-    new SecureRandom().nextBytes(bytes);
-    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
-  }
-
-  private static User user(String name, Set<AccessRole> roles, String password) {
-    return new User(
-        name,
-        roles,
-        List.of(User.EVERY_SYSTEM),
-        PasswordHash.of(password.toCharArray(), new SecureRandom(), ITERATIONS));
-  }
-
   /** The account's programs. */
-  User user() {
-    return user;
+  ProcessAccount own() {
+    return own;
   }
 
   /** Everybody who says no name. */
@@ -116,7 +90,9 @@ final class LocalAccount implements AutoCloseable {
   public void close() {
     try {
       if (Files.isRegularFile(file)
-          && new String(Files.readAllBytes(file), StandardCharsets.UTF_8).trim().equals(token)) {
+          && new String(Files.readAllBytes(file), StandardCharsets.UTF_8)
+              .trim()
+              .equals(own.password())) {
         Files.delete(file);
       }
     } catch (IOException e) {

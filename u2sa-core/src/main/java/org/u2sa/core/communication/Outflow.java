@@ -21,7 +21,7 @@ import org.u2sa.core.security.User;
 final class Outflow extends ChannelDuplexHandler {
   private static final String SYSTEMS = "u2sa/";
 
-  private final ConnectionFilter door;
+  private final ConnectionFilter filter;
   private final Map<Integer, Unacknowledged> unacknowledged = new LinkedHashMap<>(); // by packet
   private User user; // null: may listen to everything
   private String client = "";
@@ -34,13 +34,13 @@ final class Outflow extends ChannelDuplexHandler {
   /** Since when [µs], and how much had been published then for acknowledgement by anybody. */
   private record Unacknowledged(long since, long keptBefore) {}
 
-  Outflow(ConnectionFilter door) {
-    this.door = door;
+  Outflow(ConnectionFilter filter) {
+    this.filter = filter;
   }
 
   void admitted(User whom, String clientId) {
     user = whom;
-    idleSince = door.nowMicros();
+    idleSince = filter.nowMicros();
     client = clientId;
   }
 
@@ -66,11 +66,11 @@ final class Outflow extends ChannelDuplexHandler {
     } else if (!acknowledged && unread(ctx) > BrokerLimits.UNREAD_BYTES) {
       ReferenceCountUtil.release(message);
       promise.trySuccess();
-      door.unsent(Refusals.shown(client));
+      filter.unsent(Refusals.shown(client));
     } else {
-      sentMicros = door.nowMicros();
+      sentMicros = filter.nowMicros();
       if (acknowledged) {
-        unacknowledged.putIfAbsent(packet, new Unacknowledged(sentMicros, door.backlog().kept()));
+        unacknowledged.putIfAbsent(packet, new Unacknowledged(sentMicros, filter.backlog().kept()));
         pass(ctx, message, promise);
       } else {
         onTheWay++;
@@ -117,21 +117,21 @@ final class Outflow extends ChannelDuplexHandler {
 
   /** Why the client is to be put out; to be asked about every second. */
   Optional<String> tooSlow(ChannelHandlerContext ctx) {
-    long now = door.nowMicros();
+    long now = filter.nowMicros();
     if (unread(ctx) == 0 || taken != takenBefore) {
       takenBefore = taken;
       idleSince = now;
-    } else if (now - idleSince > door.limits().patienceMicros()) {
+    } else if (now - idleSince > filter.limits().patienceMicros()) {
       return Optional.of("it reads nothing");
     }
     if (unacknowledged.isEmpty()) {
       return Optional.empty();
     }
     Unacknowledged oldest = unacknowledged.values().iterator().next();
-    if (now - oldest.since > door.limits().patienceMicros()) {
+    if (now - oldest.since > filter.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return door.backlog().kept() - oldest.keptBefore > door.limits().unacknowledgedBytes()
+    return filter.backlog().kept() - oldest.keptBefore > filter.limits().unacknowledgedBytes()
         ? Optional.of("too much waits for its acknowledgement")
         : Optional.empty();
   }

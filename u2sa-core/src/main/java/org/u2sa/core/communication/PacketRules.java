@@ -24,23 +24,23 @@ import org.u2sa.messages.schema.U2SAData;
 final class PacketRules {
   private static final double BYTES_OF_AN_ORDER = 4_096.0;
 
-  private final ConnectionFilter door;
+  private final ConnectionFilter filter;
   private final User user; // null: everything within the limits
   private final String owner; // of what it has retained
   private final String name; // whose filters are counted together
   private final String connection;
-  private final TopicJudge judge;
+  private final TopicPermissions judge;
   private final Allowance orders;
   private final Set<String> filters = new HashSet<>();
 
-  PacketRules(ConnectionFilter door, User user, String clientId, String connection) {
+  PacketRules(ConnectionFilter filter, User user, String clientId, String connection) {
     this.connection = connection;
-    this.door = door;
+    this.filter = filter;
     this.user = user;
     owner = user == null ? "client " + clientId : "user " + user.name();
     name = user == null ? ConnectionFilter.ANONYMOUS : user.name();
-    judge = new TopicJudge(door.codec().types(), user);
-    orders = new Allowance(door.limits().ordersPerS(), door.nowMicros());
+    judge = new TopicPermissions(filter.codec().types(), user);
+    orders = new Allowance(filter.limits().ordersPerS(), filter.nowMicros());
   }
 
   /** Whether a packet asks something of every service, or of the broker's whole table. */
@@ -54,7 +54,7 @@ final class PacketRules {
 
   /** Why the message may not be published; empty if it may. */
   Optional<String> refusalOf(MqttPublishMessage publish) {
-    TopicJudge.Verdict verdict = judge.judge(publish.variableHeader().topicName());
+    TopicPermissions.Verdict verdict = judge.judge(publish.variableHeader().topicName());
     if (verdict.refusal() != null) {
       return Optional.of(verdict.refusal());
     }
@@ -92,7 +92,7 @@ final class PacketRules {
 
   /** A long order counts as several. */
   private boolean mayOrder(int bytes) {
-    boolean open = orders.isOpen(door.nowMicros());
+    boolean open = orders.isOpen(filter.nowMicros());
     if (open) {
       orders.take(1.0 + bytes / BYTES_OF_AN_ORDER);
     }
@@ -115,7 +115,7 @@ final class PacketRules {
    * more who would answer for it: it says that a service is lost, or stops, and clears nothing.
    */
   Optional<String> refusalOfWill(String topic, ConnectRequest said) {
-    TopicJudge.Verdict verdict = judge.judge(topic);
+    TopicPermissions.Verdict verdict = judge.judge(topic);
     if (verdict.refusal() != null) {
       return Optional.of(verdict.refusal());
     }
@@ -136,7 +136,7 @@ final class PacketRules {
     return refusal;
   }
 
-  private static boolean isEmergencyStop(TopicJudge.Verdict verdict) {
+  private static boolean isEmergencyStop(TopicPermissions.Verdict verdict) {
     return verdict.rule() != null && verdict.rule().channel().equals(Channels.EMERGENCY_STOP);
   }
 
@@ -145,7 +145,7 @@ final class PacketRules {
    * may clear it, since a deleted one stands on where it was heard and is unknown to latecomers.
    */
   private Optional<String> refusalOfStop(
-      TopicJudge.Verdict verdict, byte[] payload, boolean isWill) {
+      TopicPermissions.Verdict verdict, byte[] payload, boolean isWill) {
     Optional<U2SAData> message = read(verdict.topic(), payload);
     if (message.isEmpty() || !(message.get() instanceof EmergencyStop)) {
       return Optional.of("it is no emergency stop that can be read");
@@ -162,7 +162,7 @@ final class PacketRules {
   }
 
   /** Only channels that retain do, each source's message under its own topic, as room allows. */
-  private Optional<String> refusalOfRetained(TopicJudge.Verdict verdict, byte[] payload) {
+  private Optional<String> refusalOfRetained(TopicPermissions.Verdict verdict, byte[] payload) {
     AccessRule rule = verdict.rule();
     if (rule != null && !rule.retained()) {
       return Optional.of(rule.channel().name() + " retains nothing");
@@ -178,12 +178,12 @@ final class PacketRules {
         return Optional.of("it is retained for another source than it names");
       }
     }
-    return door.retained().enter(verdict.topic().toString(), owner, payload.length, urgent);
+    return filter.retained().enter(verdict.topic().toString(), owner, payload.length, urgent);
   }
 
   private Optional<U2SAData> read(Topic topic, byte[] payload) {
     try {
-      return Optional.of(door.codec().decode(topic.typeChain(), payload));
+      return Optional.of(filter.codec().decode(topic.typeChain(), payload));
     } catch (MalformedMessageException e) {
       return Optional.empty();
     }
@@ -200,13 +200,13 @@ final class PacketRules {
         return Optional.of("it has too many filters");
       }
       if (!filters.contains(filter)
-          && door.subscriptions().ofUser(name) >= BrokerLimits.FILTERS_PER_USER) {
+          && this.filter.subscriptions().ofUser(name) >= BrokerLimits.FILTERS_PER_USER) {
         return Optional.of("its user has too many filters");
       }
       filters.add(filter);
     }
     for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
-      door.subscriptions().add(connection, name, wanted.topicFilter());
+      this.filter.subscriptions().add(connection, name, wanted.topicFilter());
     }
     return Optional.empty();
   }
@@ -224,7 +224,7 @@ final class PacketRules {
   void unsubscribed(MqttUnsubscribeMessage unsubscribe) {
     for (String filter : unsubscribe.payload().topics()) {
       filters.remove(filter);
-      door.subscriptions().remove(connection, filter);
+      this.filter.subscriptions().remove(connection, filter);
     }
   }
 }

@@ -37,9 +37,9 @@ final class PendingConnections<C> {
         (other, its) -> byNetwork.computeIfAbsent(its, key -> new ArrayList<>()).add(other));
     List<C> same = byNetwork.getOrDefault(network, List.of());
     List<C> out = new ArrayList<>();
-    if (same.size() >= BrokerLimits.STRANGERS_PER_ADDRESS) {
+    if (same.size() >= BrokerLimits.PENDING_PER_ADDRESS) {
       out.add(same.get(0));
-    } else if (waiting.size() >= BrokerLimits.STRANGERS) {
+    } else if (waiting.size() >= BrokerLimits.PENDING) {
       out.add(
           byNetwork.entrySet().stream()
               .max( // of equal ones the oldest

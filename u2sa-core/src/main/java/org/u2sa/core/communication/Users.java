@@ -42,7 +42,7 @@ final class Users {
     log = line -> {};
     this.account = account;
     ofFile = Map.of();
-    add(account.user());
+    add(account.own().user());
     add(account.anybody());
   }
 

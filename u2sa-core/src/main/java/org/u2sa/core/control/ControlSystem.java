@@ -12,9 +12,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.frame.Rotation;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -157,9 +157,8 @@ public abstract class ControlSystem extends EventDrivenService {
   private static Point ned(Point body, StateInformation state) {
     boolean local = state.referenceFrame().isLocal();
     StateInformation ned = state.in(local ? ReferenceFrame.LOCAL_NED : ReferenceFrame.GLOBAL);
-    Rotation attitude =
-        Rotation.nedFromFrd(ned.phi().orElse(0.0), ned.theta().orElse(0.0), ned.psi().orElse(0.0));
-    return attitude.times(Point.of(body.x(), -body.y(), body.z()));
+    return new Attitude(ned.phi().orElse(0.0), ned.theta().orElse(0.0), ned.psi().orElse(0.0))
+        .nedOf(body);
   }
 
   /**

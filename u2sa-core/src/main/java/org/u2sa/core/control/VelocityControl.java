@@ -7,6 +7,7 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
@@ -125,10 +126,8 @@ public final class VelocityControl extends ControlSystem {
     if (turned.psi().isEmpty()) {
       return Optional.empty();
     }
-    double sin = Math.sin(turned.psi().getAsDouble());
-    double cos = Math.cos(turned.psi().getAsDouble());
-    return Optional.of(
-        Point.of(ned.x() * cos + ned.y() * sin, ned.x() * sin - ned.y() * cos, -ned.z()));
+    Point level = new Attitude(0.0, 0.0, turned.psi().getAsDouble()).levelOf(ned);
+    return Optional.of(Point.of(level.x(), level.y(), -level.z()));
   }
 
   @Override

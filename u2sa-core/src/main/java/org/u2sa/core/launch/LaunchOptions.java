@@ -23,6 +23,7 @@ public final class LaunchOptions {
   private boolean oneOfSeveral;
   private boolean supervised;
   private boolean restart;
+  private boolean throughBroker;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
   private final Map<String, Function<ServiceContext, ? extends U2SAService>> makers =
       new HashMap<>();
@@ -114,6 +115,16 @@ public final class LaunchOptions {
 
   boolean restart() {
     return restart;
+  }
+
+  /** Has the services of this process talk through its broker, whatever the system file says. */
+  public LaunchOptions throughBroker() {
+    throughBroker = true;
+    return this;
+  }
+
+  boolean isThroughBroker() {
+    return throughBroker;
   }
 
   boolean oneOfSeveral() {

@@ -4,9 +4,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.MessageTypes;
@@ -76,7 +78,7 @@ public final class RunningSystem implements AutoCloseable {
 
   /** The way to the Communication Manager; over another process's, names are asked for first. */
   private Transport transport() {
-    Transport transport = manager.transport();
+    Transport transport = throughBroker() ? brokerTransport() : manager.transport();
     if (!manager.isExternal() || file.services().isEmpty()) {
       return transport; // nobody else can run yet
     }
@@ -91,6 +93,26 @@ public final class RunningSystem implements AutoCloseable {
       options.clock(((SystemClock) clock).ahead(call.systemAheadMicros()));
     }
     return call;
+  }
+
+  private boolean throughBroker() {
+    return options.isThroughBroker() || file.delivery() == Delivery.BROKER;
+  }
+
+  private Transport brokerTransport() {
+    if (options.clock() instanceof LockstepClock) { // it cannot wait for messages on their way
+      throw new BadInputException(
+          file.file() + ": messages through the broker take real time; expected --realtime");
+    }
+    return manager
+        .brokerTransport()
+        .orElseThrow(
+            () ->
+                new BadInputException(
+                    file.file()
+                        + ": messages are to go through the broker, but variable \"BROKER\" of "
+                        + MANAGER
+                        + " is none; expected embedded or external"));
   }
 
   private void startWatch() {

@@ -33,6 +33,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * @param systemId the vehicle's ID
  * @param communication the Communication Manager's configuration file; without one, its defaults
  *     hold
+ * @param delivery how messages travel between the services of one process
  * @param communicationHost the host that carries the Communication Manager; empty: any
  * @param services in the order in which they are started
  */
@@ -40,6 +41,7 @@ public record SystemFile(
     Path file,
     String systemId,
     Optional<Path> communication,
+    Delivery delivery,
     String communicationHost,
     List<Entry> services) {
   /**
@@ -85,6 +87,8 @@ public record SystemFile(
           .get(1)
           .error("a system has one Communication Manager, but this is the second");
     }
+    communication.forEach(
+        element -> element.refuseUnknownAttributes("configuration", "delivery", "host"));
     List<Entry> services = new ArrayList<>();
     for (XmlElement element : root.children("service")) {
       element.refuseUnknownAttributes("class", "configuration", "host");
@@ -98,8 +102,10 @@ public record SystemFile(
     }
     Optional<Path> manager =
         communication.isEmpty() ? Optional.empty() : configuration(file, communication.get(0));
+    Delivery delivery =
+        communication.isEmpty() ? Delivery.DIRECT : Delivery.of(communication.get(0));
     String host = communication.isEmpty() ? "" : host(communication.get(0));
-    return new SystemFile(file, id, manager, host, services);
+    return new SystemFile(file, id, manager, delivery, host, services);
   }
 
   private static String host(XmlElement element) {
@@ -181,7 +187,7 @@ public record SystemFile(
 
   private SystemFile with(Predicate<Entry> wanted) {
     List<Entry> some = services.stream().filter(wanted).collect(Collectors.toList());
-    return new SystemFile(file, systemId, communication, communicationHost, some);
+    return new SystemFile(file, systemId, communication, delivery, communicationHost, some);
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

@@ -2,10 +2,10 @@ package org.u2sa.core.planning;
 
 import java.util.Optional;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.frame.Rotation;
 
 /**
  * A state estimate as a planner sees it: where the vehicle is, how it moves, and where other places
@@ -125,7 +125,6 @@ final class Vehicle {
   }
 
   private Point body(Point ned, double phi, double theta) {
-    Point frd = Rotation.nedFromFrd(phi, theta, headingRad()).transposed().times(ned);
-    return Point.of(frd.x(), -frd.y(), frd.z());
+    return new Attitude(phi, theta, headingRad()).bodyOf(ned);
   }
 }

@@ -1,7 +1,6 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.messages.schema.U2SAData;
 
 /** Whether the state estimator works: by the health monitor's word, and by the states that come. */
 final class EstimatorWatch implements Watch {
@@ -16,11 +15,6 @@ final class EstimatorWatch implements Watch {
   @Override
   public Hazard hazard() {
     return Hazard.ESTIMATOR;
-  }
-
-  @Override
-  public void see(U2SAData message, long nowMicros) {
-    service.see(message, nowMicros);
   }
 
   @Override

@@ -1,9 +1,11 @@
 package org.u2sa.core.safety;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BinaryOperator;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.FailsafeAction;
@@ -85,11 +87,10 @@ final class FailsafeDecision {
 
   /** What the most severe cause demands. */
   FailsafeAction action() {
-    FailsafeAction most = kept == null ? FailsafeAction.CONTINUE : kept.action();
-    for (Cause cause : causes.values()) {
-      most = cause.action().compareTo(most) > 0 ? cause.action() : most;
-    }
-    return most;
+    FailsafeAction least = kept == null ? FailsafeAction.CONTINUE : kept.action();
+    return causes.values().stream()
+        .map(Cause::action)
+        .reduce(least, BinaryOperator.maxBy(Comparator.naturalOrder()));
   }
 
   /** The causes in words, the most severe first. */

@@ -93,11 +93,11 @@ final class FenceReader {
     corners.add(corners.get(0).copy());
     Polygon polygon = geometry.createPolygon(corners.toArray(new Coordinate[0]));
     TopologyValidationError wrong = new IsValidOp(polygon).getValidationError();
-    if (wrong != null || polygon.getArea() == 0.0) {
+    if (wrong != null) {
       throw area.error(
-          "encloses no area in one piece"
-              + (wrong == null ? "" : " (" + wrong.getMessage() + ")")
-              + "; expected the corners in order, once around");
+          "encloses no area in one piece ("
+              + wrong.getMessage()
+              + "); expected the corners in order, once around");
     }
     return polygon;
   }
@@ -114,14 +114,7 @@ final class FenceReader {
       throw radius.error(radiusM + " m: expected more than 0 m");
     }
     double around = radiusM / Math.cos(Math.PI / CIRCLE_CORNERS); // none of the circle is left out
-    Coordinate[] corners = new Coordinate[CIRCLE_CORNERS + 1];
-    for (int i = 0; i < CIRCLE_CORNERS; i++) {
-      double angle = 2.0 * Math.PI * i / CIRCLE_CORNERS;
-      corners[i] =
-          new Coordinate(centre.x + around * Math.cos(angle), centre.y + around * Math.sin(angle));
-    }
-    corners[CIRCLE_CORNERS] = corners[0].copy();
-    return geometry.createPolygon(corners);
+    return (Polygon) geometry.createPoint(centre).buffer(around, CIRCLE_CORNERS / 4);
   }
 
   private Coordinate place(XmlElement element) {

@@ -1,14 +1,16 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
+import java.util.function.Function;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Acts before the fence is reached, if there is one: when the vehicle could no longer stop or turn
- * round inside. The floor counts once the vehicle has been above it, so that it can take off.
+ * round inside. The floor counts once the armed vehicle has been above it, so that it can take off.
  */
 final class FenceWatch implements Watch {
   private final Configurator configuration;
@@ -51,18 +53,25 @@ final class FenceWatch implements Watch {
 
   @Override
   public void see(U2SAData message, long nowMicros) {
-    // states are kept by the watch of the position
+    aboveFloor &= !(message instanceof ArmingState state) || state.armed();
   }
 
   @Override
   public Optional<String> trouble(long nowMicros) {
-    return known(nowMicros).flatMap(this::trouble);
+    return judged(nowMicros, this::trouble);
   }
 
-  private Optional<StateInformation> known(long nowMicros) {
-    return states
-        .fresh(nowMicros)
-        .filter(state -> fence != null && state.x().isPresent() && state.y().isPresent());
+  /** What is wrong with the newest state: by this judgement, or that it does not fit the fence. */
+  private Optional<String> judged(
+      long nowMicros, Function<StateInformation, Optional<String>> judgement) {
+    try {
+      return states
+          .fresh(nowMicros)
+          .filter(state -> fence != null && state.x().isPresent() && state.y().isPresent())
+          .flatMap(judgement);
+    } catch (IllegalArgumentException e) {
+      return Optional.of(e.getMessage());
+    }
   }
 
   private Optional<String> trouble(StateInformation state) {
@@ -115,8 +124,11 @@ final class FenceWatch implements Watch {
     Optional<String> fault = file.fault();
     return fault.isPresent()
         ? fault
-        : known(nowMicros)
-            .filter(state -> !fence.allows(fence.place(state)))
-            .map(state -> "outside the keep-in area, or inside a keep-out one");
+        : judged(
+            nowMicros,
+            state ->
+                fence.allows(fence.place(state))
+                    ? Optional.empty()
+                    : Optional.of("outside the keep-in area, or inside a keep-out one"));
   }
 }

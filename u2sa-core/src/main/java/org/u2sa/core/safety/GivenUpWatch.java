@@ -1,7 +1,6 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.messages.schema.U2SAData;
 
 /** Whether the health monitor has given a service up, by its policy or after its restarts. */
 final class GivenUpWatch implements Watch {
@@ -14,11 +13,6 @@ final class GivenUpWatch implements Watch {
   @Override
   public Hazard hazard() {
     return Hazard.SERVICE;
-  }
-
-  @Override
-  public void see(U2SAData message, long nowMicros) {
-    // conditions are kept for all watches together
   }
 
   @Override

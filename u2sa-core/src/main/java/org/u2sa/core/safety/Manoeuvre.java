@@ -8,6 +8,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -30,7 +31,6 @@ record Manoeuvre(
     double leastRadiusM,
     double windMps,
     double verticalMps2) {
-  private static final double GRAVITY_MPS2 = 9.80665;
   private static final double SLOWEST_MPS = 0.1;
   private static final int ARC_CORNERS = 12;
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
@@ -68,7 +68,7 @@ record Manoeuvre(
   }
 
   private double lateralMps2() {
-    return GRAVITY_MPS2 * Math.tan(bankRad);
+    return Gravity.STANDARD_MPS2 * Math.tan(bankRad);
   }
 
   /** Altitude that it gains or loses before a climb or descent has ended [m], signed. */
@@ -101,7 +101,7 @@ record Manoeuvre(
     double drift = driftM(speed);
     double around = (radius + drift) / Math.cos(Math.PI / (2.0 * ARC_CORNERS)); // outside the arc
     List<Coordinate> corners = new ArrayList<>();
-    for (int i = 0; i <= ARC_CORNERS; i++) {
+    for (int i = 0; 2 * i <= ARC_CORNERS; i++) { // the inner halves lie between the outer ones
       double angle = Math.PI * i / ARC_CORNERS;
       double ahead = straight + around * Math.sin(angle);
       double aside = radius + around * Math.cos(angle);

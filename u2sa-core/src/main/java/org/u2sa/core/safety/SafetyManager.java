@@ -41,7 +41,6 @@ public final class SafetyManager extends PeriodicService {
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
-  private long stops; // said by this one
 
   /**
    * Called by the launcher.
@@ -111,7 +110,7 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
-  private void beginAfterPredecessor(long now) {
+  private void beginAfterPredecessor() {
     begun = true;
     if (predecessor.wasArmed() && !emergency.isStopped()) {
       arming.stayArmed();
@@ -119,8 +118,6 @@ public final class SafetyManager extends PeriodicService {
     if (predecessor.action() != FailsafeAction.STOP) { // that is the emergency stop's matter
       decision.adopt(predecessor.action(), predecessor.causes());
     }
-    publishFailsafe(action());
-    publish(arming.state(now));
   }
 
   private void see(U2SAData message) {
@@ -139,9 +136,9 @@ public final class SafetyManager extends PeriodicService {
   private void obey(ArmCommand command) {
     long now = clock().micros();
     predecessor.end();
+    decision.acknowledge();
     log("\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm"));
     if (command.arm()) {
-      decision.acknowledge();
       arming.arm(now);
     } else {
       arming.disarm("by \"" + command.operator() + "\"");
@@ -176,7 +173,7 @@ public final class SafetyManager extends PeriodicService {
       if (predecessor.isAwaited(now)) {
         return;
       }
-      beginAfterPredecessor(now);
+      beginAfterPredecessor();
     }
     boolean repeat = nowS >= repeatDueS;
     if (repeat) {
@@ -209,7 +206,7 @@ public final class SafetyManager extends PeriodicService {
       EmergencyStop stop =
           new EmergencyStop()
               .active(true)
-              .stopId(getServiceName() + " " + now + " " + ++stops)
+              .stopId(getServiceName() + " " + now)
               .operator(getServiceName())
               .reason(String.join("; ", decision.causes()));
       publish(Channels.EMERGENCY_STOP, stop);

@@ -2,7 +2,6 @@ package org.u2sa.core.safety;
 
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.u2sa.messages.schema.U2SAData;
 
 /** Whether services without which a vehicle is lame still work, by the health monitor's word. */
 final class ServiceWatch implements Watch {
@@ -23,11 +22,6 @@ final class ServiceWatch implements Watch {
   @Override
   public Hazard hazard() {
     return hazard;
-  }
-
-  @Override
-  public void see(U2SAData message, long nowMicros) {
-    // conditions are kept for all watches together
   }
 
   @Override

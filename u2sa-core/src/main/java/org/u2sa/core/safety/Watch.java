@@ -8,8 +8,10 @@ interface Watch {
   /** What it looks out for. */
   Hazard hazard();
 
-  /** Takes note of a message, of whatever kind. */
-  void see(U2SAData message, long nowMicros);
+  /**
+   * Takes note of a message, of whatever kind; a watch that goes by what others note needs none.
+   */
+  default void see(U2SAData message, long nowMicros) {}
 
   /** What is wrong now, in words; empty if nothing is. */
   Optional<String> trouble(long nowMicros);

@@ -1,13 +1,9 @@
 package org.u2sa.core.security;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.nio.file.attribute.UserPrincipal;
@@ -16,6 +12,7 @@ import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.WholeFile;
 
 /** Files that only their owner may read: keys, passwords, users. */
 public final class SecretFile {
@@ -39,14 +36,7 @@ public final class SecretFile {
         Files.createFile(beside);
       }
       giveToOwnerOf(Files.exists(file) ? file : file.toAbsolutePath().getParent(), beside);
-      try (FileChannel out = FileChannel.open(beside, StandardOpenOption.WRITE)) {
-        ByteBuffer left = ByteBuffer.wrap(content);
-        while (left.hasRemaining()) {
-          out.write(left);
-        }
-        out.force(true);
-      }
-      Files.move(beside, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+      WholeFile.fillAndRename(beside, content, file);
     } catch (IOException e) {
       throw new BadInputException(file + ": cannot be written: " + e, e);
     }

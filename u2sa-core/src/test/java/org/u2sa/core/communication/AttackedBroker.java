@@ -25,7 +25,7 @@ final class AttackedBroker implements AutoCloseable {
   final Connection bus;
   private final TestManager broker;
   private final RecordingReceiver local = new RecordingReceiver();
-  private final List<RawClient> strangers = new CopyOnWriteArrayList<>();
+  private final List<RawClient> pending = new CopyOnWriteArrayList<>();
 
   AttackedBroker(Map<String, Object> variables) {
     broker = new TestManager(variables);
@@ -39,7 +39,7 @@ final class AttackedBroker implements AutoCloseable {
   /** A connection that has said nothing yet; ended with the broker. */
   RawClient stranger() throws IOException {
     RawClient client = new RawClient(port);
-    strangers.add(client);
+    pending.add(client);
     return client;
   }
 
@@ -71,10 +71,10 @@ final class AttackedBroker implements AutoCloseable {
 
   /** Ends all connections of {@link #stranger}. */
   void leaveStrangers() throws IOException {
-    for (RawClient client : strangers) {
+    for (RawClient client : pending) {
       client.close();
     }
-    strangers.clear();
+    pending.clear();
   }
 
   boolean hasLogged(String part) {

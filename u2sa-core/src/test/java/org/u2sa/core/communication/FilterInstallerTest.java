@@ -34,12 +34,12 @@ class FilterInstallerTest {
 
   private final Server server = new Server();
   private int port;
-  private ConnectionFilter door;
+  private ConnectionFilter filter;
 
   @BeforeEach
   void start() throws IOException {
     port = FreePort.find();
-    door =
+    filter =
         new ConnectionFilter(
             BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),
             CODEC,
@@ -56,7 +56,7 @@ class FilterInstallerTest {
         new MemoryConfig(properties),
         List.of(),
         () -> null,
-        (clientId, user, password) -> door.letIn(password),
+        (clientId, user, password) -> filter.letIn(password),
         new PermitAllAuthorizatorPolicy());
   }
 
@@ -82,7 +82,7 @@ class FilterInstallerTest {
           CompletableFuture.supplyAsync(() -> early.connect("Early", new RecordingReceiver()));
       soon().until(() -> wire.connections() > 1); // so the first was refused
 
-      FilterInstaller.hang(door, server);
+      FilterInstaller.hang(filter, server);
 
       Connection connection = coming.join();
       assertThat(connection.instance()).isNotEmpty();

@@ -36,8 +36,9 @@ class OutflowTest {
   void tooSlow_clientThatReadsAll_never() {
     BrokerLimits limits = BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of()));
     MessageCodec codec = new MessageCodec(StandardTypes.registry());
-    ConnectionFilter door = new ConnectionFilter(limits, codec, new TestClock(), null, line -> {});
-    Outflow outflow = new Outflow(door);
+    ConnectionFilter filter =
+        new ConnectionFilter(limits, codec, new TestClock(), null, line -> {});
+    Outflow outflow = new Outflow(filter);
     EmbeddedChannel channel = new EmbeddedChannel(MqttEncoder.INSTANCE, outflow);
     ChannelHandlerContext context = channel.pipeline().context(outflow);
 

@@ -19,7 +19,7 @@ class PendingConnectionsTest {
     pending.add("pilot's first", address("192.0.2.1"));
     pending.proven("pilot's first");
     pending.add("pilot", address("192.0.2.1"));
-    for (int i = 0; i < 10 * BrokerLimits.STRANGERS; i++) {
+    for (int i = 0; i < 10 * BrokerLimits.PENDING; i++) {
       assertThat(pending.add("flood " + i, address("10.0." + i / 250 + "." + i % 250)))
           .doesNotContain("pilot");
     }
@@ -28,7 +28,7 @@ class PendingConnectionsTest {
   @Test
   void add_floodFromOneNetworkOfIpv6_putsOutItsOwn() throws Exception {
     pending.add("pilot", address("2001:db8::1"));
-    for (int i = 0; i < 10 * BrokerLimits.STRANGERS; i++) {
+    for (int i = 0; i < 10 * BrokerLimits.PENDING; i++) {
       assertThat(pending.add("flood " + i, address("2001:db8:0:1::" + Integer.toHexString(i))))
           .doesNotContain("pilot");
     }
@@ -39,7 +39,7 @@ class PendingConnectionsTest {
     pending.add("known", address("192.0.2.1"));
     pending.proven("known");
     pending.add("other", address("192.0.2.2"));
-    for (int i = 0; i < BrokerLimits.STRANGERS_PER_ADDRESS; i++) {
+    for (int i = 0; i < BrokerLimits.PENDING_PER_ADDRESS; i++) {
       assertThat(pending.add("own " + i, address("192.0.2.1"))).isEmpty();
     }
     assertThat(pending.add("last", address("192.0.2.1"))).containsExactly("own 0");

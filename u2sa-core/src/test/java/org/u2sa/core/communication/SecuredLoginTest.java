@@ -18,8 +18,11 @@ import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
+import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
 
@@ -136,5 +139,19 @@ class SecuredLoginTest extends SecuredClients {
                 assertThatThrownBy(() -> transport.connect("Remote", inbox))
                     .isInstanceOf(CommunicationException.class)
                     .hasMessageContaining(reason));
+  }
+
+  @Test
+  void brokerTransport_ofTheBrokersOwnProcess_needsNoAccountAndMayDoEverything() {
+    Transport own = broker.manager().brokerTransport().orElseThrow();
+    Connection service = broker.keep(own.connect("Own", new RecordingReceiver()));
+    StopCommand stop = new StopCommand().stopAll(false).serviceName("Control");
+    stop.systemId("cessna");
+    stop.timestamp(1L);
+    stop.freeze();
+
+    service.publish(Channels.STOP, stop);
+
+    inbox.awaitMessage(stop);
   }
 }

@@ -2,6 +2,7 @@ package org.u2sa.core.planning;
 
 import java.util.Optional;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -9,7 +10,6 @@ import org.u2sa.messages.frame.Point;
  * most.
  */
 final class TestAircraft extends TestVehicle {
-  private static final double GRAVITY = 9.80665;
   private static final double BANK_LIMIT = Math.toRadians(25.0);
   private static final double ROLL_TIME_S = 0.7;
   private double bank;
@@ -38,12 +38,13 @@ final class TestAircraft extends TestVehicle {
       double away = Math.hypot(body.x(), right);
       double off = Math.atan2(right, body.x());
       double limited = Math.max(-Math.PI / 2.0, Math.min(Math.PI / 2.0, off));
-      wanted = Math.atan(2.0 * speed * speed / away * Math.sin(limited) / GRAVITY); // L1
+      wanted =
+          Math.atan(2.0 * speed * speed / away * Math.sin(limited) / Gravity.STANDARD_MPS2); // L1
       wanted = Math.max(-BANK_LIMIT, Math.min(BANK_LIMIT, wanted));
       altitude += Math.max(-3.0, Math.min(3.0, -down / 3.0)) * dtS;
     }
     bank += (wanted - bank) * dtS / ROLL_TIME_S;
-    heading += GRAVITY * Math.tan(bank) / speed * dtS;
+    heading += Gravity.STANDARD_MPS2 * Math.tan(bank) / speed * dtS;
     move(dtS);
   }
 }

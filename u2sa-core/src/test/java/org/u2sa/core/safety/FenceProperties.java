@@ -13,13 +13,13 @@ import net.jqwik.api.constraints.LongRange;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /** A vehicle that brakes or turns as it promised never leaves its fence. */
 class FenceProperties {
   private static final double STEP_S = 0.1;
   private static final double LONGEST_S = 3600.0;
-  private static final double GRAVITY_MPS2 = 9.80665;
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
 
   /** A star of twelve corners around the origin, rarely convex, with a hole to keep out of. */
@@ -75,7 +75,7 @@ class FenceProperties {
         triggered = t;
       }
       if (t - triggered >= reaction - 1e-6) { // false for NaN
-        double rate = GRAVITY_MPS2 * Math.tan(bank) / speed;
+        double rate = Gravity.STANDARD_MPS2 * Math.tan(bank) / speed;
         course += side * rate * STEP_S;
         turned += rate * STEP_S;
       }

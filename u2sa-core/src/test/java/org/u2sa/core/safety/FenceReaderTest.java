@@ -2,6 +2,7 @@ package org.u2sa.core.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -79,6 +80,21 @@ class FenceReaderTest {
         "Local ENU            | Body                 | line 2, <reference>: \"Body\" is not one of Global, Local ENU",
         "Local ENU            | Global               | line 8, <y>: 100.0 is outside -90.0…90.0 deg of latitude",
         "<x>0</x><y>100</y>   | <x>0</x>             | lacks <y>",
+        "<ceiling>200         | <ceiling>30.48       | line 4, <ceiling>: 30.48 m is not above the floor of 30.48 m",
+        "<x>100</x><y>100</y> | <x>50</x><y>0</y>    | line 5, <keepIn>: encloses no area in one piece",
+        "<radius>10</radius>  | ''                   | line 11, <keepOut>: has a <centre> but no <radius>",
+        "<fence>              | <fence on=\"1\">      | line 1, <fence>: unknown attribute \"on\"",
+        "<floor unit=\"ft\">    | <floor units=\"ft\">  | line 3, <floor>: unknown attribute \"units\"",
+        "<ceiling>            | <ceiling of=\"1\">    | line 4, <ceiling>: unknown attribute \"of\"",
+        "<keepIn>             | <keepIn name=\"a\">   | line 5, <keepIn>: unknown attribute \"name\"",
+        "<corner><x>0</x><y>0 | <corner n=\"1\"><x>0</x><y>0 | line 6, <corner>: unknown attribute \"n\"",
+        "<corner><x>0</x><y>0 | <corner><x n=\"1\">0</x><y>0 | line 6, <x>: unknown attribute \"n\"",
+        "<keepOut>            | <keepOut name=\"a\">  | line 11, <keepOut>: unknown attribute \"name\"",
+        "<radius>             | <radius r=\"1\">      | line 13, <radius>: unknown attribute \"r\"",
+        "<radius>             | <height>1</height><radius> | line 13, <height>: unknown element in <keepOut>",
+        "<keepIn>             | <keepIn><centre/>    | line 5, <centre>: unknown element in <keepIn>",
+        "<y>50</y>            | <y>50</y><z>1</z>    | line 12, <z>: unknown element in <centre>",
+        "<keepIn>             | <roof/><keepIn>      | line 5, <roof>: unknown element in <fence>",
       })
   void read_wrong_namesLineAndWhatWasExpected(String good, String bad, String message) {
     assertThat(GOOD).contains(good);
@@ -88,6 +104,72 @@ class FenceReaderTest {
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("fence.xml")
         .hasMessageContaining(message);
+  }
+
+  @Test
+  void read_keepInOfTwoCorners_saysHowManyAreExpected() {
+    String text = "<fence><keepIn>%s</keepIn></fence>";
+    String corners = "<corner><x>0</x><y>0</y></corner><corner><x>1</x><y>0</y></corner>";
+
+    assertThatThrownBy(() -> read(String.format(text, corners)))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("<keepIn>: has 2 <corner>; expected 3 or more");
+    String third = "<corner><x>0</x><y>1</y></corner>";
+    assertThat(read(String.format(text, corners + third)).corners()).hasSize(4);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0, 0, 0, 0, 0, 0", "0, 0, 1, 1, 2, 2", "0, 0, 2, 0, 1, 0", "5, 5, 5, 5, 9, 9"})
+  void read_keepInThatIsAPointOrALine_isRefusedWithTheReason(
+      String x1, String y1, String x2, String y2, String x3, String y3) {
+    String text =
+        "<fence><reference>Local ENU</reference><keepIn><corner><x>%s</x><y>%s</y></corner>"
+            + "<corner><x>%s</x><y>%s</y></corner><corner><x>%s</x><y>%s</y></corner></keepIn>"
+            + "</fence>";
+
+    assertThatThrownBy(() -> read(String.format(text, x1, y1, x2, y2, x3, y3)))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("<keepIn>: encloses no area in one piece (")
+        .hasMessageEndingWith("; expected the corners in order, once around");
+  }
+
+  @Test
+  void read_noReference_isOnTheEarthWithinLongitudeAndLatitude() {
+    String text =
+        "<fence><keepIn><corner><x>%s</x><y>47</y></corner><corner><x>9</x><y>47</y></corner>"
+            + "<corner><x>9</x><y>48</y></corner></keepIn></fence>";
+
+    assertThat(read(String.format(text, "8")).corners().get(0).longitudeDeg())
+        .isCloseTo(8.0, within(1e-9));
+    assertThatThrownBy(() -> read(String.format(text, "181")))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("<x>: 181.0 is outside -180.0…180.0 deg of longitude");
+  }
+
+  @Test
+  void read_cornersInFeet_areThereInMetres() {
+    Fence fence = read(GOOD.replace("<x>100</x>", "<x unit=\"ft\">1000</x>"));
+
+    assertThat(fence.allows(Point.of(304.7, 50.0, 0.0))).isTrue();
+    assertThat(fence.allows(Point.of(304.9, 50.0, 0.0))).isFalse();
+  }
+
+  /** Whatever the direction: corners of its polygon, and the middles of the sides between them. */
+  @Test
+  void read_circle_leavesNoneOfItOutAndIsHardlyWider() {
+    Fence fence = read(GOOD);
+
+    for (int i = 0; i < 256; i++) {
+      double angle = 2.0 * Math.PI * i / 256;
+      double east = Math.cos(angle);
+      double north = Math.sin(angle);
+      assertThat(fence.allows(Point.of(50.0 + 9.999 * east, 50.0 + 9.999 * north, 0.0)))
+          .as("within, at %s rad", angle)
+          .isFalse();
+      assertThat(fence.allows(Point.of(50.0 + 10.02 * east, 50.0 + 10.02 * north, 0.0)))
+          .as("without, at %s rad", angle)
+          .isTrue();
+    }
   }
 
   @Test

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.util.AffineTransformation;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Point;
 
@@ -110,6 +111,49 @@ class ManoeuvreTest {
     assertThat(covers(region, 50.0, 60.0)).isTrue();
     assertThat(covers(region, 50.0, 60.0 + 2.05 * r)).as("ahead").isFalse();
     assertThat(covers(region, 50.0, 59.9)).as("behind").isFalse();
+  }
+
+  /** Half a g sideways, by a bank whose tangent is 0.5. */
+  @Test
+  void turnRadius_ofAFlatterBank_isWider() {
+    Manoeuvre flat = new Manoeuvre(true, 1.0, 1.0, Math.atan(0.5), 0.0, 0.0, 1.0);
+
+    assertThat(flat.turnRadiusM(9.80665)).isCloseTo(2.0 * 9.80665, NEAR);
+  }
+
+  /** Three seconds straight on, then v²/2a with 2 m/s². */
+  @Test
+  void overshoot_slowToReact_isTheWayOfBothParts() {
+    Manoeuvre slow = new Manoeuvre(true, 3.0, 1.0, 0.4, 0.0, 0.0, 2.0);
+
+    assertThat(slow.overshootM(4.0)).isCloseTo(12.0 + 4.0, NEAR);
+    assertThat(slow.overshootM(-4.0)).isCloseTo(-12.0 - 4.0, NEAR);
+  }
+
+  @Test
+  void region_atTheSlowestSpeedThatCounts_isALine() {
+    Manoeuvre brake = new Manoeuvre(false, 2.0, 1.0, 0.4, 0.0, 0.0, 1.0);
+
+    assertThat(brake.region(Point.of(0.0, 0.0, 0.0), Point.of(0.1, 0.0, 0.0)).getLength())
+        .isCloseTo(0.2 + 0.005, NEAR);
+    assertThat(brake.region(Point.of(0.0, 0.0, 0.0), Point.of(0.099, 0.0, 0.0)).getLength())
+        .isZero();
+  }
+
+  /** Eastward, to the north and on any course between: the same form, turned. */
+  @Test
+  void region_turnsOnAnyCourse_isTheSameFormTurned() {
+    Manoeuvre windy = new Manoeuvre(true, 2.0, 1.0, 0.4, 0.0, 2.0, 1.0);
+    Geometry east = windy.region(Point.of(50.0, 60.0, 0.0), Point.of(10.0, 0.0, 0.0));
+
+    for (double course : new double[] {0.3, 1.0, Math.PI / 2.0, 2.5, 4.0, 6.0}) {
+      Geometry turned =
+          windy.region(
+              Point.of(50.0, 60.0, 0.0),
+              Point.of(10.0 * Math.cos(course), 10.0 * Math.sin(course), 0.0));
+      Geometry expected = AffineTransformation.rotationInstance(course, 50.0, 60.0).transform(east);
+      assertThat(turned.symDifference(expected).getArea()).as("%s rad", course).isLessThan(1e-3);
+    }
   }
 
   /** The wind may blow it on in any direction, sideways and back as well. */

@@ -119,7 +119,9 @@ class SafetyManagerTest extends WatchedVehicle {
     assertThat(failsafe().causes())
         .containsExactly("service given up: service PathPlanner is DEAD: seen so");
 
-    condition("PathPlanner", Condition.ALIVE);
+    kit.publish(
+        Channels.CONDITIONS,
+        given("PathPlanner", Condition.ALIVE).action("failsafe, given up after 3 restarts"));
     live(3.2);
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
   }

@@ -12,6 +12,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
@@ -83,6 +85,23 @@ class AccessTableTest {
         .isEqualTo(Channels.HEALTH);
     assertThat(AccessTable.rule("health", EmergencyStop.TYPE)).isEmpty();
     assertThat(AccessTable.rule("nowhere", EmergencyStop.TYPE)).isEmpty();
+  }
+
+  /** What every service has to read must be short; what goes to one may be as long as it is. */
+  @ParameterizedTest
+  @CsvSource({
+    "discovery/DiscoveryRequest, 4096",
+    "emergency-stop/EmergencyStop, 16384",
+    "configuration/ConfigurationTransaction, 65536",
+    "goal-commands/GoalCommand, 2147483647",
+    "state/StateInformation, 2147483647"
+  })
+  void longestPayload_byWhoReadsIt_isBounded(String channelAndType, int bytes) {
+    assertThat(AccessTable.all())
+        .filteredOn(rule -> channelAndType.equals(rule.channel() + "/" + rule.type().name()))
+        .singleElement()
+        .extracting(AccessRule::longestPayload)
+        .isEqualTo(bytes);
   }
 
   @Test

@@ -1,6 +1,9 @@
 package org.u2sa.drivers.compass;
 
 import java.util.Optional;
+import org.u2sa.device.Heading;
+import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.drivers.nmea.NmeaParser;
 
 /**
  * Sparton's SP3004D smart compass (thesis 4.6.3) and its successors DC-4, GEDC-6 and AHRS-8, in
@@ -13,7 +16,7 @@ import java.util.Optional;
  * <p>It also understands the sentences that the same compass sends when it was told to speak NMEA
  * 0183: no byte of a sentence can begin an answer.
  */
-public final class SpartonCompass implements CompassParser {
+public final class SpartonCompass implements ByteParser<Heading> {
   private static final int BEGIN = 0xA4;
   private static final int END = 0xA0;
   private static final int TRUE_HEADING = 0x02;
@@ -22,7 +25,7 @@ public final class SpartonCompass implements CompassParser {
   private static final double DEG_PER_UNIT = 360.0 / UNITS_A_TURN;
   private static final int ANSWER = 5; // bytes
 
-  private final NmeaCompass nmea = new NmeaCompass();
+  private final NmeaParser<Heading> nmea = NmeaCompass.parser();
   private final byte[] one = new byte[1];
   private final int[] answer = new int[ANSWER];
   private int count;

@@ -1,5 +1,7 @@
 package org.u2sa.drivers.gps;
 
+import org.u2sa.device.GpsFix;
+
 /**
  * What receivers mean by their horizontal accuracy, taken to the standard deviation of each axis
  * that {@link GpsFix} and State Information have.

@@ -2,25 +2,29 @@ package org.u2sa.drivers.gps;
 
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.GpsFix;
+import org.u2sa.device.GpsReceiver;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ParsedLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.drivers.link.ParsedDevice;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.service.ServiceContext;
 
 /** A satellite receiver at the other end of a link. */
-public final class LinkedGps implements GpsReceiver {
-  private final ByteLink link;
-  private final GpsParser parser;
-  private final ParsedLink parsed;
+public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver {
   private final Optional<UbxSetup> setup;
 
-  private LinkedGps(ByteLink link, GpsParser parser, Optional<UbxSetup> setup) {
-    this.link = link;
-    this.parser = parser;
+  private LinkedGps(ByteLink link, ByteParser<GpsFix> parser, Optional<UbxSetup> setup) {
+    super(link, parser);
     this.setup = setup;
-    parsed = new ParsedLink(link, parser);
   }
 
   /** One that is only listened to. Closes the link with itself. */
-  public static LinkedGps listening(ByteLink link, GpsParser parser) {
+  public static LinkedGps listening(ByteLink link, ByteParser<GpsFix> parser) {
     return new LinkedGps(link, parser, Optional.empty());
   }
 
@@ -32,53 +36,70 @@ public final class LinkedGps implements GpsReceiver {
    */
   public static LinkedGps ublox(ByteLink link, UbloxModel model, int baud, double rateHz) {
     UbxGps parser = new UbxGps();
-    UbxSetup setup = new UbxSetup(messages(model), baud, rateHz);
+    UbxSetup setup = new UbxSetup(model.messages(), baud, rateHz);
     parser.answersTo(setup::answered);
     return new LinkedGps(link, parser, Optional.of(setup));
   }
 
-  private static List<Integer> messages(UbloxModel model) {
-    return model == UbloxModel.UBLOX_6
-        ? List.of(UbxGps.NAV_POSLLH, UbxGps.NAV_VELNED, UbxGps.NAV_SOL)
-        : List.of(UbxGps.NAV_PVT);
+  @Override
+  protected void found(long nowMicros) {
+    super.found(nowMicros);
+    setup.ifPresent(UbxSetup::begin);
   }
 
   @Override
-  public Reading read(long nowMicros) {
-    boolean isNew = parsed.read(nowMicros);
-    setup.ifPresent(
-        told -> {
-          if (isNew) {
-            told.begin();
-          }
-          told.step(link, nowMicros);
-        });
-    return new Reading(link.isConnected(), parser.latest());
+  protected void act(long nowMicros) {
+    setup.ifPresent(told -> told.step(link, nowMicros));
   }
 
   @Override
-  public long malformed() {
-    return parser.refused();
+  protected String ownTrouble() {
+    return setup.map(UbxSetup::trouble).orElse("");
   }
 
-  @Override
-  public boolean isConnected() {
-    return link.isConnected();
-  }
+  /** RECEIVER NMEA, UBLOX 6 and UBLOX 8 in a configuration. */
+  public static final class Provider extends DeviceProvider<GpsReceiver> {
+    private static final VariableDeclaration<Double> RANGE_ERROR =
+        VariableDeclaration.number("RANGE ERROR", "m")
+            .range(Range.of(0.01, 100.0))
+            .ifAbsent(NmeaGps.USUAL_RANGE_ERROR_M)
+            .describedAs(
+                "NMEA: 1 sigma of the distance to a satellite without corrections. Times the dilution of precision it is the position's, where there is no GST; DGPS and RTK have less.");
 
-  @Override
-  public int connections() {
-    return link.connections();
-  }
+    private static final VariableDeclaration<Integer> BAUD =
+        VariableDeclaration.integer("BAUD")
+            .range(Range.of(1_200, 921_600))
+            .ifAbsent(9_600)
+            .describedAs(
+                "UBLOX: rate of the receiver's own port, as in CONNECTION; is not changed.");
 
-  @Override
-  public String trouble() {
-    String own = link.trouble();
-    return own.isEmpty() ? setup.map(UbxSetup::trouble).orElse("") : own;
-  }
+    private static final VariableDeclaration<Double> SOLUTION_RATE =
+        VariableDeclaration.number("SOLUTION RATE", "Hz")
+            .range(Range.of(0.1, 25.0))
+            .ifAbsent(5.0)
+            .describedAs("UBLOX: fixes a second.");
 
-  @Override
-  public void close() {
-    link.close();
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(GpsReceiver.class, "NMEA", "UBLOX 6", "UBLOX 8");
+    }
+
+    @Override
+    protected List<VariableDeclaration<?>> variables() {
+      return List.of(RANGE_ERROR, BAUD, SOLUTION_RATE);
+    }
+
+    @Override
+    protected GpsReceiver open(String name, ServiceContext context) {
+      Configurator variables = context.configuration();
+      ByteLink link = ByteLinks.of(context);
+      return name.equals("NMEA")
+          ? listening(link, new NmeaGps(variables.getVariable(RANGE_ERROR)))
+          : ublox(
+              link,
+              UbloxModel.named(name),
+              variables.getVariable(BAUD),
+              variables.getVariable(SOLUTION_RATE));
+    }
   }
 }

@@ -2,6 +2,7 @@ package org.u2sa.drivers.gps;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.device.GpsFix;
 
 /**
  * Puts a receiver's sentences together to fixes: those that name the same time belong together;

@@ -1,6 +1,8 @@
 package org.u2sa.drivers.gps;
 
 import java.util.Optional;
+import org.u2sa.device.GpsFix;
+import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.NmeaFramer;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
@@ -12,7 +14,7 @@ import org.u2sa.drivers.nmea.NmeaSentence;
  * position of that time is there; which one that is, is learned from the times before, so that only
  * the very first fix has to wait for the next time.
  */
-public final class NmeaGps implements GpsParser {
+public final class NmeaGps implements ByteParser<GpsFix> {
   /** Error of the distance to a satellite [m], 1 σ, that a plain receiver has under open sky. */
   public static final double USUAL_RANGE_ERROR_M = 3.0;
 

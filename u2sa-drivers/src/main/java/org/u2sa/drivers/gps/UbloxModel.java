@@ -1,9 +1,27 @@
 package org.u2sa.drivers.gps;
 
+import java.util.List;
+
 /** Generations of u-blox receivers that differ in what they send. */
 public enum UbloxModel {
   /** LEA-6 and its kin, as in the thesis: NAV-POSLLH, NAV-VELNED, NAV-SOL. */
-  UBLOX_6,
+  UBLOX_6(UbxGps.NAV_POSLLH, UbxGps.NAV_VELNED, UbxGps.NAV_SOL),
   /** u-blox 7, 8, M8, 9, M9, F9: NAV-PVT. */
-  UBLOX_8
+  UBLOX_8(UbxGps.NAV_PVT);
+
+  private final List<Integer> messages;
+
+  UbloxModel(Integer... messages) {
+    this.messages = List.of(messages);
+  }
+
+  /** The model of a name in a configuration: {@code UBLOX 6}. */
+  public static UbloxModel named(String name) {
+    return valueOf(name.replace(' ', '_'));
+  }
+
+  /** Class and id of each message that it shall send once per solution. */
+  List<Integer> messages() {
+    return messages;
+  }
 }

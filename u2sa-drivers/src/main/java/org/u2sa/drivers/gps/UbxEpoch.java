@@ -1,6 +1,7 @@
 package org.u2sa.drivers.gps;
 
 import java.util.OptionalDouble;
+import org.u2sa.device.GpsFix;
 
 /**
  * What the messages of one time of week said so far: NAV-POSLLH, NAV-VELNED, and NAV-SOL or

@@ -2,13 +2,15 @@ package org.u2sa.drivers.gps;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.device.GpsFix;
+import org.u2sa.drivers.link.ByteParser;
 
 /**
  * A receiver of u-blox that speaks its binary protocol: NAV-PVT (u-blox 7 and later), or
  * NAV-POSLLH, NAV-VELNED and NAV-SOL or NAV-STATUS of one time of week (LEA-6 and older). Formats:
  * u-blox 6 Receiver Description GPS.G6-SW-10018, u-blox 8 / M8 Receiver Description UBX-13003221.
  */
-public final class UbxGps implements GpsParser {
+public final class UbxGps implements ByteParser<GpsFix> {
   static final int NAV_POSLLH = 0x0102;
   static final int NAV_STATUS = 0x0103;
   static final int NAV_SOL = 0x0106;

@@ -1,10 +1,16 @@
 package org.u2sa.drivers.imu;
 
 import java.util.Optional;
-import org.u2sa.drivers.compass.Heading;
-import org.u2sa.drivers.link.ByteParser;
-import org.u2sa.drivers.nmea.NmeaFramer;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.Heading;
+import org.u2sa.device.Imu;
+import org.u2sa.device.Orientation;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.ParsedDevice;
+import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
+import org.u2sa.service.ServiceContext;
 
 /**
  * VectorNav's VN-100 and its kin, as they come from the factory: {@code $VNYMR} 40 times a second
@@ -12,7 +18,7 @@ import org.u2sa.drivers.nmea.NmeaSentence;
  * angular rate [rad/s] (VN-100 User Manual UM001, asynchronous messages). Yaw is magnetic, unless
  * the unit was told its place.
  */
-public final class VectorNav implements ByteParser {
+public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   private static final int YAW = 1;
   private static final int PITCH = 2;
   private static final int ROLL = 3;
@@ -20,44 +26,33 @@ public final class VectorNav implements ByteParser {
   private static final int Y_RATE = 11;
   private static final int Z_RATE = 12;
   private static final double HALF_TURN_DEG = 180.0;
-  private static final double TURN_DEG = 360.0;
   private static final double STEEPEST_DEG = 90.0;
   private static final double FASTEST_RAD_PER_S = 40.0; // the sensor ends at 2000 deg/s
 
-  private final NmeaFramer framer = new NmeaFramer();
-  private final NmeaFramer.Sink sink = this::take;
-  private Optional<Orientation> latest = Optional.empty();
-  private long nowMicros;
-  private long refused;
-  private String lastRefusal = "";
-
-  @Override
-  public void accept(byte[] bytes, int length, long now) {
-    nowMicros = now;
-    framer.accept(bytes, length, sink);
+  /** Over that link, which is closed with this. */
+  public VectorNav(ByteLink link) {
+    super(link, parser());
   }
 
-  private void take(NmeaSentence sentence) {
+  /** What makes readings of a unit's bytes. */
+  public static NmeaParser<Orientation> parser() {
+    return new NmeaParser<>(VectorNav::orientation);
+  }
+
+  private static Optional<Orientation> orientation(NmeaSentence sentence, long nowMicros) {
     if (!sentence.isAddressed("VNYMR")) {
-      return;
+      return Optional.empty();
     }
-    try {
-      double yawDeg = number(sentence, YAW, "yaw", HALF_TURN_DEG);
-      latest =
-          Optional.of(
-              new Orientation(
-                  nowMicros,
-                  Math.toRadians(number(sentence, ROLL, "roll", HALF_TURN_DEG)),
-                  Math.toRadians(number(sentence, PITCH, "pitch", STEEPEST_DEG)),
-                  new Heading(
-                      nowMicros, Math.toRadians(yawDeg < 0.0 ? yawDeg + TURN_DEG : yawDeg), false),
-                  number(sentence, X_RATE, "x rate", FASTEST_RAD_PER_S),
-                  number(sentence, Y_RATE, "y rate", FASTEST_RAD_PER_S),
-                  number(sentence, Z_RATE, "z rate", FASTEST_RAD_PER_S)));
-    } catch (IllegalArgumentException e) { // NumberFormatException is one
-      refused++;
-      lastRefusal = e.getMessage() + ": " + sentence.text();
-    }
+    double yawDeg = number(sentence, YAW, "yaw", HALF_TURN_DEG);
+    return Optional.of(
+        new Orientation(
+            nowMicros,
+            Math.toRadians(number(sentence, ROLL, "roll", HALF_TURN_DEG)),
+            Math.toRadians(number(sentence, PITCH, "pitch", STEEPEST_DEG)),
+            Heading.ofDegrees(nowMicros, yawDeg, false),
+            number(sentence, X_RATE, "x rate", FASTEST_RAD_PER_S),
+            number(sentence, Y_RATE, "y rate", FASTEST_RAD_PER_S),
+            number(sentence, Z_RATE, "z rate", FASTEST_RAD_PER_S)));
   }
 
   private static double number(NmeaSentence sentence, int field, String what, double most) {
@@ -68,23 +63,16 @@ public final class VectorNav implements ByteParser {
     return value;
   }
 
-  /** The newest; empty before the first. A new object for each, the same until the next. */
-  public Optional<Orientation> latest() {
-    return latest;
-  }
+  /** IMU VECTORNAV in a configuration. */
+  public static final class Provider extends DeviceProvider<Imu> {
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(Imu.class, "VECTORNAV");
+    }
 
-  @Override
-  public void reset() {
-    framer.reset();
-  }
-
-  @Override
-  public long refused() {
-    return framer.refused() + refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return lastRefusal.isEmpty() ? framer.lastRefusal() : lastRefusal;
+    @Override
+    protected Imu open(String name, ServiceContext context) {
+      return new VectorNav(ByteLinks.of(context));
+    }
   }
 }

@@ -83,7 +83,8 @@ final class IoioVariables {
           .ifAbsent(5.0)
           .describedAs("The battery's voltage by that at the pin.");
 
-  static final VariableDeclaration<Integer> LED = pin("LED PIN", 0, "Pin of the status LED; -1: none.");
+  static final VariableDeclaration<Integer> LED =
+      pin("LED PIN", 0, "Pin of the status LED; -1: none.");
 
   static final VariableDeclaration<Double> SILENT_AFTER =
       VariableDeclaration.number("BOARD SILENT AFTER", "s")
@@ -170,7 +171,10 @@ final class IoioVariables {
   }
 
   private static int take(
-      Configurator variables, PinDesk desk, VariableDeclaration<Integer> pin, PinFunction function) {
+      Configurator variables,
+      PinDesk desk,
+      VariableDeclaration<Integer> pin,
+      PinFunction function) {
     return desk.take(pin.name(), variables.getVariable(pin), function);
   }
 }

@@ -1,10 +1,9 @@
 package org.u2sa.drivers.ioio;
 
-import org.u2sa.drivers.compass.Compass;
+import org.u2sa.device.Compass;
+import org.u2sa.device.GpsReceiver;
+import org.u2sa.device.TrueNorth;
 import org.u2sa.drivers.compass.LinkedCompass;
-import org.u2sa.drivers.compass.NmeaCompass;
-import org.u2sa.drivers.compass.TrueNorth;
-import org.u2sa.drivers.gps.GpsReceiver;
 import org.u2sa.drivers.gps.LinkedGps;
 import org.u2sa.drivers.gps.NmeaGps;
 import org.u2sa.drivers.gps.UbloxModel;
@@ -25,13 +24,13 @@ final class SensorVariables {
           .oneOf(NMEA, "UBLOX 6", "UBLOX 8")
           .ifAbsent("UBLOX 6")
           .describedAs(
-              "NMEA: any, only listened to; UBLOX 6: LEA-6 and older, UBLOX 8: 7 and newer, both set up at each connection.");
+              "NMEA: any, only listened to; UBLOX 6: LEA-6 and older, UBLOX 8: 7 and newer, set up at each connection.");
 
   static final VariableDeclaration<Double> SOLUTION_RATE =
       VariableDeclaration.number("GPS SOLUTION RATE", "Hz")
           .range(Range.of(0.1, 25.0))
           .ifAbsent(5.0)
-          .describedAs("Fixes a second that a u-blox receiver is asked for.");
+          .describedAs("Fixes a second of a u-blox receiver.");
 
   static final VariableDeclaration<String> COMPASS =
       VariableDeclaration.text("COMPASS")
@@ -44,13 +43,13 @@ final class SensorVariables {
       VariableDeclaration.number("COMPASS MOUNTING ANGLE", "rad")
           .range(Range.of(-Math.PI, Math.PI))
           .ifAbsent(0.0)
-          .describedAs("Where the compass's front points, clockwise from the vehicle's.");
+          .describedAs("Direction of the compass's front, clockwise from the vehicle's.");
 
   static final VariableDeclaration<Double> HEADING_SIGMA =
       VariableDeclaration.number("HEADING SIGMA", "rad")
           .range(Range.of(0.0, Math.PI))
           .ifAbsent(Math.toRadians(1.0))
-          .describedAs("Standard deviation of the heading, as the data sheet says it.");
+          .describedAs("Standard deviation of the heading, from the data sheet.");
 
   private final String receiver;
   private final double solutionHz;
@@ -77,8 +76,7 @@ final class SensorVariables {
     if (pins.transmit() == PinPlan.NONE) {
       return LinkedGps.listening(link, new UbxGps());
     }
-    UbloxModel model = UbloxModel.valueOf(receiver.replace(' ', '_'));
-    return LinkedGps.ublox(link, model, pins.baud(), solutionHz);
+    return LinkedGps.ublox(link, UbloxModel.named(receiver), pins.baud(), solutionHz);
   }
 
   /**
@@ -88,7 +86,7 @@ final class SensorVariables {
    */
   Compass compass(ByteLink link, UartPins pins) {
     if (compass.equals(NMEA)) {
-      return LinkedCompass.listening(link, new NmeaCompass());
+      return LinkedCompass.nmea(link);
     }
     if (pins.transmit() == PinPlan.NONE) {
       throw new BadInputException(

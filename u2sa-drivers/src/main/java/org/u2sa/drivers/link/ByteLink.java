@@ -1,5 +1,7 @@
 package org.u2sa.drivers.link;
 
+import org.u2sa.device.Attached;
+
 /**
  * A two-way stream of bytes to a device: serial line, TCP or UDP, a UART of the IOIO, simulated or
  * replayed. A device that is not there is a state, not an exception: the link looks for it again by

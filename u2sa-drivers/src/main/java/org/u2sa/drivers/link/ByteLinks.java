@@ -6,6 +6,7 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.ServiceContext;
 
 /** Opens links from the addresses that users write in configuration files. */
 public final class ByteLinks {
@@ -22,6 +23,18 @@ public final class ByteLinks {
   private static final double FASTEST_REPLAY = 1_000.0;
 
   private ByteLinks() {}
+
+  /**
+   * The link that a service's variable CONNECTION names; files are relative to the configuration.
+   *
+   * @throws BadInputException if the address is none
+   */
+  public static ByteLink of(ServiceContext context) {
+    return open(
+        (String) context.configuration().getVariable("CONNECTION"),
+        context.clock(),
+        path -> context.configuration().resolve(path.toString()));
+  }
 
   /**
    * As {@link #open(String, Clock, UnaryOperator)}; files are relative to the working directory.

@@ -11,9 +11,9 @@ import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.u2sa.device.DeviceWatch;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
-import org.u2sa.drivers.link.LinkWatch;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
@@ -35,7 +35,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
   private static final double FULL_PERCENT = 100.0;
 
   private final ByteLink link;
-  private final LinkWatch watch;
+  private final DeviceWatch watch;
   private final MavlinkStream stream;
   private final AutopilotPeer peer;
   private final AutopilotState state;
@@ -91,7 +91,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
                     address,
                     context.clock(),
                     path -> context.configuration().resolve(path.toString())));
-    watch = new LinkWatch(this, "the autopilot", link, timeoutS);
+    watch = new DeviceWatch(this, "the autopilot", link, timeoutS);
   }
 
   private void send(Object message) {

@@ -1,6 +1,7 @@
 package org.u2sa.drivers.motor;
 
 import java.util.OptionalDouble;
+import org.u2sa.device.SlewLimit;
 
 /**
  * One servo or speed control: from what an actuator should do to the pulse that it gets. Not safe

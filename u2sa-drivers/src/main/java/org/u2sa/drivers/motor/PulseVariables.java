@@ -1,5 +1,6 @@
 package org.u2sa.drivers.motor;
 
+import org.u2sa.device.SlewLimit;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Range;
@@ -53,6 +54,9 @@ public final class PulseVariables {
   }
 
   private static VariableDeclaration<Double> pulse(String name, double us, String description) {
-    return VariableDeclaration.number(name, "us").range(PULSE_US).ifAbsent(us).describedAs(description);
+    return VariableDeclaration.number(name, "us")
+        .range(PULSE_US)
+        .ifAbsent(us)
+        .describedAs(description);
   }
 }

@@ -1,8 +1,17 @@
 package org.u2sa.drivers.motor;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.MotorController;
 import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.ServiceContext;
 
 /**
  * A RoboClaw on a serial line, in packet serial mode (RoboClaw Series User Manual, Basicmicro). One
@@ -11,7 +20,8 @@ import org.u2sa.interfaces.time.Clock;
  * <p>It is told to stop by itself when it hears nothing for the serial time-out. Until it has
  * acknowledged that, it is told duty 0 only: also if only its answers are lost.
  */
-final class RoboClaw implements MotorController {
+public final class RoboClaw extends LinkedDevice<MotorController.Counts>
+    implements MotorController {
   private static final long ANSWER_WITHIN_MICROS = Clock.micros(0.1); // USB adapters take 0.016 s
   // A packet with a pause of 10 ms in it is discarded ("Packet Timeout"): so both begin anew.
   private static final long QUIET_MICROS = Clock.micros(0.02);
@@ -19,42 +29,54 @@ final class RoboClaw implements MotorController {
   private static final int BATTERY_EVERY = 100; // questions
   private static final double BATTERY_STEP_V = 0.1;
 
-  private final ByteLink link;
   private final int address;
   private final double serialTimeoutS;
-  private final byte[] received = new byte[64];
   private final byte[] reply = new byte[64];
   private int replyLength;
   private RoboClawRequest asked; // null: no answer is due
   private long askedMicros;
   private long quietUntilMicros;
   private long heardMicros;
-  private int connections;
   private boolean isSetUp;
   private int turn;
   private double first;
   private double second;
-  private Reading reading = new Reading(false, 0, 0, 0, OptionalDouble.empty());
+  private OptionalDouble batteryV = OptionalDouble.empty();
+  private Optional<Counts> latest = Optional.empty();
   private long malformed;
 
   /**
    * @param address 0x80…0x87, as set at the controller
    * @param serialTimeoutS after which it stops by itself without hearing anything [s], 0.1…25.5
    */
-  RoboClaw(ByteLink link, int address, double serialTimeoutS) {
-    this.link = link;
+  public RoboClaw(ByteLink link, int address, double serialTimeoutS) {
+    super(link);
     this.address = address;
     this.serialTimeoutS = serialTimeoutS;
   }
 
   @Override
-  public Reading read(long nowMicros) {
-    if (link.connections() != connections || !link.isConnected()) {
-      connections = link.connections();
-      giveUp(nowMicros, 0);
-      lost();
+  protected void found(long nowMicros) {
+    giveUp(nowMicros, 0);
+    lost();
+  }
+
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    if (asked == null || replyLength + length > reply.length) {
+      replyLength = reply.length; // nothing was asked, or too much came
+    } else {
+      System.arraycopy(bytes, 0, reply, replyLength, length);
+      replyLength += length;
     }
-    hear(nowMicros);
+  }
+
+  @Override
+  protected void act(long nowMicros) {
+    if (!link.isConnected()) {
+      found(nowMicros); // and again when it is
+    }
+    understand(nowMicros);
     if (asked != null && nowMicros - askedMicros > ANSWER_WITHIN_MICROS) {
       malformed++;
       giveUp(nowMicros, QUIET_MICROS);
@@ -65,19 +87,14 @@ final class RoboClaw implements MotorController {
     if (asked == null && nowMicros >= quietUntilMicros) {
       ask(next(), nowMicros);
     }
-    return reading;
   }
 
-  private void hear(long nowMicros) {
-    int count;
-    while ((count = link.read(received)) > 0) {
-      if (asked == null || replyLength + count > reply.length) {
-        replyLength = reply.length; // nothing was asked, or too much came
-      } else {
-        System.arraycopy(received, 0, reply, replyLength, count);
-        replyLength += count;
-      }
-    }
+  @Override
+  protected Optional<Counts> latest() {
+    return latest;
+  }
+
+  private void understand(long nowMicros) {
     if (asked == null) {
       replyLength = 0; // answers to what was given up, or noise
     } else if (replyLength >= asked.replyLength()) {
@@ -96,32 +113,23 @@ final class RoboClaw implements MotorController {
     heardMicros = nowMicros;
     if (request.isSerialTimeout()) {
       isSetUp = true;
-    } else if (request.isEncoders()) {
-      reading =
-          new Reading(
-              isSetUp,
-              askedMicros,
-              RoboClawRequest.signed32(reply, 0),
-              RoboClawRequest.signed32(reply, 4),
-              reading.batteryV());
+    } else if (request.isEncoders() && isSetUp) {
+      latest =
+          Optional.of(
+              new Counts(
+                  askedMicros,
+                  RoboClawRequest.signed32(reply, 0),
+                  RoboClawRequest.signed32(reply, 4),
+                  batteryV));
     } else if (request.isBattery()) {
-      double volts = RoboClawRequest.unsigned16(reply, 0) * BATTERY_STEP_V;
-      reading = withBattery(OptionalDouble.of(volts));
+      batteryV = OptionalDouble.of(RoboClawRequest.unsigned16(reply, 0) * BATTERY_STEP_V);
     }
-  }
-
-  private Reading withBattery(OptionalDouble volts) {
-    return new Reading(
-        reading.connected(),
-        reading.measuredAtMicros(),
-        reading.firstCounts(),
-        reading.secondCounts(),
-        volts);
   }
 
   private void lost() {
     isSetUp = false; // it may have been without power
-    reading = new Reading(false, 0, 0, 0, OptionalDouble.empty());
+    batteryV = OptionalDouble.empty();
+    latest = Optional.empty();
   }
 
   private void giveUp(long nowMicros, long quietMicros) {
@@ -177,6 +185,33 @@ final class RoboClaw implements MotorController {
       link.write(RoboClawRequest.duty(0.0, 0.0).packet(address));
     } finally {
       link.close();
+    }
+  }
+
+  /** CONTROLLER ROBOCLAW in a configuration. */
+  public static final class Provider extends DeviceProvider<MotorController> {
+    private static final VariableDeclaration<Integer> ADDRESS =
+        VariableDeclaration.integer("ADDRESS")
+            .range(Range.of(128, 135))
+            .ifAbsent(128)
+            .describedAs("ROBOCLAW: address set at the controller; 128 is 0x80.");
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(MotorController.class, "ROBOCLAW");
+    }
+
+    @Override
+    protected List<VariableDeclaration<?>> variables() {
+      return List.of(ADDRESS);
+    }
+
+    @Override
+    protected MotorController open(String name, ServiceContext context) {
+      return new RoboClaw(
+          ByteLinks.of(context),
+          context.configuration().getVariable(ADDRESS),
+          (Double) context.configuration().getVariable("SERIAL TIMEOUT"));
     }
   }
 }

@@ -6,9 +6,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.LaserScanner;
 import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.service.ServiceContext;
 
 /**
  * Runs a Hokuyo, or another sensor that speaks SCIP 2: has it speak SCIP 2, ends what it was doing,
@@ -18,7 +23,7 @@ import org.u2sa.messages.RangeScan;
  * <p>A URG-04LX wakes up with SCIP 1.1 each time that it gets power, and answers "SCIP2.0" with
  * status 0; one that speaks SCIP 2 already refuses it ("0E"), or says nothing. Both will do.
  */
-final class Hokuyo implements Scanner {
+public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements LaserScanner {
   private static final String MEASURES = "99";
   private static final String DONE = "00";
   private static final String ALREADY = "02"; // in answer to "BM": the laser is on
@@ -39,41 +44,45 @@ final class Hokuyo implements Scanner {
     }
   }
 
-  private final ByteLink link;
   private final ScipReader reader = new ScipReader();
-  private final byte[] buffer = new byte[4096];
   private State state = State.SWITCHING;
   private String asked = "";
   private ScipParameters sensor;
   private long untilMicros = Long.MIN_VALUE;
-  private int connections;
-  private Reading reading = NONE;
+  private Optional<Scan> latest = Optional.empty();
   private String trouble = "";
   private long malformed;
 
-  Hokuyo(ByteLink link) {
-    this.link = link;
+  /** Over that link, which is closed with this. */
+  public Hokuyo(ByteLink link) {
+    super(link);
   }
 
   @Override
-  public Reading read(long nowMicros) {
-    if (link.connections() != connections) {
-      connections = link.connections();
-      reader.beginAnew();
-      begin(nowMicros);
+  protected void found(long nowMicros) {
+    reader.beginAnew();
+    begin(nowMicros);
+  }
+
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    reader.accept(bytes, length);
+    Optional<List<String>> answer;
+    while ((answer = reader.take()).isPresent()) {
+      answered(answer.get(), nowMicros);
     }
-    int count;
-    while ((count = link.read(buffer)) > 0) {
-      reader.accept(buffer, count);
-      Optional<List<String>> answer;
-      while ((answer = reader.take()).isPresent()) {
-        answered(answer.get(), nowMicros);
-      }
-    }
+  }
+
+  @Override
+  protected void act(long nowMicros) {
     if (nowMicros >= untilMicros && link.isConnected()) {
       overdue(nowMicros);
     }
-    return reading;
+  }
+
+  @Override
+  protected Optional<Scan> latest() {
+    return latest;
   }
 
   private void begin(long nowMicros) {
@@ -127,7 +136,7 @@ final class Hokuyo implements Scanner {
   /** What is not expected is said; the next request then is overdue, and all begins again. */
   private boolean expect(boolean isExpected, String status) {
     if (!isExpected) {
-      trouble = "status " + status + " in answer to " + asked;
+      trouble = "the laser answers " + asked + " with status " + status;
     }
     return isExpected;
   }
@@ -162,7 +171,8 @@ final class Hokuyo implements Scanner {
             .timeIncrement(sensor.stepS())
             .beams(sensor.azimuth(sensor.firstStep()), sensor.stepRad(), ranges.get());
     scan.timestamp(nowMicros - Clock.micros(sensor.steps() * sensor.stepS())); // sent at its end
-    reading = new Reading(nowMicros, scan);
+    latest = Optional.of(new Scan(nowMicros, scan));
+    trouble = "";
     untilMicros = nowMicros + SCAN_WITHIN_MICROS;
   }
 
@@ -179,10 +189,8 @@ final class Hokuyo implements Scanner {
   }
 
   @Override
-  public String trouble() {
-    String said = trouble;
-    trouble = "";
-    return said;
+  protected String ownTrouble() {
+    return trouble;
   }
 
   @Override
@@ -191,6 +199,19 @@ final class Hokuyo implements Scanner {
       link.write("QT\n".getBytes(US_ASCII));
     } finally {
       link.close();
+    }
+  }
+
+  /** LIDAR hokuyo in a configuration. */
+  public static final class Provider extends DeviceProvider<LaserScanner> {
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(LaserScanner.class, "hokuyo");
+    }
+
+    @Override
+    protected LaserScanner open(String name, ServiceContext context) {
+      return new Hokuyo(ByteLinks.of(context));
     }
   }
 }

@@ -4,9 +4,14 @@ import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.LaserScanner;
 import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.service.ServiceContext;
 
 /**
  * Runs an RPLIDAR: stops it, asks for its health, resets it if it has stopped to protect itself,
@@ -17,7 +22,7 @@ import org.u2sa.messages.RangeScan;
  * the laser is asked for and which obeys SET_MOTOR_PWM (Slamtec's rplidar_sdk, sl_lidar_cmd.h and
  * sl_lidar_driver.cpp; LR001 does not have it).
  */
-final class Rplidar implements Scanner {
+public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements LaserScanner {
   private static final byte[] STOP = {(byte) 0xA5, 0x25};
   private static final byte[] RESET = {(byte) 0xA5, 0x40};
   private static final byte[] SCAN = {(byte) 0xA5, 0x20};
@@ -52,38 +57,38 @@ final class Rplidar implements Scanner {
   private static final Set<State> MAY_BE_UNANSWERED =
       EnumSet.of(State.INFO_ASKED, State.BOARD_ASKED, State.MOTOR_STARTING);
 
-  private final ByteLink link;
   private final RplidarParser parser = new RplidarParser();
-  private final byte[] buffer = new byte[4096];
   private State state = State.STOPPING;
   private long untilMicros = Long.MIN_VALUE;
-  private int connections;
   private boolean runsMotor;
-  private Reading reading = NONE;
+  private Optional<Scan> latest = Optional.empty();
   private String trouble = "";
   private long unanswered;
 
-  Rplidar(ByteLink link) {
-    this.link = link;
+  /** Over that link, which is closed with this. */
+  public Rplidar(ByteLink link) {
+    super(link);
   }
 
   @Override
-  public Reading read(long nowMicros) {
-    if (link.connections() != connections) {
-      connections = link.connections();
-      stop(nowMicros);
-    }
-    int count;
-    while ((count = link.read(buffer)) > 0) {
-      if (state != State.STOPPING && state != State.RESETTING) {
-        parser.accept(buffer, count, nowMicros);
-      }
-    }
-    advance(nowMicros);
-    return reading;
+  protected void found(long nowMicros) {
+    stop(nowMicros);
   }
 
-  private void advance(long nowMicros) {
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    if (state != State.STOPPING && state != State.RESETTING) {
+      parser.accept(bytes, length, nowMicros);
+    }
+  }
+
+  @Override
+  protected Optional<Scan> latest() {
+    return latest;
+  }
+
+  @Override
+  protected void act(long nowMicros) {
     if (state == State.HEALTH_ASKED && parser.health().isPresent()) {
       judge(parser.health().get(), nowMicros);
     } else if (state == State.INFO_ASKED && parser.model().isPresent()) {
@@ -104,7 +109,7 @@ final class Rplidar implements Scanner {
     }
     Optional<RplidarParser.Turn> turn = parser.takeTurn();
     if (turn.isPresent()) {
-      reading = new Reading(nowMicros, scanned(turn.get()));
+      latest = Optional.of(new Scan(nowMicros, scanned(turn.get())));
       enter(State.SCANNING, nowMicros + SCAN_WITHIN_MICROS);
     }
     if (nowMicros >= untilMicros && link.isConnected()) {
@@ -125,13 +130,11 @@ final class Rplidar implements Scanner {
 
   private void judge(RplidarParser.Health health, long nowMicros) {
     if (health.status() == ERROR) {
-      trouble = "it has stopped to protect itself, error " + hex(health) + "; it is reset";
+      trouble = "the laser has stopped to protect itself, error " + hex(health) + "; it is reset";
       ask(RESET, State.RESETTING, nowMicros + RESET_AFTER_MICROS);
       return;
     }
-    if (health.status() == WARNING) {
-      trouble = "warning " + hex(health);
-    }
+    trouble = health.status() == WARNING ? "the laser warns: " + hex(health) : "";
     ask(GET_INFO, State.INFO_ASKED, nowMicros + ANSWER_WITHIN_MICROS);
   }
 
@@ -175,10 +178,8 @@ final class Rplidar implements Scanner {
   }
 
   @Override
-  public String trouble() {
-    String said = trouble;
-    trouble = "";
-    return said;
+  protected String ownTrouble() {
+    return trouble;
   }
 
   @Override
@@ -190,6 +191,19 @@ final class Rplidar implements Scanner {
       link.write(STOP);
     } finally {
       link.close();
+    }
+  }
+
+  /** LIDAR rplidar in a configuration. */
+  public static final class Provider extends DeviceProvider<LaserScanner> {
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(LaserScanner.class, "rplidar");
+    }
+
+    @Override
+    protected LaserScanner open(String name, ServiceContext context) {
+      return new Rplidar(ByteLinks.of(context));
     }
   }
 }

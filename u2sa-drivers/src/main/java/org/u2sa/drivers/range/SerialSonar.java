@@ -1,39 +1,29 @@
 package org.u2sa.drivers.range;
 
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.ParsedDevice;
+import org.u2sa.service.ServiceContext;
 
-/** A sonar on a link that measures by itself, again and again. */
-final class SerialSonar implements RangeFinder {
-  private final ByteLink link;
-  private final SonarParser parser;
-  private final byte[] buffer = new byte[256];
-  private int connections;
-
-  SerialSonar(ByteLink link, SonarModel model) {
-    this.link = link;
-    this.parser = new SonarParser(model);
+/** A MaxBotix sonar on a link; it measures by itself, again and again. */
+public final class SerialSonar extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
+  /** Over that link, which is closed with this. */
+  public SerialSonar(ByteLink link, SonarModel model) {
+    super(link, new SonarParser(model));
   }
 
-  @Override
-  public Reading read(long nowMicros) {
-    if (link.connections() != connections) {
-      connections = link.connections();
-      parser.beginAnew();
+  /** MODEL LV, XL and HR in a configuration. */
+  public static final class Provider extends DeviceProvider<RangeFinder> {
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(RangeFinder.class, "LV", "XL", "HR");
     }
-    int count;
-    while ((count = link.read(buffer)) > 0) {
-      parser.accept(buffer, count, nowMicros);
+
+    @Override
+    protected RangeFinder open(String name, ServiceContext context) {
+      return new SerialSonar(ByteLinks.of(context), SonarModel.valueOf(name));
     }
-    return parser.latest();
-  }
-
-  @Override
-  public long malformed() {
-    return parser.malformed();
-  }
-
-  @Override
-  public void close() {
-    link.close();
   }
 }

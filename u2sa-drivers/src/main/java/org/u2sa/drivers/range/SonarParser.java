@@ -1,25 +1,26 @@
 package org.u2sa.drivers.range;
 
-/**
- * Reads a MaxBotix sonar's serial output: "R", digits, carriage return. Not safe for several
- * threads.
- */
-public final class SonarParser {
+import java.util.Optional;
+import org.u2sa.device.RangeFinder;
+import org.u2sa.drivers.link.ByteParser;
+
+/** Reads a MaxBotix sonar's serial output: "R", digits, carriage return. */
+final class SonarParser implements ByteParser<RangeFinder.Distance> {
   private static final int CARRIAGE_RETURN = '\r';
   private static final int BEGIN = 'R';
 
   private final SonarModel model;
   private int digits = -1; // seen since the R; -1: no R yet
   private int count;
-  private RangeFinder.Reading reading = RangeFinder.NONE;
-  private long malformed;
+  private Optional<RangeFinder.Distance> latest = Optional.empty();
+  private long refused;
 
   /** For sonars of a family. */
-  public SonarParser(SonarModel model) {
+  SonarParser(SonarModel model) {
     this.model = model;
   }
 
-  /** Takes the next bytes of the stream. */
+  @Override
   public void accept(byte[] bytes, int length, long nowMicros) {
     for (int i = 0; i < length; i++) {
       accept(bytes[i] & 0xFF, nowMicros);
@@ -28,33 +29,38 @@ public final class SonarParser {
 
   private void accept(int each, long nowMicros) {
     if (each == BEGIN) {
-      malformed += digits >= 0 ? 1 : 0; // another one had begun
+      refused += digits >= 0 ? 1 : 0; // another one had begun
       digits = 0;
       count = 0;
     } else if (each >= '0' && each <= '9' && digits >= 0 && digits < model.digits()) {
       digits++;
       count = 10 * count + each - '0';
     } else if (each == CARRIAGE_RETURN && digits == model.digits()) {
-      reading = new RangeFinder.Reading(nowMicros, model.rangeM(count));
+      latest = Optional.of(new RangeFinder.Distance(nowMicros, model.rangeM(count)));
       digits = -1;
     } else {
-      malformed++;
+      refused++;
       digits = -1;
     }
   }
 
-  /** What came last, with the time at which its last byte came. */
-  public RangeFinder.Reading latest() {
-    return reading;
+  @Override
+  public Optional<RangeFinder.Distance> latest() {
+    return latest;
   }
 
-  /** Bytes or lines so far that were not as they should be. */
-  public long malformed() {
-    return malformed;
-  }
-
-  /** Forgets what was begun: the stream was cut. */
-  public void beginAnew() {
+  @Override
+  public void reset() {
     digits = -1;
+  }
+
+  @Override
+  public long refused() {
+    return refused;
+  }
+
+  @Override
+  public String lastRefusal() {
+    return refused == 0 ? "" : "not R, " + model.digits() + " digits and a carriage return";
   }
 }

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.CompassSensor;
+import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.interfaces.communication.Channels;
@@ -29,8 +31,7 @@ class CompassSensorTest {
   }
 
   private void start() {
-    kit.start(
-        context -> new CompassSensor(context, LinkedCompass.listening(link, new NmeaCompass())));
+    kit.start(context -> new CompassSensor(context, LinkedCompass.nmea(link)));
   }
 
   private void say(String body) {

@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.Heading;
 import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.drivers.nmea.NmeaParser;
 
 class NmeaCompassTest {
   private static final double TINY = 1e-9;
 
-  private final NmeaCompass compass = new NmeaCompass();
+  private final NmeaParser<Heading> compass = NmeaCompass.parser();
 
   private void hear(String... bodies) {
     byte[] bytes = Nmea.bytes(bodies);

@@ -12,13 +12,15 @@ import net.jqwik.api.Combinators;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import org.u2sa.device.GpsFix;
+import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.Nmea;
 
 /** Whatever a line delivers, and however it is cut. */
 class GpsParserProperties {
   private static final int TRIES = 300;
 
-  private static GpsParser parser(boolean isUbx) {
+  private static ByteParser<GpsFix> parser(boolean isUbx) {
     return isUbx ? new UbxGps() : new NmeaGps();
   }
 
@@ -74,7 +76,7 @@ class GpsParserProperties {
 
   @Property(tries = TRIES)
   void accept_anyBytes_neverThrows(@ForAll("streams") byte[] stream, @ForAll boolean isUbx) {
-    GpsParser parser = parser(isUbx);
+    ByteParser<GpsFix> parser = parser(isUbx);
     parser.accept(stream, stream.length, 0);
 
     parser
@@ -91,10 +93,10 @@ class GpsParserProperties {
   @Property(tries = TRIES)
   void accept_anySplit_givesTheSameFix(
       @ForAll("streams") byte[] stream, @ForAll List<Byte> lengths, @ForAll boolean isUbx) {
-    GpsParser whole = parser(isUbx);
+    ByteParser<GpsFix> whole = parser(isUbx);
     whole.accept(stream, stream.length, 7);
 
-    GpsParser cut = parser(isUbx);
+    ByteParser<GpsFix> cut = parser(isUbx);
     int from = 0;
     for (byte length : lengths) {
       int to = Math.min(stream.length, from + (length & 0xFF));
@@ -110,7 +112,7 @@ class GpsParserProperties {
   @Property(tries = TRIES)
   void accept_goodAfterAnything_isUnderstood(
       @ForAll("streams") byte[] stream, @ForAll boolean isUbx) {
-    GpsParser parser = parser(isUbx);
+    ByteParser<GpsFix> parser = parser(isUbx);
     parser.accept(stream, stream.length, 0);
     ByteArrayOutputStream good = new ByteArrayOutputStream();
     for (int i = 0; i < 15; i++) { // more than the longest message that may be waited for

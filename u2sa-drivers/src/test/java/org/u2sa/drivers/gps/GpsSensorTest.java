@@ -11,6 +11,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.device.GpsSensor;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.Recordings;
 import org.u2sa.drivers.nmea.Nmea;

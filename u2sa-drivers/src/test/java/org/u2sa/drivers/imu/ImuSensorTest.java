@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.ImuSensor;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.interfaces.communication.Channels;
@@ -24,7 +25,7 @@ class ImuSensorTest {
 
   @BeforeEach
   void start() {
-    kit.start(context -> new ImuSensor(context, new LinkedImu(link)));
+    kit.start(context -> new ImuSensor(context, new VectorNav(link)));
   }
 
   @AfterEach

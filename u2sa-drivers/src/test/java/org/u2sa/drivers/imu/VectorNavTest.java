@@ -7,7 +7,9 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.device.Orientation;
 import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.drivers.nmea.NmeaParser;
 
 /** Lines that real VN-100 sent, as users of it and the maker's own examples quote them. */
 class VectorNavTest {
@@ -20,7 +22,7 @@ class VectorNavTest {
   private static final String BANKED =
       "$VNYMR,-078.104,+005.642,+023.096,+00.0125,+00.1252,-00.1042,+00.878,-03.762,-08.854,-00.010387,-00.028062,-00.061305*68";
 
-  private final VectorNav imu = new VectorNav();
+  private final NmeaParser<Orientation> imu = VectorNav.parser();
 
   private void hear(String text) {
     byte[] bytes = text.getBytes(US_ASCII);

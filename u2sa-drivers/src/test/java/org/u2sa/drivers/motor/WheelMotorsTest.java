@@ -9,6 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.u2sa.device.WheelMotors;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.BadInputException;
@@ -26,6 +27,7 @@ class WheelMotorsTest {
   private final ServiceKit kit = new ServiceKit().with("COUNTS PER TURN", 1000.0);
   private final MemoryLink link = new MemoryLink();
   private final SimulatedRoboClaw device = new SimulatedRoboClaw(link, kit.clock()::micros);
+  private double serialTimeoutS = 0.3;
   private WheelMotors motors;
 
   @AfterEach
@@ -33,8 +35,12 @@ class WheelMotorsTest {
     kit.close();
   }
 
+  private RoboClaw roboClaw(ByteLink line) {
+    return new RoboClaw(line, 128, serialTimeoutS);
+  }
+
   private void start() {
-    motors = kit.start(context -> new WheelMotors(context, link));
+    motors = kit.start(context -> new WheelMotors(context, roboClaw(link)));
   }
 
   /** Commands both wheels at 20 Hz for a span [s]. */
@@ -71,7 +77,7 @@ class WheelMotorsTest {
 
   @Test
   void step_start_toldItsSerialTimeoutBeforeItDrives() {
-    kit.with("SERIAL TIMEOUT", 0.4);
+    serialTimeoutS = 0.4;
     start();
     command(50.0, 50.0, 0.5);
     assertThat(device.serialTimeout()).isEqualTo(4);
@@ -171,11 +177,11 @@ class WheelMotorsTest {
   void swap_driving_theWheelsTurnOnWithoutABumpUntilTheCommandExpires() {
     kit.with("SLEW LIMIT", 100.0);
     Shared shared = new Shared(link);
-    motors = kit.start(context -> new WheelMotors(context, shared));
+    motors = kit.start(context -> new WheelMotors(context, roboClaw(shared)));
     command(50.0, 40.0, 1.0);
     assertThat(device.duty(0)).isCloseTo(0.5, within(NEAR));
 
-    WheelMotors successor = kit.swap(motors, context -> new WheelMotors(context, link));
+    WheelMotors successor = kit.swap(motors, context -> new WheelMotors(context, roboClaw(link)));
 
     assertThat(shared.closed).isTrue();
     for (int i = 0; i < 40; i++) { // the last commands are 0.05 s old and hold for 0.5 s
@@ -191,11 +197,11 @@ class WheelMotorsTest {
   @Test
   void swap_stopped_staysOff() {
     Shared shared = new Shared(link);
-    motors = kit.start(context -> new WheelMotors(context, shared));
+    motors = kit.start(context -> new WheelMotors(context, roboClaw(shared)));
     command(50.0, 50.0, 1.0);
     kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).operator("test"));
 
-    kit.swap(motors, context -> new WheelMotors(context, link));
+    kit.swap(motors, context -> new WheelMotors(context, roboClaw(link)));
     command(50.0, 50.0, 0.5);
 
     assertThat(isDriving()).isFalse();

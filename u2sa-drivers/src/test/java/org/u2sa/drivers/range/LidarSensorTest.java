@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.LidarSensor;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
@@ -39,14 +40,14 @@ class LidarSensorTest {
   private SimulatedRplidar rplidar() {
     SimulatedRplidar device =
         new SimulatedRplidar(link, kit.clock()::micros, LidarSensorTest::wall);
-    service = kit.start(context -> new LidarSensor(context, link));
+    service = kit.start(context -> new LidarSensor(context, new Rplidar(link)));
     return device;
   }
 
   private SimulatedHokuyo hokuyo() {
     SimulatedHokuyo device = new SimulatedHokuyo(link, kit.clock()::micros, LidarSensorTest::wall);
-    kit.with("LIDAR", "hokuyo").with("PUBLISH EVERY", 4);
-    service = kit.start(context -> new LidarSensor(context, link));
+    kit.with("PUBLISH EVERY", 4);
+    service = kit.start(context -> new LidarSensor(context, new Hokuyo(link)));
     return device;
   }
 
@@ -123,7 +124,7 @@ class LidarSensorTest {
   @Test
   void bothFamilies_nothingInReach_areScansWithoutEcho() {
     SimulatedRplidar device = new SimulatedRplidar(link, kit.clock()::micros, degrees -> 0.0);
-    service = kit.start(context -> new LidarSensor(context, link));
+    service = kit.start(context -> new LidarSensor(context, new Rplidar(link)));
     kit.advance(1.0);
     assertThat(device.isScanning()).isTrue();
     assertThat(scans()).hasSizeBetween(7, 10);
@@ -132,8 +133,8 @@ class LidarSensorTest {
     kit.forget();
     MemoryLink other = new MemoryLink();
     new SimulatedHokuyo(other, kit.clock()::micros, degrees -> 0.0);
-    kit.with("LIDAR", "hokuyo").with("SERVICE NAME", "other");
-    kit.start(context -> new LidarSensor(context, other));
+    kit.with("SERVICE NAME", "other");
+    kit.start(context -> new LidarSensor(context, new Hokuyo(other)));
     kit.advance(0.5);
     assertThat(scans().stream().filter(scan -> scan.sensorName().equals("other")))
         .isNotEmpty()
@@ -144,8 +145,7 @@ class LidarSensorTest {
   void hokuyo_thatWakesUpWithScip1_isToldToSpeakScip2AtEachStart() {
     SimulatedHokuyo device = new SimulatedHokuyo(link, kit.clock()::micros, LidarSensorTest::wall);
     device.powerOn(true);
-    kit.with("LIDAR", "hokuyo");
-    service = kit.start(context -> new LidarSensor(context, link));
+    service = kit.start(context -> new LidarSensor(context, new Hokuyo(link)));
     kit.advance(1.0);
     assertWallAhead(1081, 481);
     device.powerOn(true); // power went and came, the line stayed
@@ -168,8 +168,7 @@ class LidarSensorTest {
     device.powerOn(true);
     link.write("SCIP2.0\n".getBytes(US_ASCII)); // by another program, before
     assertThat(device.isScip1()).isFalse();
-    kit.with("LIDAR", "hokuyo");
-    service = kit.start(context -> new LidarSensor(context, link));
+    service = kit.start(context -> new LidarSensor(context, new Hokuyo(link)));
     kit.advance(1.0);
     assertWallAhead(1081, 481);
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError)).isEmpty();
@@ -180,7 +179,7 @@ class LidarSensorTest {
     SimulatedRplidar device =
         new SimulatedRplidar(link, kit.clock()::micros, LidarSensorTest::wall);
     device.withMotorBoard();
-    service = kit.start(context -> new LidarSensor(context, link));
+    service = kit.start(context -> new LidarSensor(context, new Rplidar(link)));
     kit.advance(1.5);
     assertThat(device.motorRequests()).containsExactly("a5f0029402c1");
     assertWallAhead(360, 121);
@@ -228,7 +227,8 @@ class LidarSensorTest {
     device.broken(true);
     kit.advance(3.0);
     assertThat(kit.log("LidarSensor"))
-        .anySatisfy(line -> assertThat(line).contains("status 50 in answer to MD0000108001000"));
+        .anySatisfy(
+            line -> assertThat(line).contains("the laser answers MD0000108001000 with status 50"));
     device.broken(false);
     kit.advance(1.8);
     kit.forget();
@@ -343,8 +343,10 @@ class LidarSensorTest {
   void step_randomBytes_noExceptionForEitherFamily() {
     for (String family : List.of("rplidar", "hokuyo")) {
       MemoryLink noisy = new MemoryLink();
-      kit.with("LIDAR", family).with("SERVICE NAME", family);
-      kit.start(context -> new LidarSensor(context, noisy));
+      boolean isHokuyo = family.equals("hokuyo");
+      kit.with("SERVICE NAME", family);
+      kit.start(
+          context -> new LidarSensor(context, isHokuyo ? new Hokuyo(noisy) : new Rplidar(noisy)));
       Random random = new Random(6);
       for (int i = 0; i < 200; i++) {
         byte[] noise = new byte[random.nextInt(600)];

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.RangeSensor;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
@@ -28,7 +29,7 @@ class RangeSensorTest {
   }
 
   private void start() {
-    kit.start(context -> new RangeSensor(context, link));
+    kit.start(context -> new RangeSensor(context, new SerialSonar(link, SonarModel.LV)));
   }
 
   private void say(String text) {

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.RangeFinder;
 
 /** MaxBotix's lines: R, digits, carriage return. */
 class SonarParserTest {
@@ -21,34 +22,37 @@ class SonarParserTest {
   void accept_line_isMetres() {
     say(parser, "R0", 1);
     say(parser, "50\r", 2);
-    assertThat(parser.latest().measuredAtMicros()).isEqualTo(2);
-    assertThat(parser.latest().rangeM().getAsDouble()).isCloseTo(1.27, within(1.0e-9));
+    assertThat(parser.latest().orElseThrow().measuredAtMicros()).isEqualTo(2);
+    assertThat(parser.latest().orElseThrow().rangeM().getAsDouble())
+        .isCloseTo(1.27, within(1.0e-9));
     say(parser, "R004\r", 3);
-    assertThat(parser.latest().rangeM().getAsDouble()).isCloseTo(0.1524, within(1.0e-9));
+    assertThat(parser.latest().orElseThrow().rangeM().getAsDouble())
+        .isCloseTo(0.1524, within(1.0e-9));
     say(parser, "R255\r", 4);
-    assertThat(parser.latest()).isEqualTo(new RangeFinder.Reading(4, OptionalDouble.empty()));
-    assertThat(parser.malformed()).isZero();
+    assertThat(parser.latest()).hasValue(new RangeFinder.Distance(4, OptionalDouble.empty()));
+    assertThat(parser.refused()).isZero();
   }
 
   @Test
   void accept_otherFamilies_haveTheirUnits() {
     SonarParser xl = new SonarParser(SonarModel.XL);
     say(xl, "R123\r", 1);
-    assertThat(xl.latest().rangeM().getAsDouble()).isCloseTo(1.23, within(1.0e-9));
+    assertThat(xl.latest().orElseThrow().rangeM().getAsDouble()).isCloseTo(1.23, within(1.0e-9));
     SonarParser hr = new SonarParser(SonarModel.HR);
     say(hr, "R1234\r", 1);
-    assertThat(hr.latest().rangeM().getAsDouble()).isCloseTo(1.234, within(1.0e-9));
+    assertThat(hr.latest().orElseThrow().rangeM().getAsDouble()).isCloseTo(1.234, within(1.0e-9));
     say(hr, "R5000\r", 2);
-    assertThat(hr.latest().rangeM()).isEmpty();
+    assertThat(hr.latest().orElseThrow().rangeM()).isEmpty();
   }
 
   @Test
   void accept_startUpTextTruncatedAndGarbage_goesOnWithTheNextLine() {
     say(parser, "PRINT LV-MaxSonar\rTempI\r\rR0R12\rR1234\rRx\u00ff\r", 1);
-    assertThat(parser.latest()).isEqualTo(RangeFinder.NONE);
-    assertThat(parser.malformed()).isPositive();
+    assertThat(parser.latest()).isEmpty();
+    assertThat(parser.refused()).isPositive();
     say(parser, "R100\r", 2);
-    assertThat(parser.latest().rangeM().getAsDouble()).isCloseTo(2.54, within(1.0e-9));
+    assertThat(parser.latest().orElseThrow().rangeM().getAsDouble())
+        .isCloseTo(2.54, within(1.0e-9));
   }
 
   @Property
@@ -56,6 +60,6 @@ class SonarParserTest {
     SonarParser any = new SonarParser(SonarModel.LV);
     any.accept(noise, noise.length, 1);
     say(any, "\rR100\r", 2);
-    assertThat(any.latest().rangeM().getAsDouble()).isCloseTo(2.54, within(1.0e-9));
+    assertThat(any.latest().orElseThrow().rangeM().getAsDouble()).isCloseTo(2.54, within(1.0e-9));
   }
 }

@@ -1,6 +1,8 @@
 package org.u2sa.flightgear.link;
 
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
@@ -52,14 +54,11 @@ public final class EmbeddedAircraft implements AircraftLink {
 
   /** The state as a reading. */
   static AircraftReading reading(AircraftMotion state, long sequence, long measuredAtMicros) {
-    double sinRoll = Math.sin(state.rollRad());
-    double cosRoll = Math.cos(state.rollRad());
-    // Euler rates from body rates (Stevens & Lewis, 2nd ed., eq. 1.3-22a).
-    double headingRate =
-        (state.pitchRateRadPerS() * sinRoll + state.yawRateRadPerS() * cosRoll)
-            / Math.cos(state.pitchRad());
-    double rollRate = state.rollRateRadPerS() + headingRate * Math.sin(state.pitchRad());
-    double pitchRate = state.pitchRateRadPerS() * cosRoll - state.yawRateRadPerS() * sinRoll;
+    Point euler =
+        new Attitude(state.rollRad(), state.pitchRad(), state.headingRad())
+            .eulerRates(
+                Point.of(
+                    state.rollRateRadPerS(), state.pitchRateRadPerS(), state.yawRateRadPerS()));
     double alongPlaneMps = state.trueAirspeedMps() * Math.cos(state.sideslipRad());
     return new AircraftReading(
         true,
@@ -72,9 +71,9 @@ public final class EmbeddedAircraft implements AircraftLink {
         state.rollRad(),
         state.pitchRad(),
         state.headingRad(),
-        rollRate,
-        pitchRate,
-        headingRate,
+        euler.x(),
+        euler.y(),
+        euler.z(),
         state.velocityNorthMps(),
         state.velocityEastMps(),
         -state.velocityDownMps(),

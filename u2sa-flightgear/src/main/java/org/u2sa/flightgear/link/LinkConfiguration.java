@@ -51,7 +51,9 @@ final class LinkConfiguration {
               "Whether the wind has Dryden gusts, seeded by the run, for the embedded aircraft.");
 
   static final VariableDeclaration<String> HOST =
-      VariableDeclaration.text("FLIGHTGEAR HOST").ifAbsent("127.0.0.1").describedAs("Where FlightGear runs.");
+      VariableDeclaration.text("FLIGHTGEAR HOST")
+          .ifAbsent("127.0.0.1")
+          .describedAs("Where FlightGear runs.");
 
   static final VariableDeclaration<Integer> OUT_PORT =
       VariableDeclaration.integer("FLIGHTGEAR OUT PORT")

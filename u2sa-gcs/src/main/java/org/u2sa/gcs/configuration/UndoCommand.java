@@ -14,9 +14,9 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "undo",
     description = {
-      "Take the newest change of a service's variables back, whoever made it.",
+      "Undo the latest change of a service's variables, whoever made it.",
       "",
-      "Once more takes the one before it back."
+      "Run it again to undo the change before that."
     })
 final class UndoCommand implements Callable<Integer> {
   @Mixin private RemoteSystem remote;

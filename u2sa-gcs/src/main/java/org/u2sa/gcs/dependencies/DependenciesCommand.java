@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "dependencies",
     description = {
-      "List the libraries U2SA is made with: version, age, licence, published advisories.",
+      "List the libraries U2SA uses: version, age, licence and published advisories.",
       "",
       "Nothing is asked over the network: advisories are those known when they were last looked up. "
           + "Exit code 1: a version is affected by one that our use of it reaches."
@@ -37,7 +37,7 @@ public final class DependenciesCommand implements Callable<Integer> {
 
   @Option(
       names = "--advisories",
-      description = "List every advisory that was looked at, also where ours is newer.")
+      description = "List all known advisories, including those that do not affect our versions.")
   private boolean advisories;
 
   /** Of this program, today. */

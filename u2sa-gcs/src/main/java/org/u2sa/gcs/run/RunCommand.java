@@ -51,7 +51,7 @@ public final class RunCommand implements Callable<Integer> {
       names = "--seed",
       paramLabel = "N",
       defaultValue = "1",
-      description = "Seed of whatever is random. Default: ${DEFAULT-VALUE}.")
+      description = "Random seed. Default: ${DEFAULT-VALUE}.")
   private long seed;
 
   @Option(
@@ -63,7 +63,7 @@ public final class RunCommand implements Callable<Integer> {
 
   @Option(
       names = "--separate",
-      description = "Run each service in a process of its own; they talk over MQTT.")
+      description = "Run each service in its own process, connected by MQTT.")
   private boolean separate;
 
   @Option(
@@ -71,22 +71,28 @@ public final class RunCommand implements Callable<Integer> {
       paramLabel = "SERVICE",
       split = ",",
       description =
-          "Run these services of the file only, by their classes' simple names, with commas between them, and find the Communication Manager at its configured address.")
+          "Run only these services, given by simple class name and separated by commas; connect to the Communication Manager at its configured address.")
   private List<String> only = List.of();
 
   @Option(
       names = "--host",
       paramLabel = "NAME",
       description =
-          "Run what the file gives to this host. The Communication Manager is run on the host that <communication> names, and found at its configured address by the others.")
+          "Run what the file assigns to this host. The host that <communication> names runs the Communication Manager; the others connect to its configured address.")
   private String host;
 
   @Option(
       names = "--broker",
       paramLabel = "HOST[:PORT]",
       description =
-          "Use this broker, whatever the file says, not one of this process; auto: the one that announces itself by mDNS for this system.")
+          "Use this broker instead of starting one, whatever the file says; auto: the one that announces this system by mDNS.")
   private String broker;
+
+  @Option(
+      names = "--through-broker",
+      description =
+          "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
+  private boolean throughBroker;
 
   @Option(
       names = "--supervised",
@@ -118,6 +124,9 @@ public final class RunCommand implements Callable<Integer> {
       settings.addAll(settingsOfBroker());
     }
     set(options, system);
+    if (throughBroker) {
+      options.throughBroker();
+    }
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
       throw new ParameterException(
           command.commandLine(), "--separate, --only and --host: expected one of them at most");

@@ -11,7 +11,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "arm",
     description = {
-      "Let a vehicle move, or say why not.",
+      "Arm a vehicle, or say why it cannot be armed.",
       "",
       "Its Safety Manager checks services, state, battery, fence, mission and actuators. Of an armed vehicle it ends a RETURN "
           + "or LAND whose cause is gone."

@@ -11,9 +11,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "disarm",
     description = {
-      "Let a vehicle no longer move, even in mid-air.",
+      "Disarm a vehicle, even in mid-air.",
       "",
-      "Actuators whose variable REQUIRES ARMING is true go neutral; failsafes act no longer."
+      "Actuators whose variable REQUIRES ARMING is true go neutral; failsafes no longer act."
     })
 public final class DisarmVehicleCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

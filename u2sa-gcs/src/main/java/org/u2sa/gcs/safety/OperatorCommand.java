@@ -25,10 +25,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "operator",
     description = {
-      "Be there for a vehicle, and see how it is, until Ctrl-C.",
+      "Watch over a vehicle as its operator until Ctrl-C.",
       "",
-      "Sends an operator's heartbeat each second, and shows each change of arming, failsafe and services. A vehicle that has "
-          + "heard one takes its silence for a lost operator."
+      "Sends an operator heartbeat every second and shows each change of arming state, failsafe and services. Once a vehicle "
+          + "has heard a heartbeat, it treats silence as a lost operator."
     })
 public final class OperatorCommand implements Callable<Integer> {
   private static final double INTERVAL_S = 1.0;
@@ -40,7 +40,7 @@ public final class OperatorCommand implements Callable<Integer> {
   @Option(
       names = "--for",
       paramLabel = "S",
-      description = "End after so many seconds. Default: at Ctrl-C.")
+      description = "Stop after this many seconds. Default: at Ctrl-C.")
   private Double forS;
 
   private final Map<String, String> shown = new LinkedHashMap<>(); // guarded by itself

@@ -49,13 +49,13 @@ final class UserCommand implements Runnable {
               required = true,
               split = ",",
               description =
-                  "What the user is for: service, control, launcher, monitor, safety, operator, observer; several joined by commas.")
+                  "Roles, separated by commas: service, control, launcher, monitor, safety, operator, observer.")
           List<String> roles,
       @Option(
               names = "--system",
               paramLabel = "ID",
               split = ",",
-              description = "In which systems; default: all of the broker.")
+              description = "Systems the user may access; default: all on the broker.")
           List<String> systems,
       @Option(
               names = "--password-file",

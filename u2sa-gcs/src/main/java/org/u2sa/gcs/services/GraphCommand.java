@@ -1,11 +1,10 @@
 package org.u2sa.gcs.services;
 
 import java.io.PrintWriter;
-import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
@@ -32,11 +31,20 @@ public final class GraphCommand implements Callable<Integer> {
 
   /** Only one at a time. */
   private static final class Form {
-    @Option(names = "--dot", description = "Print the graph for Graphviz.")
-    private boolean dot;
+    @Option(
+        names = "--format",
+        description =
+            "Form of the output, one of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+    private Format format = Format.TEXT;
 
-    @Option(names = "--svg", paramLabel = "FILE", description = "Write a picture (SVG).")
-    private Path svg;
+    @Option(names = "--dot", description = "The same as --format dot.")
+    private boolean dot;
+  }
+
+  private enum Format {
+    TEXT,
+    MERMAID,
+    DOT
   }
 
   @Override
@@ -56,18 +64,18 @@ public final class GraphCommand implements Callable<Integer> {
       if (!settled.hasSettled()) {
         tell(link);
       }
-      if (form.dot) {
-        GraphText.dot(link.systemId(), graph).forEach(out::println);
-      } else if (form.svg != null) {
-        String picture = GraphPicture.svg(link.systemId(), graph);
-        ReportFile.writeText(form.svg, text -> text.write(picture));
-        out.println("Written: " + form.svg);
-      } else {
-        GraphText.lines(graph).forEach(out::println);
-      }
+      lines(link.systemId(), graph).forEach(out::println);
       out.flush();
       return ExitCode.DONE;
     }
+  }
+
+  private List<String> lines(String systemId, ServiceGraph graph) {
+    return switch (form.dot ? Format.DOT : form.format) {
+      case TEXT -> GraphText.lines(graph);
+      case MERMAID -> GraphText.mermaid(graph);
+      case DOT -> GraphText.dot(systemId, graph);
+    };
   }
 
   private void tell(RemoteLink link) {

@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Restart one service of a running system, whatever state it is in.",
       "",
-      "Its launcher ends it and starts it anew with the configuration of its file."
+      "Its launcher stops it and starts it again with the configuration in its file."
     })
 public final class RestartCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

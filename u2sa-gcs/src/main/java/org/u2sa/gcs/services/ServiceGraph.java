@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.service.ServiceRole;
@@ -123,26 +122,5 @@ record ServiceGraph(
 
   private static String narrower(DataOffer one, DataOffer other) {
     return one.typeChain().size() >= other.typeChain().size() ? one.typeName() : other.typeName();
-  }
-
-  /**
-   * The channels that feed anybody or hang loose: standard ones as declared, then others by name.
-   */
-  List<String> channels() {
-    List<String> standard = Channels.all().stream().map(Channel::name).toList();
-    List<String> names = new ArrayList<>();
-    feeds.forEach(feed -> names.add(feed.channel()));
-    unheard.forEach(loose -> names.add(loose.channel()));
-    unfed.forEach(loose -> names.add(loose.channel()));
-    return names.stream()
-        .distinct()
-        .sorted(
-            Comparator.comparingInt((String name) -> rank(standard.indexOf(name), standard.size()))
-                .thenComparing(name -> name))
-        .toList();
-  }
-
-  private static int rank(int index, int otherwise) {
-    return index < 0 ? otherwise : index;
   }
 }

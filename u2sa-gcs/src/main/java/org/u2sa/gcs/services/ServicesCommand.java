@@ -38,19 +38,20 @@ public final class ServicesCommand implements Callable<Integer> {
     @Option(
         names = "--publishing",
         paramLabel = "TYPE",
-        description = "Who publishes this data, for example StateInformation; subclasses count.")
+        description =
+            "List publishers of this type, for example StateInformation, and of its subclasses.")
     private String publishing;
 
     @Option(
         names = "--subscribing",
         paramLabel = "TYPE",
-        description = "Who is handed this data where it is published.")
+        description = "List services that receive messages of this type.")
     private String subscribing;
 
     @Option(names = "--json", description = "Print JSON.")
     private boolean json;
 
-    @Option(names = "--watch", description = "Show the table anew each second, until Ctrl-C.")
+    @Option(names = "--watch", description = "Refresh the table every second until Ctrl-C.")
     private boolean watch;
   }
 

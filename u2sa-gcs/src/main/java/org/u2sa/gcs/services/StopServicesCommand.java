@@ -30,8 +30,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Stop all services of a running system, or one by name.",
       "",
-      "Each leaves its actuators neutral and closes its resources. Exit code 1: somebody did not say within the time that it "
-          + "ended. To stop all motion whatever services do, see u2sa estop."
+      "Each leaves its actuators neutral and closes its resources. Exit code 1: a service did not confirm its end in time. "
+          + "To stop all motion whatever services do, see u2sa estop."
     })
 public final class StopServicesCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

@@ -14,10 +14,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "swap",
     description = {
-      "Replace a running service by another class while the vehicle moves.",
+      "Replace a running service with another class while the vehicle moves.",
       "",
-      "The new one starts, takes over state, name and connection, and only then the old one ends. If it cannot start, nothing "
-          + "has changed."
+      "The new service starts and takes over state, name and connection; only then does the old one end. If the new one cannot "
+          + "start, nothing changes."
     })
 public final class SwapCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

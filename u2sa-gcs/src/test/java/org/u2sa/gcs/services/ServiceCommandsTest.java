@@ -118,13 +118,20 @@ class ServiceCommandsTest {
   }
 
   @Test
-  void graph_svg_isWrittenWhole() throws Exception {
-    Path file = directory.resolve("graph.svg");
+  void graph_mermaidAndDot_nameTheSameFeeds() {
+    assertThat(run("graph", "--format", "mermaid")).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString())
+        .startsWith("flowchart LR")
+        .contains("[\"Lidar<br/>", "|\"sensed-state<br/>StateInformation\"|");
 
-    assertThat(run("graph", "--svg", file.toString())).isEqualTo(ExitCode.DONE);
+    assertThat(run("graph", "--format", "dot")).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).contains("\"Lidar\" -> \"StateEstimator\"");
+  }
 
-    assertThat(Files.readString(file))
-        .contains(">Lidar</text>", "sensed-state: StateInformation", "</svg>");
+  @Test
+  void graph_unknownFormat_isBadInput() {
+    assertThat(run("graph", "--format", "svg")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("--format", "svg", "MERMAID");
   }
 
   @Test

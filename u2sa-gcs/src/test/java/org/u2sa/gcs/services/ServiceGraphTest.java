@@ -86,7 +86,9 @@ class ServiceGraphTest {
     add("One", ServiceRole.OBSERVER, List.of("health/HealthReport", "stop/StopCommand"), List.of());
     add("Two", ServiceRole.OBSERVER, List.of(), List.of("health/HealthReport"));
 
-    assertThat(graph().channels()).isEmpty();
+    assertThat(graph().feeds()).isEmpty();
+    assertThat(graph().unheard()).isEmpty();
+    assertThat(graph().unfed()).isEmpty();
   }
 
   @Test
@@ -98,12 +100,17 @@ class ServiceGraphTest {
   }
 
   @Test
-  void svg_anyGraph_isTheSameEachTime() {
-    add("From", ServiceRole.OBSERVER, List.of("a/Base"), List.of("b/Base"));
+  void mermaid_feedsAndLooseEnds_areArrowsBetweenNamedBoxes() {
+    add("From \"1\"", ServiceRole.OBSERVER, List.of("a/Base"), List.of("b/Base"));
     add("To", ServiceRole.OBSERVER, List.of(), List.of("a/Base"));
 
-    assertThat(GraphPicture.svg("x", graph()))
-        .isEqualTo(GraphPicture.svg("x", graph()))
-        .contains("a: Base", "b: Base", "stroke-dasharray");
+    assertThat(GraphText.mermaid(graph()))
+        .containsExactly(
+            "flowchart LR",
+            "  s0[\"From #quot;1#quot;<br/>observer\"]",
+            "  s1[\"To<br/>observer\"]",
+            "  s0 -->|\"a<br/>Base\"| s1",
+            "  nobody0(( ))",
+            "  nobody0 -.->|\"b<br/>Base\"| s0");
   }
 }

@@ -109,6 +109,17 @@ public final class BrokerAccess {
     return new BrokerAccess(user, password, tls ? context(caFile) : null);
   }
 
+  /**
+   * Access with a password that stands in no file.
+   *
+   * @param user as whom to come, not empty
+   * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
+   * @throws BadInputException if the file is missing or wrong
+   */
+  public static BrokerAccess of(String user, char[] password, String caFile) {
+    return new BrokerAccess(user, password.clone(), caFile.isEmpty() ? null : context(caFile));
+  }
+
   private static char[] firstLine(String file) {
     Path path = path("PASSWORD FILE", file);
     SecretFiles.requireClosed("PASSWORD FILE", path);

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.messages.frame.Gravity;
 
 /**
  * The units that files may use and the framework converts at its edge; inside it is SI and radians.
@@ -19,7 +20,6 @@ public final class Units {
   private static final double HOUR_S = 3600.0;
   private static final double MINUTE_S = 60.0;
   private static final double POUND_KG = 0.45359237;
-  private static final double GRAVITY_MPS2 = 9.80665;
   private static final double DEGREE_RAD = Math.PI / 180.0;
   private static final double CELSIUS_ZERO_K = 273.15;
   private static final Map<String, Unit> TABLE = table();
@@ -52,7 +52,7 @@ public final class Units {
     add(table, "angular rate", 2.0 * Math.PI / MINUTE_S, "rpm");
     add(table, "acceleration", 1.0, "m/s^2", "m/s²");
     add(table, "acceleration", FOOT_M, "ft/s^2", "ft/s²");
-    add(table, "acceleration", GRAVITY_MPS2, "g");
+    add(table, "acceleration", Gravity.STANDARD_MPS2, "g");
     add(table, "time", 1.0, "s");
     add(table, "time", 0.001, "ms");
     add(table, "time", 1.0e-6, "us", "µs");
@@ -65,12 +65,12 @@ public final class Units {
     add(table, "mass", 1.0, "kg");
     add(table, "mass", POUND_KG, "lb");
     add(table, "force", 1.0, "N");
-    add(table, "force", POUND_KG * GRAVITY_MPS2, "lbf");
+    add(table, "force", POUND_KG * Gravity.STANDARD_MPS2, "lbf");
     add(table, "pressure", 1.0, "Pa");
     add(table, "pressure", 100.0, "hPa", "mbar");
     add(table, "pressure", 1000.0, "kPa");
     add(table, "pressure", 3386.389, "inHg");
-    add(table, "pressure", POUND_KG * GRAVITY_MPS2 * 144.0 / (FOOT_M * FOOT_M), "psi");
+    add(table, "pressure", POUND_KG * Gravity.STANDARD_MPS2 * 144.0 / (FOOT_M * FOOT_M), "psi");
     add(table, "voltage", 1.0, "V");
     add(table, "voltage", 0.001, "mV");
     add(table, "current", 1.0, "A");

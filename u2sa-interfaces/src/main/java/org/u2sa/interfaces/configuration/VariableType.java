@@ -35,11 +35,6 @@ public enum VariableType {
     return xmlName;
   }
 
-  /** The Java class of such a value. */
-  public Class<?> javaType() {
-    return javaType;
-  }
-
   /** Whether values have a magnitude, hence a range and a unit. */
   public boolean isNumber() {
     return this == DOUBLE || this == INTEGER;

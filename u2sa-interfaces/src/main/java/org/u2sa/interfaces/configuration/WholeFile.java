@@ -14,7 +14,7 @@ import java.nio.file.StandardOpenOption;
  * Replaces a file as a whole: after a power cut there is the old or the new one. Written beside it,
  * synced, renamed over it.
  */
-final class WholeFile {
+public final class WholeFile {
   private static final String SUFFIX = ".tmp";
 
   private WholeFile() {}
@@ -44,16 +44,26 @@ final class WholeFile {
     Path temporary = Files.createTempFile(directory, prefix, SUFFIX); // its owner's alone
     try {
       FileOwnership.copy(target, temporary);
-      try (FileChannel out = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
-        write(out, content);
-        out.force(true);
-      }
-      Files.move(
-          temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-      sync(directory);
+      fillAndRename(temporary, content, target);
     } finally {
       Files.deleteIfExists(temporary);
     }
+  }
+
+  /**
+   * Fills {@code temporary}, which exists beside {@code target} and is empty, and renames it to
+   * that once its content is on the disk.
+   *
+   * @throws IOException if that failed: then the old file stands, or none
+   */
+  public static void fillAndRename(Path temporary, byte[] content, Path target) throws IOException {
+    try (FileChannel out = FileChannel.open(temporary, StandardOpenOption.WRITE)) {
+      write(out, content);
+      out.force(true);
+    }
+    Files.move(
+        temporary, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    sync(target.toAbsolutePath().getParent());
   }
 
   /** Writes all of it at the channel's position. */

@@ -57,6 +57,21 @@ class GapsTest {
     assertThat(arrived("s4999", 3)).isEqualTo(1);
   }
 
+  @Test
+  void arrived_fromAsManySendersAsAreRemembered_forgetsTheOldestWithTheNextOne() {
+    arrived("oldest", 1);
+    arrived("second", 1);
+    for (int sender = 3; sender <= 4_096; sender++) {
+      arrived("s" + sender, 1);
+    }
+    assertThat(arrived("oldest", 3)).isEqualTo(1); // and so is heard last
+
+    arrived("one more", 1);
+
+    assertThat(arrived("oldest", 5)).isEqualTo(1);
+    assertThat(arrived("second", 9)).isZero();
+  }
+
   private long arrived(String sender, long sequence) {
     return gaps.arrived(TOPIC, Optional.of(new Origin(sender, sequence)));
   }

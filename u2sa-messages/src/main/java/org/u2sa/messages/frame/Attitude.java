@@ -23,17 +23,38 @@ public record Attitude(double phi, double theta, double psi) {
   }
 
   /**
+   * A vector given as north, east, down, in the thesis's BODY axes: forward, left, down. This is
+   * how a navigation point is made.
+   */
+  public Point bodyOf(Point ned) {
+    Point frd = nedFromFrd().transposed().times(ned);
+    return Point.of(frd.x(), -frd.y(), frd.z());
+  }
+
+  /** A vector given in BODY axes as north, east, down: undoes {@link #bodyOf}. */
+  public Point nedOf(Point body) {
+    return nedFromFrd().times(Point.of(body.x(), -body.y(), body.z()));
+  }
+
+  /** A vector given as north, east, down, seen by a level vehicle: forward, left, down. */
+  public Point levelOf(Point ned) {
+    double sin = Math.sin(psi);
+    double cos = Math.cos(psi);
+    return Point.of(ned.x() * cos + ned.y() * sin, ned.x() * sin - ned.y() * cos, ned.z());
+  }
+
+  /**
    * Rates p, q, r about the FRD axes [rad/s] of Euler rates (Stevens and Lewis, 2nd ed., section
    * 1.3).
    */
   public Point bodyRates(Point euler) {
-    double sinPhi = Math.sin(phi);
-    double cosPhi = Math.cos(phi);
-    double cosTheta = Math.cos(theta);
+    double sinPhi = StrictMath.sin(phi); // strict: control laws repeat on every machine
+    double cosPhi = StrictMath.cos(phi);
+    double cosTheta = StrictMath.cos(theta);
     return Point.of(
-        euler.x() - Math.sin(theta) * euler.z(),
-        cosPhi * euler.y() + sinPhi * cosTheta * euler.z(),
-        cosPhi * cosTheta * euler.z() - sinPhi * euler.y());
+        euler.x() - StrictMath.sin(theta) * euler.z(),
+        cosPhi * euler.y() + euler.z() * sinPhi * cosTheta,
+        euler.z() * cosPhi * cosTheta - euler.y() * sinPhi);
   }
 
   /**

@@ -47,10 +47,10 @@ final class OldDataModel implements AutoCloseable {
         new URLClassLoader(
             urls.toArray(URL[]::new),
             ClassLoader.getPlatformClassLoader()); // not the present model
-    Class<?> types = loader.loadClass("org.u2sa.messages.schema.MessageTypes");
+    Class<?> types = loader.loadClass("org.u2sa.messages.MessageTypes");
     Object codec =
         loader
-            .loadClass("org.u2sa.messages.schema.MessageCodec")
+            .loadClass("org.u2sa.messages.MessageCodec")
             .getConstructor(types)
             .newInstance(types.getMethod("standard").invoke(null));
     return new OldDataModel(loader, codec);

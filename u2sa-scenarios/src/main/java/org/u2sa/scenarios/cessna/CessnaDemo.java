@@ -2,24 +2,18 @@ package org.u2sa.scenarios.cessna;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
-import org.u2sa.core.launch.LaunchOptions;
-import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.launch.VehicleMission;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
-import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.scenarios.report.RunReport;
-import org.u2sa.scenarios.run.BrokerPort;
-import org.u2sa.scenarios.run.DemoOptions;
-import org.u2sa.scenarios.run.DemoRun;
-import org.u2sa.scenarios.run.PlannedSwap;
-import org.u2sa.scenarios.run.RunChanges;
-import org.u2sa.scenarios.run.RunLoop;
+import org.u2sa.scenarios.report.Domain;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.StartPlace;
+import org.u2sa.scenarios.run.Demo;
+import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Simulation;
+import org.u2sa.sim.aircraft.RunwayStart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -39,10 +33,8 @@ import picocli.CommandLine.Spec;
       "Other MQTT clients can listen meanwhile, for example:",
       "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
     })
-final class CessnaDemo implements Callable<Integer> {
-  @Mixin private DemoOptions options;
-  @Mixin private BrokerPort broker;
-  @Mixin private RunChanges changes;
+final class CessnaDemo implements Callable<Integer>, Demo {
+  @Mixin private DemoFrame frame;
   @Spec private CommandSpec command;
 
   @Option(
@@ -60,41 +52,45 @@ final class CessnaDemo implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException, IOException {
-    Path home = CessnaFiles.root();
-    Path missionFile = options.mission().orElse(home.resolve("missions/cessna/mission.xml"));
-    SystemFile system = SystemFile.read(home.resolve("config/cessna/system.xml"));
-    changes.check(system);
-    LaunchOptions changed = new LaunchOptions();
-    changes.applyTo(changed);
-    Mission mission = VehicleMission.load(system, changed, missionFile);
-    EmbeddedStart.of(mission); // what is wrong is said before anything is made
-    windOf(options.seed());
-    List<PlannedSwap> planned = changes.swaps();
-    return new RunLoop(options, command.commandLine().getOut())
-        .run(
-            "cessna",
-            (directory, seed, interruption) ->
-                fly(
-                    new DemoRun(
-                            "cessna",
-                            system,
-                            CessnaFiles.plan(mission),
-                            CessnaFiles.PACE,
-                            FlightObserver::new,
-                            directory,
-                            options.terminal(),
-                            interruption)
-                        .swapping(planned),
-                    system,
-                    mission,
-                    seed));
+    return frame.run(this);
   }
 
-  private RunReport fly(DemoRun run, SystemFile system, Mission mission, long seed)
-      throws InterruptedException {
-    Terminal terminal = options.terminal();
+  @Override
+  public Profile profile() {
+    return flying("cessna");
+  }
+
+  /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */
+  static Profile flying(String directory) {
+    return new Profile("cessna", directory, "mission.xml", Domain.AIR, 600.0, 25.0);
+  }
+
+  @Override
+  public StartPlace start(Mission mission) {
+    return onRunway(mission);
+  }
+
+  /** Where the aircraft stands on the runway. */
+  static StartPlace onRunway(Mission mission) {
+    RunwayStart start = EmbeddedStart.of(mission);
+    return new StartPlace(
+        start.longitudeDeg(),
+        start.latitudeDeg(),
+        start.elevationM(),
+        start.headingRad(),
+        OptionalDouble.empty());
+  }
+
+  @Override
+  public void check(RunPlan plan) {
+    windOf(frame.seed());
+  }
+
+  @Override
+  public Trial trial(Mission mission, Path directory, long seed) {
     DemoWind demoWind = windOf(seed);
-    terminal
+    frame
+        .terminal()
         .out()
         .printf(
             Locale.ROOT,
@@ -103,18 +99,16 @@ final class CessnaDemo implements Callable<Integer> {
             demoWind.speedMps(),
             Math.toDegrees(demoWind.fromRad()),
             shear ? " near the ground, more above" : "");
-    LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));
-    CessnaFiles.fly(launch, mission, options.mission().isEmpty());
-    demoWind.applyTo(launch);
-    changes.applyTo(launch);
-    broker.configure(system, launch, terminal);
-    if (options.realtime()) {
-      StandInSimulation standIn = new StandInSimulation(mission, demoWind.wind(seed));
-      standIn.configure(launch);
-      return run.inRealTime(launch, seed, standIn, OptionalDouble.empty());
-    }
-    launch.override("Simulator", "LINK", "embedded");
-    return run.inLockstep(launch, seed, Simulation.within("embedded Cessna 172", "aircraft"));
+    return new Trial(
+        mission,
+        FlightObserver::new,
+        launch ->
+            demoWind.applyTo(launch.override("Simulator", "MISSION", DemoFrame.absolute(mission))),
+        launch -> {
+          launch.override("Simulator", "LINK", "embedded");
+          return new Simulation.Within("embedded Cessna 172", "aircraft");
+        },
+        launch -> StandInSimulation.of(mission, demoWind.wind(seed), launch));
   }
 
   private DemoWind windOf(long seed) {

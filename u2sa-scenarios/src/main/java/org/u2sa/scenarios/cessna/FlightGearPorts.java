@@ -41,6 +41,11 @@ final class FlightGearPorts {
 
   /** Points the Simulator service at FlightGear. */
   void configure(LaunchOptions options, String host) {
+    configure(options, host, out, in, property);
+  }
+
+  /** Points the Simulator service at FlightGear, or at what speaks its protocol. */
+  static void configure(LaunchOptions options, String host, int out, int in, int property) {
     options
         .override("Simulator", "LINK", "flightgear")
         .override("Simulator", "RATE", 100.0)

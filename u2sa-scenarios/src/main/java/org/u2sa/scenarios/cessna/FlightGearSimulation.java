@@ -1,44 +1,55 @@
 package org.u2sa.scenarios.cessna;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.scenarios.run.HomeFolder;
 import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.sim.aircraft.RunwayStart;
 
 /**
- * FlightGear on this machine, started without a window by {@code scripts/flightgear/start} and
- * stopped after the flight.
+ * FlightGear, started without a window by {@code scripts/flightgear/start} on this machine and
+ * stopped after the flight; or one that somebody else starts and stops, who is told how.
  */
 final class FlightGearSimulation implements Simulation {
   private static final long STARTED_WITHIN_S = 180;
 
-  private final Path scripts;
+  private final Path scripts = HomeFolder.holding("config/cessna").resolve("scripts/flightgear");
   private final Path directory;
   private final RunwayStart start;
   private final FlightGearPorts ports;
+  private final Optional<Terminal> told;
   private boolean started;
 
   /**
    * @param directory of the run: FlightGear's protocol files and the scripts' output go there
+   * @param told where to say what FlightGear must be started with; empty: it is started here
    */
-  FlightGearSimulation(Path root, Path directory, Mission mission, FlightGearPorts ports) {
-    this.scripts = root.resolve("scripts/flightgear");
+  FlightGearSimulation(
+      FlightGearPorts ports, Path directory, Mission mission, Optional<Terminal> told) {
+    this.ports = ports;
     this.directory = directory;
     this.start = EmbeddedStart.of(mission);
-    this.ports = ports;
+    this.told = told;
   }
 
   @Override
   public void start() throws InterruptedException {
+    if (told.isPresent()) {
+      tell(told.get().out());
+      return;
+    }
     Path data = directory.resolve("flightgear");
     try {
       Files.createDirectories(data);
@@ -65,6 +76,16 @@ final class FlightGearSimulation implements Simulation {
             String.valueOf(ports.in()),
             "--props-port",
             String.valueOf(ports.property())));
+  }
+
+  private void tell(PrintWriter out) {
+    out.printf(
+        "Listening. Start FlightGear now, with%n"
+            + "  --data=DIR --generic=socket,out,20,THIS-HOST,%d,tcp,u2sa-out --generic=socket,in,20,,%d,tcp,u2sa-in%s%n",
+        ports.out(),
+        ports.in(),
+        ports.property() == 0 ? "" : " --props=socket,bi,20,," + ports.property() + ",tcp");
+    out.flush();
   }
 
   private static String number(double value) {

@@ -8,8 +8,6 @@ import org.u2sa.core.control.fixedwing.ControlStatus;
 import org.u2sa.core.control.fixedwing.FlightPhase;
 import org.u2sa.flightgear.link.FlightChannels;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.report.RunPlan;
@@ -52,13 +50,9 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
   public void callback(U2SAData data) {
     if (data instanceof AircraftState truth) {
       see(truth);
-    } else if (data instanceof GoalList goals) {
-      record.follow(goals);
     } else if (data instanceof ControlStatus status) {
       phase = status.phase().name();
-    } else if (data instanceof GoalInformation report) {
-      record.reported(report);
-    } else {
+    } else if (!record.received(data)) {
       unexpected(data);
     }
   }

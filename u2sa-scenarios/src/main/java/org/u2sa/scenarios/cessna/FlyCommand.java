@@ -2,21 +2,17 @@ package org.u2sa.scenarios.cessna;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.u2sa.core.launch.LaunchOptions;
-import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.launch.VehicleMission;
 import org.u2sa.core.mission.Mission;
-import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.gcs.terminal.Terminal;
-import org.u2sa.scenarios.report.RunReport;
-import org.u2sa.scenarios.run.BrokerPort;
-import org.u2sa.scenarios.run.DemoOptions;
-import org.u2sa.scenarios.run.DemoRun;
-import org.u2sa.scenarios.run.RunLoop;
+import org.u2sa.scenarios.report.StartPlace;
+import org.u2sa.scenarios.run.Demo;
+import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Simulation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -35,12 +31,11 @@ import picocli.CommandLine.Spec;
           + "gets it). With a host, start FlightGear there yourself, after this command says that it listens; --protocol "
           + "writes the two files that it needs."
     })
-final class FlyCommand implements Callable<Integer> {
+final class FlyCommand implements Callable<Integer>, Demo {
   private static final String HERE = "127.0.0.1";
 
-  @Mixin private DemoOptions options;
+  @Mixin private DemoFrame frame;
   @Mixin private FlightGearPorts ports;
-  @Mixin private BrokerPort broker;
   @Spec private CommandSpec command;
 
   @Option(
@@ -77,50 +72,38 @@ final class FlyCommand implements Callable<Integer> {
       ProtocolFiles.writeTo(protocol);
       return ExitCode.DONE;
     }
-    Path root = CessnaFiles.root();
-    SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
-    Mission mission =
-        VehicleMission.load(
-            system,
-            new LaunchOptions(),
-            options.mission().orElse(root.resolve("missions/cessna/mission.xml")));
-    EmbeddedStart.of(mission); // what is wrong is said before anything is made
-    patience();
-    return new RunLoop(options, command.commandLine().getOut())
-        .run(
-            "flightgear",
-            (directory, seed, interruption) ->
-                fly(
-                    new DemoRun(
-                        "cessna",
-                        system,
-                        CessnaFiles.plan(mission),
-                        CessnaFiles.PACE,
-                        FlightObserver::new,
-                        directory,
-                        options.terminal(),
-                        interruption),
-                    root,
-                    system,
-                    mission,
-                    directory,
-                    seed));
+    return frame.runInRealTime(this, patience());
   }
 
-  private RunReport fly(
-      DemoRun run, Path root, SystemFile system, Mission mission, Path directory, long seed)
-      throws InterruptedException {
-    Terminal terminal = options.terminal();
-    LaunchOptions launch = new LaunchOptions().console(line -> terminal.out().println(line));
-    CessnaFiles.fly(launch, mission, options.mission().isEmpty());
-    boolean elsewhere = !host.isEmpty();
-    broker.configure(system, launch, terminal);
-    ports.configure(launch, elsewhere ? host : HERE);
-    Simulation simulation =
-        elsewhere || noStart
-            ? new AwaitedFlightGear(terminal, ports)
-            : new FlightGearSimulation(root, directory, mission, ports);
-    return run.inRealTime(launch, seed, simulation, patience());
+  @Override
+  public Profile profile() {
+    return CessnaDemo.flying("flightgear");
+  }
+
+  @Override
+  public StartPlace start(Mission mission) {
+    return CessnaDemo.onRunway(mission);
+  }
+
+  @Override
+  public Trial trial(Mission mission, Path directory, long seed) {
+    Function<LaunchOptions, Simulation> flightGear =
+        launch -> flightGear(launch, mission, directory);
+    return new Trial(
+        mission,
+        FlightObserver::new,
+        launch -> launch.override("Simulator", "MISSION", DemoFrame.absolute(mission)),
+        flightGear, // which knows no other time than the world's
+        flightGear);
+  }
+
+  private Simulation flightGear(LaunchOptions launch, Mission mission, Path directory) {
+    ports.configure(launch, host.isEmpty() ? HERE : host);
+    return new FlightGearSimulation(
+        ports,
+        directory,
+        mission,
+        host.isEmpty() && !noStart ? Optional.empty() : Optional.of(frame.terminal()));
   }
 
   private OptionalDouble patience() {

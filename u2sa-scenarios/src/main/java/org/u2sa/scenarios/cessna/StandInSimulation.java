@@ -23,7 +23,7 @@ final class StandInSimulation implements Simulation {
   private final StandInFlightGear standIn;
   private final int outPort;
 
-  StandInSimulation(Mission mission, Wind wind) {
+  private StandInSimulation(Mission mission, Wind wind) {
     Cessna172 aircraft = Cessna172.onRunway(EmbeddedStart.of(mission), wind, true);
     try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
       standIn =
@@ -35,15 +35,12 @@ final class StandInSimulation implements Simulation {
     }
   }
 
-  /** Points the Simulator service at it. */
-  void configure(LaunchOptions options) {
-    options
-        .override("Simulator", "LINK", "flightgear")
-        .override("Simulator", "RATE", 100.0)
-        .override("Simulator", "FLIGHTGEAR HOST", HOST)
-        .override("Simulator", "FLIGHTGEAR OUT PORT", outPort)
-        .override("Simulator", "FLIGHTGEAR IN PORT", standIn.inPort())
-        .override("Simulator", "FLIGHTGEAR PROPERTY PORT", standIn.propertyPort());
+  /** Makes one, and points the Simulator service at it. */
+  static StandInSimulation of(Mission mission, Wind wind, LaunchOptions options) {
+    StandInSimulation made = new StandInSimulation(mission, wind);
+    FlightGearPorts.configure(
+        options, HOST, made.outPort, made.standIn.inPort(), made.standIn.propertyPort());
+    return made;
   }
 
   @Override

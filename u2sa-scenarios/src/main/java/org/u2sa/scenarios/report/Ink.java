@@ -1,14 +1,18 @@
 package org.u2sa.scenarios.report;
 
 import java.awt.Color;
-import org.u2sa.gcs.draw.Stroke;
-import org.u2sa.gcs.draw.TextStyle;
+import java.awt.Font;
+import java.util.List;
+import org.u2sa.scenarios.report.Drawing.Pen;
+import org.u2sa.scenarios.report.Drawing.Type;
 
 /**
  * Colours and type of the track picture; the accents are Okabe and Ito's, told apart with any
  * colour vision.
  */
 final class Ink {
+  private static final List<String> FAMILIES =
+      List.of("Liberation Sans", "Arial", "Helvetica", "DejaVu Sans");
 
   static final Color PAPER = Color.WHITE;
   static final Color PANEL = new Color(0xf6f7f9);
@@ -24,15 +28,24 @@ final class Ink {
   static final Color RUNWAY = new Color(0x3a4250);
   static final Color FLOWN_AREA = new Color(0x31, 0x68, 0x8e, 0x20);
 
-  static final Stroke GRID = Stroke.solid(FAINT, 1.0);
-  static final Stroke FRAME = Stroke.solid(PLANNED, 1.2);
+  static final Pen GRID = Pen.solid(FAINT, 1.0);
+  static final Pen FRAME = Pen.solid(PLANNED, 1.2);
 
-  static final TextStyle TITLE = TextStyle.of(TEXT, 34).inBold();
-  static final TextStyle SUBTITLE = TextStyle.of(MUTED, 19);
-  static final TextStyle ALARM = TextStyle.of(MISSED, 19).inBold();
-  static final TextStyle HEADING = TextStyle.of(TEXT, 17).inBold();
-  static final TextStyle LABEL = TextStyle.of(TEXT, 16).inBold();
-  static final TextStyle TICK = TextStyle.of(MUTED, 14);
+  static final Type TITLE = type(TEXT, Font.BOLD, 34);
+  static final Type SUBTITLE = type(MUTED, Font.PLAIN, 19);
+  static final Type ALARM = type(MISSED, Font.BOLD, 19);
+  static final Type HEADING = type(TEXT, Font.BOLD, 17);
+  static final Type LABEL = type(TEXT, Font.BOLD, 16);
+  static final Type TICK = type(MUTED, Font.PLAIN, 14);
 
   private Ink() {}
+
+  private static Type type(Color color, int style, int size) {
+    String family =
+        FAMILIES.stream()
+            .filter(name -> new Font(name, style, 1).getFamily().equals(name)) // else Java's Dialog
+            .findFirst()
+            .orElse(Font.SANS_SERIF);
+    return new Type(color, new Font(family, style, size));
+  }
 }

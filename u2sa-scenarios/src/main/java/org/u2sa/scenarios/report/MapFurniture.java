@@ -1,14 +1,11 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
-import org.u2sa.gcs.draw.Canvas;
-import org.u2sa.gcs.draw.Canvas.Pixel;
-import org.u2sa.gcs.draw.ColourScale;
-import org.u2sa.gcs.draw.PixelBox;
-import org.u2sa.gcs.draw.Stroke;
-import org.u2sa.gcs.draw.TextStyle.Anchor;
-import org.u2sa.gcs.draw.Ticks;
+import org.u2sa.scenarios.report.Drawing.Anchor;
+import org.u2sa.scenarios.report.Drawing.Pen;
 
 /** The map's arrow, scale bar and key of colours, in the corners of its frame. */
 final class MapFurniture {
@@ -18,31 +15,33 @@ final class MapFurniture {
   private static final double KEY_WIDTH = 240.0;
   private static final double KEY_HEIGHT = 58.0;
 
-  private final Canvas canvas;
+  private final Drawing drawing;
   private final MapView view;
-  private final PixelBox arrow;
-  private final PixelBox bar;
+  private final Rectangle2D.Double arrow;
+  private final Rectangle2D.Double bar;
   private final double barM;
-  private final PixelBox key;
+  private final Rectangle2D.Double key;
 
-  MapFurniture(Canvas canvas, MapView view) {
-    this.canvas = canvas;
+  MapFurniture(Drawing drawing, MapView view) {
+    this.drawing = drawing;
     this.view = view;
-    PixelBox frame = view.frame();
-    arrow = new PixelBox(frame.right() - INSET - 30.0, frame.y() + INSET, 30.0, 56.0);
+    Rectangle2D.Double frame = view.frame();
+    arrow = new Rectangle2D.Double(frame.getMaxX() - INSET - 30.0, frame.y + INSET, 30.0, 56.0);
     barM = Ticks.stepFor(view.widthM() * BAR_SHARE);
     double length = barM * view.pixelsPerMetre();
-    bar = new PixelBox(frame.x() + INSET, frame.bottom() - INSET - 34.0, length + 24.0, 34.0);
+    bar =
+        new Rectangle2D.Double(
+            frame.x + INSET, frame.getMaxY() - INSET - 34.0, length + 24.0, 34.0);
     key =
-        new PixelBox(
-            frame.right() - INSET - KEY_WIDTH,
-            frame.bottom() - INSET - KEY_HEIGHT,
+        new Rectangle2D.Double(
+            frame.getMaxX() - INSET - KEY_WIDTH,
+            frame.getMaxY() - INSET - KEY_HEIGHT,
             KEY_WIDTH,
             KEY_HEIGHT);
   }
 
   /** What other things on the map should stay off. */
-  List<PixelBox> boxes() {
+  List<Rectangle2D.Double> boxes() {
     return List.of(arrow, bar, key);
   }
 
@@ -53,32 +52,32 @@ final class MapFurniture {
   }
 
   private void north() {
-    double x = arrow.x() + arrow.width() / 2.0;
-    double top = arrow.y() + 20.0;
-    canvas.text(x, arrow.y() + 13.0, "N", Ink.HEADING.anchored(Anchor.MIDDLE));
-    canvas.polygon(
+    double x = arrow.x + arrow.width / 2.0;
+    double top = arrow.y + 20.0;
+    drawing.text(x, arrow.y + 13.0, "N", Ink.HEADING, Anchor.MIDDLE);
+    drawing.polygon(
         List.of(
-            new Pixel(x, top),
-            new Pixel(x + 9.0, top + 32.0),
-            new Pixel(x, top + 25.0),
-            new Pixel(x - 9.0, top + 32.0)),
+            new Point2D.Double(x, top),
+            new Point2D.Double(x + 9.0, top + 32.0),
+            new Point2D.Double(x, top + 25.0),
+            new Point2D.Double(x - 9.0, top + 32.0)),
         Ink.TEXT);
   }
 
   private void scale() {
-    double left = bar.x() + 12.0;
-    double right = bar.right() - 12.0;
-    double y = bar.bottom() - 8.0;
-    canvas.rectangle(bar, Ink.PANEL_VEIL, null);
-    Stroke stroke = Stroke.solid(Ink.TEXT, 2.0);
-    canvas.polyline(
+    double left = bar.x + 12.0;
+    double right = bar.getMaxX() - 12.0;
+    double y = bar.getMaxY() - 8.0;
+    drawing.draw(bar, Ink.PANEL_VEIL, null);
+    Pen stroke = Pen.solid(Ink.TEXT, 2.0);
+    drawing.polyline(
         List.of(
-            new Pixel(left, y - 6.0),
-            new Pixel(left, y),
-            new Pixel(right, y),
-            new Pixel(right, y - 6.0)),
+            new Point2D.Double(left, y - 6.0),
+            new Point2D.Double(left, y),
+            new Point2D.Double(right, y),
+            new Point2D.Double(right, y - 6.0)),
         stroke);
-    canvas.text((left + right) / 2.0, y - 9.0, length(barM), Ink.TICK.anchored(Anchor.MIDDLE));
+    drawing.text((left + right) / 2.0, y - 9.0, length(barM), Ink.TICK, Anchor.MIDDLE);
   }
 
   private static String length(double metres) {
@@ -88,26 +87,19 @@ final class MapFurniture {
   }
 
   private void colourKey(Quantity colour) {
-    canvas.rectangle(key, Ink.PANEL_VEIL, null);
-    double left = key.x() + 12.0;
-    double width = key.width() - 24.0;
+    drawing.draw(key, Ink.PANEL_VEIL, null);
+    double left = key.x + 12.0;
+    double width = key.width - 24.0;
     double cell = width / ColourScale.STEPS;
-    canvas.text(
-        key.x() + key.width() / 2.0,
-        key.y() + 15.0,
-        colour.name(),
-        Ink.TICK.anchored(Anchor.MIDDLE));
+    drawing.text(key.x + key.width / 2.0, key.y + 15.0, colour.name(), Ink.TICK, Anchor.MIDDLE);
     for (int step = 0; step < ColourScale.STEPS; step++) {
-      canvas.rectangle(
-          new PixelBox(left + step * cell, key.y() + 22.0, cell + 0.3, 12.0),
+      drawing.draw(
+          new Rectangle2D.Double(left + step * cell, key.y + 22.0, cell + 0.3, 12.0),
           ColourScale.colour(step),
           null);
     }
-    canvas.text(left, key.bottom() - 8.0, colour.text(colour.low()), Ink.TICK);
-    canvas.text(
-        left + width,
-        key.bottom() - 8.0,
-        colour.text(colour.high()),
-        Ink.TICK.anchored(Anchor.END));
+    drawing.text(left, key.getMaxY() - 8.0, colour.text(colour.low()), Ink.TICK);
+    drawing.text(
+        left + width, key.getMaxY() - 8.0, colour.text(colour.high()), Ink.TICK, Anchor.END);
   }
 }

@@ -1,14 +1,11 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.gcs.draw.Canvas;
-import org.u2sa.gcs.draw.Canvas.Pixel;
-import org.u2sa.gcs.draw.LabelPlacer;
-import org.u2sa.gcs.draw.PixelBox;
-import org.u2sa.gcs.draw.Stroke;
-import org.u2sa.gcs.draw.TextStyle.Anchor;
-import org.u2sa.gcs.draw.Ticks;
+import org.u2sa.scenarios.report.Drawing.Anchor;
+import org.u2sa.scenarios.report.Drawing.Pen;
 
 /**
  * Draws the map: grid, runway, fence, planned line, track, waypoints with their capture circles and
@@ -27,7 +24,7 @@ final class MapPanel {
   private static final double NAME_HEIGHT = 18.0;
   private static final int MOST_NAMES = 30; // with more waypoints, numbers alone
 
-  private final Canvas canvas;
+  private final Drawing drawing;
   private final RunPlan plan;
   private final List<WaypointSign> signs;
   private final MapView view;
@@ -36,13 +33,13 @@ final class MapPanel {
   private final double gridUnitM;
 
   MapPanel(
-      Canvas canvas,
-      PixelBox frame,
+      Drawing drawing,
+      Rectangle2D.Double frame,
       RunPlan plan,
       List<TrackSample> track,
       RunScore score,
       Quantity colour) {
-    this.canvas = canvas;
+    this.drawing = drawing;
     this.plan = plan;
     signs = WaypointSign.of(score.waypoints());
     view = MapView.of(plan, track, frame);
@@ -54,21 +51,21 @@ final class MapPanel {
   }
 
   void draw() {
-    canvas.rectangle(view.frame(), Ink.PANEL, null);
+    drawing.draw(view.frame(), Ink.PANEL, null);
     grid();
-    canvas.clipped(
+    drawing.clipped(
         view.frame(),
         () -> {
           captureCircles();
-          canvas.polyline(fence(), Stroke.dashed(Ink.MISSED, 2.0, 5.0));
-          canvas.polyline(planned(), Stroke.dashed(Ink.PLANNED, 2.0, 7.0));
+          drawing.polyline(fence(), new Pen(Ink.MISSED, 2.0, 5.0));
+          drawing.polyline(planned(), new Pen(Ink.PLANNED, 2.0, 7.0));
           plan.home().ifPresent(this::runway);
-          line.draw(canvas, LINE_WIDTH);
+          line.draw(drawing, LINE_WIDTH);
           signs.forEach(
-              sign -> WaypointMark.draw(canvas, view.pixel(sign.waypoint()), sign.captured()));
+              sign -> WaypointSign.draw(drawing, view.pixel(sign.waypoint()), sign.captured()));
         });
-    canvas.rectangle(view.frame(), null, Ink.FRAME);
-    MapFurniture furniture = new MapFurniture(canvas, view);
+    drawing.draw(view.frame(), null, Ink.FRAME);
+    MapFurniture furniture = new MapFurniture(drawing, view);
     LabelPlacer placer = new LabelPlacer(view.frame());
     furniture.boxes().forEach(placer::avoid);
     names(placer);
@@ -76,15 +73,15 @@ final class MapPanel {
   }
 
   private void grid() {
-    PixelBox frame = view.frame();
+    Rectangle2D.Double frame = view.frame();
     Ticks ticks = Ticks.between(0.0, Math.max(view.widthM(), view.heightM()) / gridUnitM, 12);
     for (double tick :
         Ticks.every(
                 ticks.step(), view.westM() / gridUnitM, (view.westM() + view.widthM()) / gridUnitM)
             .values()) {
       double x = view.x(tick * gridUnitM);
-      canvas.line(x, frame.y(), x, frame.bottom(), Ink.GRID);
-      canvas.text(x, frame.bottom() + 19.0, ticks.label(tick), Ink.TICK.anchored(Anchor.MIDDLE));
+      drawing.line(x, frame.y, x, frame.getMaxY(), Ink.GRID);
+      drawing.text(x, frame.getMaxY() + 19.0, ticks.label(tick), Ink.TICK, Anchor.MIDDLE);
     }
     for (double tick :
         Ticks.every(
@@ -93,20 +90,21 @@ final class MapPanel {
                 (view.southM() + view.heightM()) / gridUnitM)
             .values()) {
       double y = view.y(tick * gridUnitM);
-      canvas.line(frame.x(), y, frame.right(), y, Ink.GRID);
-      canvas.text(frame.x() - 8.0, y + 5.0, ticks.label(tick), Ink.TICK.anchored(Anchor.END));
+      drawing.line(frame.x, y, frame.getMaxX(), y, Ink.GRID);
+      drawing.text(frame.x - 8.0, y + 5.0, ticks.label(tick), Ink.TICK, Anchor.END);
     }
     String origin = plan.home().isPresent() ? "home" : "the first waypoint";
-    canvas.text(
-        frame.right(),
-        frame.bottom() + 40.0,
+    drawing.text(
+        frame.getMaxX(),
+        frame.getMaxY() + 40.0,
         (gridUnitM == 1.0 ? "m" : "km") + " east and north of " + origin,
-        Ink.TICK.anchored(Anchor.END));
+        Ink.TICK,
+        Anchor.END);
   }
 
   /** Once around. */
-  private List<Pixel> fence() {
-    List<Pixel> line = new ArrayList<>();
+  private List<Point2D.Double> fence() {
+    List<Point2D.Double> line = new ArrayList<>();
     for (RunPlan.Corner corner : plan.fence()) {
       line.add(view.pixel(view.plane().place(corner.longitudeDeg(), corner.latitudeDeg())));
     }
@@ -116,8 +114,8 @@ final class MapPanel {
     return line;
   }
 
-  private List<Pixel> planned() {
-    List<Pixel> line = new ArrayList<>();
+  private List<Point2D.Double> planned() {
+    List<Point2D.Double> line = new ArrayList<>();
     plan.home()
         .ifPresent(
             home ->
@@ -128,51 +126,49 @@ final class MapPanel {
 
   private void runway(StartPlace home) {
     PlotPlane.Place start = view.plane().place(home.longitudeDeg(), home.latitudeDeg());
-    Pixel from = view.pixel(start);
+    Point2D.Double from = view.pixel(start);
     if (home.runwayLengthM().isPresent()) {
       double length = home.runwayLengthM().getAsDouble();
-      Pixel to =
+      Point2D.Double to =
           view.pixel(
               new PlotPlane.Place(
                   start.eastM() + length * Math.sin(home.headingRad()),
                   start.northM() + length * Math.cos(home.headingRad())));
       double width = Math.max(LEAST_RUNWAY_WIDTH, 30.0 * view.pixelsPerMetre());
-      canvas.line(from.x(), from.y(), to.x(), to.y(), Stroke.solid(Ink.RUNWAY, width));
-      canvas.line(from.x(), from.y(), to.x(), to.y(), Stroke.dashed(Ink.PAPER, 1.2, 6.0));
+      drawing.line(from.x, from.y, to.x, to.y, Pen.solid(Ink.RUNWAY, width));
+      drawing.line(from.x, from.y, to.x, to.y, new Pen(Ink.PAPER, 1.2, 6.0));
     }
-    canvas.rectangle(
-        new PixelBox(from.x() - 6.0, from.y() - 6.0, 12.0, 12.0),
+    drawing.draw(
+        new Rectangle2D.Double(from.x - 6.0, from.y - 6.0, 12.0, 12.0),
         Ink.RUNWAY,
-        Stroke.solid(Ink.PAPER, 1.5));
+        Pen.solid(Ink.PAPER, 1.5));
   }
 
   private void captureCircles() {
     for (WaypointSign sign : signs) {
-      Pixel at = view.pixel(sign.waypoint());
+      Point2D.Double at = view.pixel(sign.waypoint());
       double radius = sign.waypoint().captureRadiusM() * view.pixelsPerMetre();
-      canvas.circle(
-          at.x(),
-          at.y(),
+      drawing.circle(
+          at.x,
+          at.y,
           radius,
           sign.captured() ? Ink.CAPTURED_AREA : Ink.MISSED_AREA,
-          Stroke.solid(sign.captured() ? Ink.CAPTURED : Ink.MISSED, 1.3));
+          Pen.solid(sign.captured() ? Ink.CAPTURED : Ink.MISSED, 1.3));
     }
   }
 
   private void names(LabelPlacer placer) {
-    placer.avoidLine(Densified.line(line.pixels()));
-    placer.avoidLine(Densified.line(planned()));
+    placer.avoidLine(line.points());
+    placer.avoidLine(planned());
     for (WaypointSign sign : signs) {
-      Pixel at = view.pixel(sign.waypoint());
+      Point2D.Double at = view.pixel(sign.waypoint());
       double radius = signRadius(sign);
-      placer.avoid(new PixelBox(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius));
+      placer.avoid(
+          new Rectangle2D.Double(at.x - radius, at.y - radius, 2.0 * radius, 2.0 * radius));
     }
     boolean crowded = signs.size() > MOST_NAMES;
     for (WaypointSign sign : signs) {
-      String name =
-          crowded
-              ? String.valueOf(sign.index() + 1)
-              : WaypointNames.numbered(sign.index(), sign.waypoint());
+      String name = crowded ? String.valueOf(sign.index() + 1) : sign.numberedName();
       name(placer, view.pixel(sign.waypoint()), signRadius(sign), name);
     }
     plan.home()
@@ -190,17 +186,17 @@ final class MapPanel {
    */
   private double signRadius(WaypointSign sign) {
     double circle = sign.waypoint().captureRadiusM() * view.pixelsPerMetre();
-    return Math.max(WaypointMark.RADIUS, circle <= LARGEST_WHOLE_CIRCLE ? circle : 0.0) + 1.0;
+    return Math.max(WaypointSign.MARK_RADIUS, circle <= LARGEST_WHOLE_CIRCLE ? circle : 0.0) + 1.0;
   }
 
-  private void name(LabelPlacer placer, Pixel at, double radius, String name) {
+  private void name(LabelPlacer placer, Point2D.Double at, double radius, String name) {
     double width = Ink.LABEL.widthOf(name) + 4.0;
-    PixelBox box = placer.place(at.x(), at.y(), radius, width, NAME_HEIGHT);
-    double nearX = Math.max(box.x(), Math.min(box.right(), at.x()));
-    double nearY = Math.max(box.y(), Math.min(box.bottom(), at.y()));
-    if (Math.hypot(nearX - at.x(), nearY - at.y()) > LEADER_FROM + radius) {
-      canvas.line(at.x(), at.y(), nearX, nearY, Stroke.solid(Ink.MUTED, 1.0));
+    Rectangle2D.Double box = placer.place(at.x, at.y, radius, width, NAME_HEIGHT);
+    double nearX = Math.max(box.x, Math.min(box.getMaxX(), at.x));
+    double nearY = Math.max(box.y, Math.min(box.getMaxY(), at.y));
+    if (Math.hypot(nearX - at.x, nearY - at.y) > LEADER_FROM + radius) {
+      drawing.line(at.x, at.y, nearX, nearY, Pen.solid(Ink.MUTED, 1.0));
     }
-    canvas.text(box.x() + 2.0, box.bottom() - 4.0, name, Ink.LABEL);
+    drawing.text(box.x + 2.0, box.getMaxY() - 4.0, name, Ink.LABEL);
   }
 }

@@ -1,9 +1,9 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.gcs.draw.Canvas.Pixel;
-import org.u2sa.gcs.draw.PixelBox;
 
 /**
  * Where places of a run stand on a north-up map: one scale both ways, origin at home (or the first
@@ -11,14 +11,14 @@ import org.u2sa.gcs.draw.PixelBox;
  */
 record MapView(
     PlotPlane plane,
-    PixelBox frame,
+    Rectangle2D.Double frame,
     double pixelsPerMetre,
     double centreEastM,
     double centreNorthM) {
 
   private static final double MARGIN = 1.10; // of the extent
 
-  static MapView of(RunPlan plan, List<TrackSample> track, PixelBox frame) {
+  static MapView of(RunPlan plan, List<TrackSample> track, Rectangle2D.Double frame) {
     PlotPlane plane = plane(plan, track);
     Extent extent = new Extent();
     plan.home()
@@ -30,7 +30,7 @@ record MapView(
     double least = plan.domain().leastMapM();
     double width = Math.max(least, MARGIN * extent.widthM());
     double height = Math.max(least, MARGIN * extent.heightM());
-    double scale = Math.min(frame.width() / width, frame.height() / height);
+    double scale = Math.min(frame.width / width, frame.height / height);
     return new MapView(plane, frame, scale, extent.centreEastM(), extent.centreNorthM());
   }
 
@@ -47,20 +47,20 @@ record MapView(
         : new PlotPlane(track.get(0).longitudeDeg(), track.get(0).latitudeDeg());
   }
 
-  Pixel pixel(PlotPlane.Place place) {
-    return new Pixel(x(place.eastM()), y(place.northM()));
+  Point2D.Double pixel(PlotPlane.Place place) {
+    return new Point2D.Double(x(place.eastM()), y(place.northM()));
   }
 
-  Pixel pixel(PlannedWaypoint waypoint) {
+  Point2D.Double pixel(PlannedWaypoint waypoint) {
     return pixel(plane.place(waypoint));
   }
 
   double x(double eastM) {
-    return frame.x() + frame.width() / 2.0 + (eastM - centreEastM) * pixelsPerMetre;
+    return frame.x + frame.width / 2.0 + (eastM - centreEastM) * pixelsPerMetre;
   }
 
   double y(double northM) {
-    return frame.y() + frame.height() / 2.0 - (northM - centreNorthM) * pixelsPerMetre;
+    return frame.y + frame.height / 2.0 - (northM - centreNorthM) * pixelsPerMetre;
   }
 
   double westM() {
@@ -72,11 +72,11 @@ record MapView(
   }
 
   double widthM() {
-    return frame.width() / pixelsPerMetre;
+    return frame.width / pixelsPerMetre;
   }
 
   double heightM() {
-    return frame.height() / pixelsPerMetre;
+    return frame.height / pixelsPerMetre;
   }
 
   /** The least upright rectangle around all places. */

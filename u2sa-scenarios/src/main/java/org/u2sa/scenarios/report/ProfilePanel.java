@@ -1,16 +1,13 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.gcs.draw.Canvas;
-import org.u2sa.gcs.draw.Canvas.Pixel;
-import org.u2sa.gcs.draw.ColourScale;
-import org.u2sa.gcs.draw.PixelBox;
-import org.u2sa.gcs.draw.Stroke;
-import org.u2sa.gcs.draw.TextStyle.Anchor;
-import org.u2sa.gcs.draw.Ticks;
+import org.u2sa.scenarios.report.Drawing.Anchor;
+import org.u2sa.scenarios.report.Drawing.Pen;
 
 /**
  * Draws a quantity against simulated time: planned and true, with the moments at which waypoints
@@ -25,8 +22,8 @@ final class ProfilePanel {
   private static final double NUMBER_SPACING = 22.0; // closer numbers take turns in two rows [px]
   private static final int MOST_TIMES = 14;
 
-  private final Canvas canvas;
-  private final PixelBox frame;
+  private final Drawing drawing;
+  private final Rectangle2D.Double frame;
   private final RunPlan plan;
   private final List<TrackSample> track;
   private final List<WaypointResult> results;
@@ -38,14 +35,14 @@ final class ProfilePanel {
   private final double endS;
 
   ProfilePanel(
-      Canvas canvas,
-      PixelBox frame,
+      Drawing drawing,
+      Rectangle2D.Double frame,
       RunPlan plan,
       List<TrackSample> track,
       RunScore score,
       Quantity quantity,
       Quantity colour) {
-    this.canvas = canvas;
+    this.drawing = drawing;
     this.frame = frame;
     this.plan = plan;
     this.track = track;
@@ -60,11 +57,11 @@ final class ProfilePanel {
   }
 
   void draw() {
-    canvas.rectangle(frame, Ink.PANEL, null);
+    drawing.draw(frame, Ink.PANEL, null);
     grid();
     moments();
-    canvas.clipped(frame, this::lines);
-    canvas.rectangle(frame, null, Ink.FRAME);
+    drawing.clipped(frame, this::lines);
+    drawing.draw(frame, null, Ink.FRAME);
     marks();
     key();
   }
@@ -72,19 +69,15 @@ final class ProfilePanel {
   private void grid() {
     Ticks heights = Ticks.between(bottom, top, 7);
     for (double value : heights.values()) {
-      canvas.line(frame.x(), y(value), frame.right(), y(value), Ink.GRID);
-      canvas.text(
-          frame.x() - 8.0, y(value) + 5.0, heights.label(value), Ink.TICK.anchored(Anchor.END));
+      drawing.line(frame.x, y(value), frame.getMaxX(), y(value), Ink.GRID);
+      drawing.text(frame.x - 8.0, y(value) + 5.0, heights.label(value), Ink.TICK, Anchor.END);
     }
     for (double time : Ticks.every(timeStep(), startS, endS).values()) {
-      canvas.line(x(time), frame.y(), x(time), frame.bottom(), Ink.GRID);
-      canvas.text(x(time), frame.bottom() + 19.0, clock(time), Ink.TICK.anchored(Anchor.MIDDLE));
+      drawing.line(x(time), frame.y, x(time), frame.getMaxY(), Ink.GRID);
+      drawing.text(x(time), frame.getMaxY() + 19.0, clock(time), Ink.TICK, Anchor.MIDDLE);
     }
-    canvas.text(
-        frame.right(),
-        frame.bottom() + 40.0,
-        "simulated time [min:s]",
-        Ink.TICK.anchored(Anchor.END));
+    drawing.text(
+        frame.getMaxX(), frame.getMaxY() + 40.0, "simulated time [min:s]", Ink.TICK, Anchor.END);
   }
 
   private double timeStep() {
@@ -108,39 +101,38 @@ final class ProfilePanel {
       double x = x(time.getAsDouble());
       raised = x - lastX < NUMBER_SPACING && !raised;
       lastX = x;
-      canvas.line(x, frame.y(), x, frame.bottom(), Stroke.dashed(Ink.PLANNED, 1.0, 3.0));
-      canvas.text(
-          x,
-          frame.y() - (raised ? 23.0 : 7.0),
-          String.valueOf(i + 1),
-          Ink.LABEL.anchored(Anchor.MIDDLE));
+      drawing.line(x, frame.y, x, frame.getMaxY(), new Pen(Ink.PLANNED, 1.0, 3.0));
+      drawing.text(
+          x, frame.y - (raised ? 23.0 : 7.0), String.valueOf(i + 1), Ink.LABEL, Anchor.MIDDLE);
     }
   }
 
   private void lines() {
     TrackLine line =
         new TrackLine(
-            track, colour, s -> new Pixel(x(s.timeS()), y(quantity.of().applyAsDouble(s))));
-    List<Pixel> area = new ArrayList<>(line.pixels());
+            track,
+            colour,
+            s -> new Point2D.Double(x(s.timeS()), y(quantity.of().applyAsDouble(s))));
+    List<Point2D.Double> area = new ArrayList<>(line.points());
     if (!area.isEmpty()) {
-      double base = quantity.base() < bottom ? frame.bottom() : y(quantity.base());
-      area.add(new Pixel(area.get(area.size() - 1).x(), base));
-      area.add(new Pixel(area.get(0).x(), base));
+      double base = quantity.base() < bottom ? frame.getMaxY() : y(quantity.base());
+      area.add(new Point2D.Double(area.get(area.size() - 1).x, base));
+      area.add(new Point2D.Double(area.get(0).x, base));
     }
-    canvas.polygon(area, Ink.FLOWN_AREA);
-    planned().forEach(run -> canvas.polyline(run, Stroke.dashed(Ink.MUTED, 2.0, 7.0)));
-    line.draw(canvas, 3.0);
+    drawing.polygon(area, Ink.FLOWN_AREA);
+    planned().forEach(run -> drawing.polyline(run, new Pen(Ink.MUTED, 2.0, 7.0)));
+    line.draw(drawing, 3.0);
   }
 
   /** What is planned over time, in runs where there is one. */
-  private List<List<Pixel>> planned() {
-    List<List<Pixel>> runs = new ArrayList<>();
-    List<Pixel> run = new ArrayList<>();
+  private List<List<Point2D.Double>> planned() {
+    List<List<Point2D.Double>> runs = new ArrayList<>();
+    List<Point2D.Double> run = new ArrayList<>();
     int leg = -1;
     for (TrackSample sample : track) {
       if (sample.leg() != leg) {
         if (!run.isEmpty()) {
-          run.add(new Pixel(x(sample.timeS()), run.get(run.size() - 1).y()));
+          run.add(new Point2D.Double(x(sample.timeS()), run.get(run.size() - 1).y));
         }
         leg = sample.leg();
         OptionalDouble value =
@@ -148,7 +140,7 @@ final class ProfilePanel {
                 ? quantity.planned().apply(plan.waypoints().get(leg))
                 : OptionalDouble.empty();
         if (value.isPresent()) {
-          run.add(new Pixel(x(sample.timeS()), y(value.getAsDouble())));
+          run.add(new Point2D.Double(x(sample.timeS()), y(value.getAsDouble())));
         } else {
           runs.add(run);
           run = new ArrayList<>();
@@ -156,7 +148,7 @@ final class ProfilePanel {
       }
     }
     if (!run.isEmpty()) {
-      run.add(new Pixel(x(endS), run.get(run.size() - 1).y()));
+      run.add(new Point2D.Double(x(endS), run.get(run.size() - 1).y));
     }
     runs.add(run);
     return runs;
@@ -166,36 +158,33 @@ final class ProfilePanel {
     for (WaypointResult result : results) {
       OptionalDouble planned = quantity.planned().apply(result.waypoint());
       if (result.timeS().isPresent() && planned.isPresent()) {
-        Pixel at = new Pixel(x(result.timeS().getAsDouble()), y(planned.getAsDouble()));
-        WaypointMark.draw(canvas, at, result.captured());
+        Point2D.Double at =
+            new Point2D.Double(x(result.timeS().getAsDouble()), y(planned.getAsDouble()));
+        WaypointSign.draw(drawing, at, result.captured());
       }
     }
   }
 
   private void key() {
-    double y = frame.bottom() + 40.0;
-    double x = frame.x();
+    double y = frame.getMaxY() + 40.0;
+    double x = frame.x;
     String name = quantity.name() + " [" + quantity.unit() + "]:";
-    canvas.text(x, y, name, Ink.TICK);
+    drawing.text(x, y, name, Ink.TICK);
     x += Ink.TICK.widthOf(name) + 24.0;
-    canvas.line(x, y - 5.0, x + 34.0, y - 5.0, Stroke.dashed(Ink.MUTED, 2.0, 7.0));
-    canvas.text(x + 42.0, y, quantity.plannedName(), Ink.TICK);
+    drawing.line(x, y - 5.0, x + 34.0, y - 5.0, new Pen(Ink.MUTED, 2.0, 7.0));
+    drawing.text(x + 42.0, y, quantity.plannedName(), Ink.TICK);
     x += 42.0 + Ink.TICK.widthOf(quantity.plannedName()) + 32.0;
-    canvas.line(
-        x,
-        y - 5.0,
-        x + 34.0,
-        y - 5.0,
-        Stroke.solid(ColourScale.colour(ColourScale.STEPS / 2), 3.0));
-    canvas.text(x + 42.0, y, plan.domain().moved(), Ink.TICK);
+    drawing.line(
+        x, y - 5.0, x + 34.0, y - 5.0, Pen.solid(ColourScale.colour(ColourScale.STEPS / 2), 3.0));
+    drawing.text(x + 42.0, y, plan.domain().moved(), Ink.TICK);
   }
 
   private double x(double timeS) {
-    return frame.x() + frame.width() * (timeS - startS) / (endS - startS);
+    return frame.x + frame.width * (timeS - startS) / (endS - startS);
   }
 
   private double y(double value) {
-    return frame.bottom() - frame.height() * (value - bottom) / (top - bottom);
+    return frame.getMaxY() - frame.height * (value - bottom) / (top - bottom);
   }
 
   static String clock(double seconds) {

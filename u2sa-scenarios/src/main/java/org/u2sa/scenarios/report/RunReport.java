@@ -1,7 +1,6 @@
 package org.u2sa.scenarios.report;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,8 +8,6 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.gcs.command.ReportException;
 import org.u2sa.gcs.command.ReportFile;
-import org.u2sa.gcs.draw.PngCanvas;
-import org.u2sa.gcs.draw.SvgCanvas;
 import org.u2sa.interfaces.BadInputException;
 
 /**
@@ -59,8 +56,8 @@ public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, R
   /**
    * Writes all files into {@code directory}, which is made if need be.
    *
-   * @return empty, or why there is no {@code track.png}: a Java without fonts cannot draw one, and
-   *     a run is not lost for that
+   * @return empty, or why there is no {@code track.svg} and {@code track.png}: a Java without fonts
+   *     cannot draw, and a run is not lost for that
    * @throws ReportException naming the file and the system's reason if one cannot be written; there
    *     is no {@code summary.json} then
    */
@@ -76,30 +73,25 @@ public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, R
         directory.resolve("track.csv"), out -> TrackCsv.write(out, plan.domain(), track));
     ReportFile.writeText(
         directory.resolve("track.kml"), out -> TrackKml.write(out, title, plan, score, track));
-    ReportFile.writeText(directory.resolve("track.svg"), out -> out.write(svg(title)));
-    Optional<String> obstacle = PngCanvas.obstacle();
+    Optional<String> obstacle = PictureFile.obstacle();
     if (obstacle.isEmpty()) {
-      ReportFile.write(directory.resolve("track.png"), this::png);
+      ReportFile.writeText(
+          directory.resolve("track.svg"),
+          out -> PictureFile.svg(out, title, TrackPicture.WIDTH, TrackPicture.HEIGHT, this::draw));
+      ReportFile.write(
+          directory.resolve("track.png"),
+          out -> PictureFile.png(out, TrackPicture.WIDTH, TrackPicture.HEIGHT, this::draw));
     }
     ReportFile.writeText(directory.resolve(SUMMARY), this::writeSummary);
-    return obstacle.map(reason -> "no track.png (track.svg shows the same): " + reason);
+    return obstacle.map(reason -> "no track.svg and track.png: " + reason);
   }
 
-  private void png(OutputStream out) throws IOException {
-    try (PngCanvas canvas = new PngCanvas(TrackPicture.WIDTH, TrackPicture.HEIGHT)) {
-      TrackPicture.draw(canvas, facts, plan, score, track);
-      canvas.writeTo(out);
-    }
+  private void draw(Drawing drawing) {
+    TrackPicture.draw(drawing, facts, plan, score, track);
   }
 
   /** Writes what {@code summary.json} holds, for {@code --json}; leaves {@code out} open. */
   public void writeSummary(Writer out) throws IOException {
     SummaryJson.write(out, plan.domain(), facts, score);
-  }
-
-  private String svg(String title) {
-    SvgCanvas canvas = new SvgCanvas(TrackPicture.WIDTH, TrackPicture.HEIGHT, title);
-    TrackPicture.draw(canvas, facts, plan, score, track);
-    return canvas.document();
   }
 }

@@ -3,7 +3,6 @@ package org.u2sa.scenarios.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * Scores a run against its plan by truth alone. Between samples the vehicle is taken to go
@@ -17,8 +16,6 @@ public final class RunScorer {
    */
   public static final double SCREEN_HEIGHT_M = 15.24;
 
-  private static final double LEVEL_WITHIN_M =
-      1.0; // altitudes of a level leg's ends differ no more
   private static final double SHORTEST_LEG_M = 1.0; // a shorter leg has no direction
 
   private RunScorer() {}
@@ -27,7 +24,7 @@ public final class RunScorer {
   public static RunScore score(RunPlan plan, List<TrackSample> track, RunOutcome outcome) {
     List<WaypointResult> results = new ArrayList<>();
     for (int leg = 0; leg < plan.waypoints().size(); leg++) {
-      results.add(WaypointApproach.measure(plan.waypoints().get(leg), leg, track));
+      results.add(WaypointResult.of(plan.waypoints().get(leg), leg, track));
     }
     RootMeanSquare straights = new RootMeanSquare();
     RootMeanSquare wholeLegs = new RootMeanSquare();
@@ -41,23 +38,9 @@ public final class RunScorer {
         results,
         straights.value(),
         wholeLegs.value(),
-        plan.domain() == Domain.AIR ? Optional.of(flight(plan, track)) : Optional.empty(),
+        plan.domain() == Domain.AIR ? Optional.of(FlightFigures.of(plan, track)) : Optional.empty(),
         outcome,
         track.isEmpty() ? 0.0 : track.get(track.size() - 1).timeS() - track.get(0).timeS());
-  }
-
-  private static FlightFigures flight(RunPlan plan, List<TrackSample> track) {
-    RootMeanSquare altitude = new RootMeanSquare();
-    for (int leg = 1; leg < plan.waypoints().size(); leg++) {
-      scoreAltitude(plan.waypoints().get(leg - 1), plan.waypoints().get(leg), leg, track, altitude);
-    }
-    Airborne air = Airborne.of(plan, track);
-    return new FlightFigures(
-        altitude.value(),
-        altitude.largest(),
-        air.maxBankRad(),
-        air.minAirspeedMps(),
-        air.tookOff());
   }
 
   private static void scoreCrossTrack(
@@ -90,32 +73,5 @@ public final class RunScorer {
         straights.add(duration, crossA, crossB);
       }
     }
-  }
-
-  private static void scoreAltitude(
-      PlannedWaypoint from,
-      PlannedWaypoint to,
-      int leg,
-      List<TrackSample> track,
-      RootMeanSquare altitude) {
-    if (!isLevel(from, to)) {
-      return;
-    }
-    double planned = to.altitudeM().getAsDouble();
-    for (int i = 0; i + 1 < track.size(); i++) {
-      TrackSample a = track.get(i);
-      if (a.leg() == leg) {
-        TrackSample b = track.get(i + 1);
-        altitude.add(b.timeS() - a.timeS(), a.altitudeM() - planned, b.altitudeM() - planned);
-      }
-    }
-  }
-
-  private static boolean isLevel(PlannedWaypoint from, PlannedWaypoint to) {
-    OptionalDouble a = from.altitudeM();
-    OptionalDouble b = to.altitudeM();
-    return a.isPresent()
-        && b.isPresent()
-        && Math.abs(a.getAsDouble() - b.getAsDouble()) <= LEVEL_WITHIN_M;
   }
 }

@@ -5,7 +5,6 @@ import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.gcs.draw.SvgEscapes;
 
 /**
  * Writes {@code track.kml} (OGC KML 2.2) for Google Earth: the track, of aircraft at its true
@@ -21,7 +20,7 @@ final class TrackKml {
       throws IOException {
     out.write(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n");
-    out.write("  <name>" + SvgEscapes.escaped(title) + "</name>\n");
+    out.write("  <name>" + EscapedXml.of(title) + "</name>\n");
     // KML colours are alpha, blue, green, red
     out.write(
         "  <Style id=\"flown\"><LineStyle><color>ffb27200</color><width>3</width></LineStyle>");
@@ -83,7 +82,7 @@ final class TrackKml {
     PlannedWaypoint waypoint = result.waypoint();
     out.write(
         "  <Placemark>\n    <name>"
-            + SvgEscapes.escaped(waypoint.name())
+            + EscapedXml.of(waypoint.name())
             + "</name>\n    <description>");
     out.write(result.captured() ? "captured" : "not captured");
     out.write(

@@ -1,12 +1,10 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import org.u2sa.gcs.draw.Canvas;
-import org.u2sa.gcs.draw.Canvas.Pixel;
-import org.u2sa.gcs.draw.ColourScale;
-import org.u2sa.gcs.draw.Stroke;
+import org.u2sa.scenarios.report.Drawing.Pen;
 
 /**
  * The track as a line on a panel, coloured by a quantity, with only as many points as the eye can
@@ -16,7 +14,7 @@ final class TrackLine {
 
   private static final double POINT_SPACING = 1.0; // least distance of neighbouring points [px]
 
-  private record Point(Pixel pixel, double value) {}
+  private record Point(Point2D.Double place, double value) {}
 
   private final List<Point> points = new ArrayList<>();
   private final Quantity quantity;
@@ -25,45 +23,42 @@ final class TrackLine {
    * @param quantity what colours it
    * @param position where on the panel a sample stands
    */
-  TrackLine(List<TrackSample> track, Quantity quantity, Function<TrackSample, Pixel> position) {
+  TrackLine(
+      List<TrackSample> track, Quantity quantity, Function<TrackSample, Point2D.Double> position) {
     this.quantity = quantity;
     for (int i = 0; i < track.size(); i++) {
-      Pixel pixel = position.apply(track.get(i));
+      Point2D.Double pixel = position.apply(track.get(i));
       if (points.isEmpty()
           || i == track.size() - 1
-          || distance(points.get(points.size() - 1).pixel(), pixel) >= POINT_SPACING) {
+          || points.get(points.size() - 1).place().distance(pixel) >= POINT_SPACING) {
         points.add(new Point(pixel, quantity.of().applyAsDouble(track.get(i))));
       }
     }
   }
 
-  List<Pixel> pixels() {
-    return points.stream().map(Point::pixel).toList();
+  List<Point2D.Double> points() {
+    return points.stream().map(Point::place).toList();
   }
 
   /** Draws the line; the quantity's range spans the colours. */
-  void draw(Canvas canvas, double width) {
-    List<Pixel> run = new ArrayList<>();
+  void draw(Drawing drawing, double width) {
+    List<Point2D.Double> run = new ArrayList<>();
     int step = -1;
     for (Point point : points) {
       int here = ColourScale.step(point.value(), quantity.low(), quantity.high());
-      run.add(point.pixel());
+      run.add(point.place());
       if (here != step) {
-        flush(canvas, run, step, width);
-        run = new ArrayList<>(List.of(point.pixel())); // the next colour starts where this one ends
+        flush(drawing, run, step, width);
+        run = new ArrayList<>(List.of(point.place())); // the next colour starts where this one ends
         step = here;
       }
     }
-    flush(canvas, run, step, width);
+    flush(drawing, run, step, width);
   }
 
-  private static void flush(Canvas canvas, List<Pixel> run, int step, double width) {
+  private static void flush(Drawing drawing, List<Point2D.Double> run, int step, double width) {
     if (step >= 0) {
-      canvas.polyline(run, Stroke.solid(ColourScale.colour(step), width));
+      drawing.polyline(run, Pen.solid(ColourScale.colour(step), width));
     }
-  }
-
-  private static double distance(Pixel a, Pixel b) {
-    return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 }

@@ -1,11 +1,10 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.gcs.draw.Canvas;
-import org.u2sa.gcs.draw.PixelBox;
 
 /**
  * Draws a run on one page: what it was and how it went, the map, and a quantity over time: the
@@ -18,8 +17,10 @@ final class TrackPicture {
 
   private static final double LEFT = 80.0;
   private static final double RIGHT = 1560.0;
-  private static final PixelBox MAP = new PixelBox(LEFT, 118.0, RIGHT - LEFT, 672.0);
-  private static final PixelBox PROFILE = new PixelBox(LEFT, 890.0, RIGHT - LEFT, 250.0);
+  private static final Rectangle2D.Double MAP =
+      new Rectangle2D.Double(LEFT, 118.0, RIGHT - LEFT, 672.0);
+  private static final Rectangle2D.Double PROFILE =
+      new Rectangle2D.Double(LEFT, 890.0, RIGHT - LEFT, 250.0);
 
   private TrackPicture() {}
 
@@ -34,16 +35,16 @@ final class TrackPicture {
   }
 
   static void draw(
-      Canvas canvas, RunFacts facts, RunPlan plan, RunScore score, List<TrackSample> track) {
+      Drawing drawing, RunFacts facts, RunPlan plan, RunScore score, List<TrackSample> track) {
     Quantity colour = Quantity.onMap(plan, track);
-    canvas.rectangle(new PixelBox(0.0, 0.0, WIDTH, HEIGHT), Ink.PAPER, null);
-    canvas.text(LEFT, 58.0, title(facts, score), Ink.TITLE);
+    drawing.draw(new Rectangle2D.Double(0.0, 0.0, WIDTH, HEIGHT), Ink.PAPER, null);
+    drawing.text(LEFT, 58.0, title(facts, score), Ink.TITLE);
     String alarm = alarm(score);
-    canvas.text(LEFT, 92.0, alarm, Ink.ALARM);
-    canvas.text(
+    drawing.text(LEFT, 92.0, alarm, Ink.ALARM);
+    drawing.text(
         LEFT + Ink.ALARM.widthOf(alarm), 92.0, subtitle(facts, plan.domain(), score), Ink.SUBTITLE);
-    new MapPanel(canvas, MAP, plan, track, score, colour).draw();
-    new ProfilePanel(canvas, PROFILE, plan, track, score, Quantity.overTime(plan, track), colour)
+    new MapPanel(drawing, MAP, plan, track, score, colour).draw();
+    new ProfilePanel(drawing, PROFILE, plan, track, score, Quantity.overTime(plan, track), colour)
         .draw();
   }
 

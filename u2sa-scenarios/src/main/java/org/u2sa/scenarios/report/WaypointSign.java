@@ -1,7 +1,9 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
+import org.u2sa.scenarios.report.Drawing.Pen;
 
 /**
  * A waypoint on the map. Several at one place, as of a mission that goes round, are one: with the
@@ -12,6 +14,9 @@ import java.util.List;
  * @param captured whether all were
  */
 record WaypointSign(int index, PlannedWaypoint waypoint, boolean captured) {
+
+  /** Half the size of the sign [px]. */
+  static final double MARK_RADIUS = 5.0;
 
   /** Of all waypoints of a run, in the order of the plan. */
   static List<WaypointSign> of(List<WaypointResult> results) {
@@ -38,5 +43,29 @@ record WaypointSign(int index, PlannedWaypoint waypoint, boolean captured) {
       }
     }
     return -1;
+  }
+
+  /** The number from 1 before the name, unless that is empty or already has the number. */
+  String numberedName() {
+    String number = String.valueOf(index + 1);
+    if (waypoint.name().isEmpty()) {
+      return number;
+    }
+    boolean hasNumber = waypoint.name().matches("(.*\\D)?0*" + number + "(\\D.*)?");
+    return hasNumber ? waypoint.name() : number + " " + waypoint.name();
+  }
+
+  /** A dot if captured, a cross if not, so that form tells what colour tells. */
+  static void draw(Drawing drawing, Point2D.Double at, boolean captured) {
+    if (captured) {
+      drawing.circle(at.x, at.y, MARK_RADIUS, Ink.CAPTURED, Pen.solid(Ink.PAPER, 1.5));
+      return;
+    }
+    for (Pen stroke : List.of(Pen.solid(Ink.PAPER, 6.0), Pen.solid(Ink.MISSED, 3.0))) {
+      drawing.line(
+          at.x - MARK_RADIUS, at.y - MARK_RADIUS, at.x + MARK_RADIUS, at.y + MARK_RADIUS, stroke);
+      drawing.line(
+          at.x - MARK_RADIUS, at.y + MARK_RADIUS, at.x + MARK_RADIUS, at.y - MARK_RADIUS, stroke);
+    }
   }
 }

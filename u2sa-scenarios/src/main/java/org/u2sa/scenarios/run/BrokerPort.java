@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
  * Where the broker of a run listens for other MQTT clients. A run needs none of them, so a port
  * that another program has does not hinder it, unless it was asked for.
  */
-public final class BrokerPort {
+final class BrokerPort {
   private static final String MANAGER = "CommunicationManager";
   private static final int HIGHEST_PORT = 65_535;
 
@@ -28,6 +28,12 @@ public final class BrokerPort {
   private CommandSpec command;
 
   private Integer asked; // null: not given
+
+  @Option(
+      names = "--through-broker",
+      description =
+          "Send all messages between the services through the broker, by MQTT; needs real time.")
+  private boolean throughBroker;
 
   @Option(
       names = "--port",
@@ -44,6 +50,9 @@ public final class BrokerPort {
 
   /** Sets the Communication Manager's port for a run, and says so where it is not as configured. */
   public void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
+    if (throughBroker) {
+      launch.throughBroker();
+    }
     if (asked == null) {
       evadeTakenPort(system, launch, terminal);
     } else if (asked == 0) {

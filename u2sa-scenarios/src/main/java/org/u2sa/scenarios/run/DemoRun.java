@@ -21,53 +21,30 @@ import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.RunReport;
 import org.u2sa.service.U2SAService;
 
-/** One run of a mission by the services of a system file, from start-up to report. */
-public final class DemoRun {
+/**
+ * One run of a mission by the services of a system file, from start-up to report.
+ *
+ * @param demo its name in reports
+ * @param system the services that run
+ * @param plan what they are to do
+ * @param limitS how long it may take [s]
+ * @param maker of the observer of the truth
+ * @param directory where logs and report go
+ * @param interruption ends the run early
+ * @param swaps which services are swapped on the way
+ */
+record DemoRun(
+    String demo,
+    SystemFile system,
+    RunPlan plan,
+    double limitS,
+    RunObserver.Maker maker,
+    Path directory,
+    Terminal terminal,
+    Interruption interruption,
+    List<PlannedSwap> swaps) {
   private static final long LOOK_EVERY_MICROS = 50_000;
-
-  private final SystemFile system;
-  private final String demo;
-  private final RunPlan plan;
-  private final Pace pace;
-  private final RunObserver.Maker maker;
-  private final Path directory;
-  private final Terminal terminal;
-  private final Interruption interruption;
-  private final Clock stopwatch = new SystemClock();
-  private List<PlannedSwap> swaps = List.of();
-
-  /**
-   * @param demo its name in reports
-   * @param system the services that run
-   * @param plan what they are to do
-   * @param maker of the observer of the truth
-   * @param directory where logs and report go
-   * @param interruption ends the run early
-   */
-  public DemoRun(
-      String demo,
-      SystemFile system,
-      RunPlan plan,
-      Pace pace,
-      RunObserver.Maker maker,
-      Path directory,
-      Terminal terminal,
-      Interruption interruption) {
-    this.demo = demo;
-    this.system = system;
-    this.plan = plan;
-    this.pace = pace;
-    this.maker = maker;
-    this.directory = directory;
-    this.terminal = terminal;
-    this.interruption = interruption;
-  }
-
-  /** Sets which services are swapped on the way. */
-  public DemoRun swapping(List<PlannedSwap> planned) {
-    swaps = List.copyOf(planned);
-    return this;
-  }
+  private static final Clock STOPWATCH = new SystemClock();
 
   /** Runs as fast as the machine allows, repeatable from the seed. */
   public RunReport inLockstep(LaunchOptions options, long seed, Simulation simulation)
@@ -137,8 +114,8 @@ public final class DemoRun {
       LaunchOptions options, Clock clock, long seed, Simulation simulation, Wait wait)
       throws InterruptedException {
     options.seed(seed).logDirectory(directory.resolve("logs"));
-    long began = stopwatch.micros();
-    try (RunScreen screen = new RunScreen(plan, terminal, stopwatch);
+    long began = STOPWATCH.micros();
+    try (RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
         Simulation simulated = simulation; // ended last, so that neutral commands still reach it
         RunningSystem running = RunningSystem.start(system, options)) {
       RunObserver observer =
@@ -155,7 +132,7 @@ public final class DemoRun {
       }
       refuseFailed(running);
       refuseUnswapped(operator);
-      double wallS = Clock.seconds(stopwatch.micros() - began);
+      double wallS = Clock.seconds(STOPWATCH.micros() - began);
       return RunReport.of(
           new RunFacts(
               demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
@@ -206,9 +183,5 @@ public final class DemoRun {
               + " failed in the run; its log is "
               + directory.resolve("logs").resolve(service.getServiceName() + ".log"));
     }
-  }
-
-  private double limitS() {
-    return pace.limitS(RunPlans.lengthM(plan));
   }
 }

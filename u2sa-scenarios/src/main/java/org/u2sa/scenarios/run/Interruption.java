@@ -8,7 +8,7 @@ import org.u2sa.gcs.command.RunFailedException;
  * Ctrl-C or TERM during a run: the run ends in good order, actuators neutral, and its report is
  * written, before the virtual machine does. Its exit code is the system's, 130 or 143.
  */
-public final class Interruption implements AutoCloseable {
+final class Interruption implements AutoCloseable {
   private static final long END_WITHIN_S = 15;
 
   private final CountDownLatch ended = new CountDownLatch(1);

@@ -10,7 +10,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** What a user wants otherwise in a run; used as {@code @Mixin RunChanges changes}. */
-public final class RunChanges {
+final class RunChanges {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
@@ -48,12 +48,10 @@ public final class RunChanges {
    *     does not have
    */
   public void check(SystemFile system) {
-    for (Setting setting : settings()) {
-      try {
-        setting.requireServiceOf(system);
-      } catch (IllegalArgumentException e) {
-        throw faulty(e);
-      }
+    try {
+      Setting.parseAll(settings).forEach(setting -> setting.requireServiceOf(system));
+    } catch (IllegalArgumentException e) {
+      throw faulty(e);
     }
     swaps();
   }

@@ -13,7 +13,7 @@ import org.u2sa.scenarios.report.RunSeries;
 import org.u2sa.scenarios.terminal.WaypointTable;
 
 /** One run, or several with seeds counting up, and what is said and written of them. */
-public final class RunLoop {
+final class RunLoop {
   /** One run. */
   @FunctionalInterface
   public interface Once {

@@ -3,7 +3,10 @@ package org.u2sa.scenarios.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.core.mission.Home;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
@@ -22,9 +25,9 @@ public final class RunPlans {
    * The plan of a mission on the earth.
    *
    * @param home where the vehicle starts
-   * @throws org.u2sa.interfaces.BadInputException if a waypoint is no place on the earth
+   * @throws BadInputException if a waypoint is no place on the earth
    */
-  public static RunPlan of(Domain domain, Mission mission, Optional<StartPlace> home) {
+  static RunPlan of(Domain domain, Mission mission, Optional<StartPlace> home) {
     List<PlannedWaypoint> waypoints = new ArrayList<>();
     for (int i = 0; i < mission.goals().size(); i++) {
       GoalInformation goal = mission.goals().get(i);
@@ -41,6 +44,34 @@ public final class RunPlans {
       }
     }
     return new RunPlan(domain, home, waypoints);
+  }
+
+  /**
+   * Where the vehicle of a mission stands at first.
+   *
+   * @throws BadInputException if the mission has no home on the earth
+   */
+  static Home home(Mission mission) {
+    return mission
+        .home()
+        .filter(home -> home.geodetic().isPresent())
+        .orElseThrow(
+            () ->
+                new BadInputException(
+                    mission.origin()
+                        + ": has no home in Global; expected one, where the vehicle stands at first"));
+  }
+
+  /** The same for reports. */
+  public static StartPlace start(Mission mission) {
+    Home home = home(mission);
+    Geodetic place = home.geodetic().orElseThrow();
+    return new StartPlace(
+        place.longitudeDeg(),
+        place.latitudeDeg(),
+        place.altitudeM(),
+        home.headingRad().orElse(0.0),
+        OptionalDouble.empty());
   }
 
   /** The waypoint's longitude and latitude [deg]. */

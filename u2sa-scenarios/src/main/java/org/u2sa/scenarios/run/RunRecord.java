@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.Track;
 import org.u2sa.scenarios.report.TrackSample;
@@ -37,8 +38,19 @@ public final class RunRecord {
     legs = new PlannedLegs(plan);
   }
 
-  /** Takes note of what the Mission Manager pursues. */
-  public void follow(GoalList goals) {
+  /** Takes note of goals and reports of goals; false if the message is neither. */
+  public boolean received(U2SAData data) {
+    if (data instanceof GoalList goals) {
+      follow(goals);
+    } else if (data instanceof GoalInformation report) {
+      completed += report.completed() ? 1 : 0;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private void follow(GoalList goals) {
     seen = false;
     if (goals.goals().isEmpty()) {
       leg = names.size();
@@ -52,15 +64,8 @@ public final class RunRecord {
    * Whether the target has had no {@link #moment} yet: before another takes its place it needs one,
    * or the score would not know that it was the target.
    */
-  public boolean isTargetUnseen() {
+  boolean isTargetUnseen() {
     return !seen && leg >= 0 && leg < names.size();
-  }
-
-  /** Takes note of a goal that the Path Planner reports. */
-  public void reported(GoalInformation report) {
-    if (report.completed()) {
-      completed++;
-    }
   }
 
   /**

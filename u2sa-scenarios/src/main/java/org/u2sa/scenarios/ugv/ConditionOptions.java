@@ -8,14 +8,31 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.report.PlannedWaypoint;
 import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.sim.ground.Terrain;
+import org.u2sa.sim.world.Surface;
+import org.u2sa.sim.world.Terrain;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The vehicle and the ground that a user wants otherwise; a mixin. */
+/** Options for other vehicles, loads and ground; a mixin. */
 final class ConditionOptions {
+  /** What the vehicle drives on. */
+  enum GroundKind {
+    /** Trodden earth and short grass. */
+    LAWN(Surface.lawn()),
+    /** Dry concrete. */
+    CONCRETE(Surface.concrete()),
+    /** Wet and soft. */
+    FIELD(Surface.field());
+
+    private final Surface surface;
+
+    GroundKind(Surface surface) {
+      this.surface = surface;
+    }
+  }
+
   private static final double FULL_PERCENT = 100.0;
   private static final double HILL_OF_MISSION = 1.5; // its radius by that of the mission
   private static final double SMALLEST_HILL_M = 5.0;
@@ -27,13 +44,13 @@ final class ConditionOptions {
       names = "--mismatch",
       paramLabel = "PERCENT",
       description =
-          "By which the right motor is stronger and the left one weaker than commanded, -50 to 50. Default: by the seed, up to 5 either way.")
+          "Mismatch of the motors: the right one is this much stronger and the left one weaker than commanded, -50 to 50. Default: by the seed, up to 5 either way.")
   private Double mismatch;
 
   @Option(
       names = "--payload",
       paramLabel = "KG",
-      description = "What the vehicle carries above the middle of its weight. Default: 0.")
+      description = "Payload above the centre of gravity. Default: 0.")
   private double payloadKg;
 
   @Option(
@@ -51,7 +68,7 @@ final class ConditionOptions {
       names = "--hill",
       paramLabel = "DEGREES",
       description =
-          "A round hill amid the waypoints, so steep half way up, up to 20 degrees. Default: none.")
+          "A round hill amid the waypoints; its steepest slope, up to 20 degrees. Default: none.")
   private double hillDeg;
 
   /**
@@ -90,7 +107,7 @@ final class ConditionOptions {
     return new DriveConditions(
         mismatch == null ? OptionalDouble.empty() : OptionalDouble.of(mismatch / FULL_PERCENT),
         payloadKg,
-        surface.surface(),
+        surface.surface,
         terrain(plan),
         String.join(", ", words));
   }
@@ -122,16 +139,9 @@ final class ConditionOptions {
 
   private void require(String option, double value, double least, double most, String unit) {
     if (!(value >= least && value <= most)) {
+      String range = DriveConditions.figure(least) + " to " + DriveConditions.figure(most);
       throw wrong(
-          option
-              + " "
-              + DriveConditions.figure(value)
-              + ": expected "
-              + DriveConditions.figure(least)
-              + " to "
-              + DriveConditions.figure(most)
-              + " "
-              + unit);
+          option + " " + DriveConditions.figure(value) + ": expected " + range + " " + unit);
     }
   }
 

@@ -2,16 +2,16 @@ package org.u2sa.scenarios.ugv;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.sim.ground.Surface;
-import org.u2sa.sim.ground.Terrain;
+import org.u2sa.sim.world.Surface;
+import org.u2sa.sim.world.Terrain;
 
 /**
- * What a vehicle carries, what its motors are like, and what it drives on.
+ * The conditions of a drive: motors, load and ground.
  *
- * @param mismatch by which the right motor is stronger and the left one weaker, −0.5…0.5; empty: up
- *     to 0.05 either way, by the seed
- * @param payloadKg above the middle of the vehicle's weight [kg]
- * @param words of what is unusual, for reports; empty if nothing is
+ * @param mismatch share by which the right motor is stronger and the left one weaker, −0.5…0.5;
+ *     empty: up to 0.05 either way, by the seed
+ * @param payloadKg above the vehicle's centre of gravity [kg]
+ * @param words what is unusual, for reports; empty if nothing is
  */
 record DriveConditions(
     OptionalDouble mismatch, double payloadKg, Surface surface, Terrain terrain, String words) {

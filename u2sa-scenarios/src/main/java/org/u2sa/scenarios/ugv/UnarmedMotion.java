@@ -3,34 +3,49 @@ package org.u2sa.scenarios.ugv;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Supplier;
 import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.scenarios.run.Scorer;
+import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.ground.DriveCommand;
-import org.u2sa.sim.ground.GroundState;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Terrain;
 
 /**
- * Whether a vehicle moves that is not armed: after an emergency stop, or before anybody armed it.
- * It has a moment to come to rest. A vehicle without brakes that rolls down a slope while its
- * motors are neutral or off is not moved by anybody. Belongs to one thread.
+ * Counts contacts, and motions of a vehicle that is not armed: after an emergency stop, or before
+ * anybody armed it. It has a moment to come to rest. A vehicle without brakes that rolls down a
+ * slope while its motors are neutral or off is not moved by anybody.
  */
-final class UnarmedMotion {
-  private static final double SLOWEST_MPS = 0.02;
-  private static final double SLOWEST_RADPS = 0.05;
+final class UnarmedMotion implements Scorer {
   private static final double AT_REST_WITHIN_S = 2.0;
   private static final double LEVEL =
       0.03; // rise over run; less than what rolling resistance holds
 
+  private final Terrain terrain;
+  private final Supplier<DriveCommand> motors;
+  private final Supplier<Integer> contacts;
   private final List<String> violations = new ArrayList<>();
   private boolean armed;
   private double disarmedS = Double.NEGATIVE_INFINITY;
   private boolean said;
 
-  /** Whether a vehicle moves at all. */
-  static boolean moves(GroundState truth) {
-    return truth.speedMps() > SLOWEST_MPS || Math.abs(truth.yawRateRadPerS()) > SLOWEST_RADPS;
+  UnarmedMotion(UgvWorld world) {
+    this(world.world().terrain(), world::motors, world::contacts);
   }
 
-  /** Takes note of whether it is armed. */
-  void see(ArmingState state, GroundState truth) {
+  /**
+   * @param motors what reaches the motors
+   */
+  UnarmedMotion(Terrain terrain, Supplier<DriveCommand> motors, Supplier<Integer> contacts) {
+    this.terrain = terrain;
+    this.motors = motors;
+    this.contacts = contacts;
+  }
+
+  @Override
+  public void armed(ArmingState state, VehicleTruth truth) {
     if (armed && !state.armed()) {
       disarmedS = truth.timeS();
       said = false;
@@ -38,23 +53,19 @@ final class UnarmedMotion {
     armed = state.armed();
   }
 
-  /**
-   * Takes note of the truth.
-   *
-   * @param motors what reaches the motors
-   * @param rise of the ground where the vehicle is, over run
-   */
-  void see(GroundState truth, DriveCommand motors, double rise) {
-    boolean rolls = rise > LEVEL && rests(motors.first()) && rests(motors.second());
-    boolean mayMove = armed || rolls || truth.timeS() - disarmedS < AT_REST_WITHIN_S;
-    if (!mayMove && moves(truth) && !said) {
+  @Override
+  public void see(VehicleTruth truth) {
+    double nowS = truth.timeS();
+    DriveCommand driven = motors.get();
+    Point at = truth.position();
+    double rise = Math.hypot(terrain.riseEast(at.x(), at.y()), terrain.riseNorth(at.x(), at.y()));
+    boolean rolls = rise > LEVEL && rests(driven.first()) && rests(driven.second());
+    boolean mayMove = armed || rolls || nowS - disarmedS < AT_REST_WITHIN_S;
+    if (!mayMove && TruthObserver.moves(truth) && !said) {
       said = true;
       violations.add(
           String.format(
-              Locale.ROOT,
-              "moved unarmed at %.1f s, at %.2f m/s",
-              truth.timeS(),
-              truth.speedMps()));
+              Locale.ROOT, "moved unarmed at %.1f s, at %.2f m/s", nowS, truth.speedMps()));
     }
   }
 
@@ -62,8 +73,13 @@ final class UnarmedMotion {
     return motor == 0.0 || Double.isNaN(motor);
   }
 
-  /** Each such motion, in words. */
-  List<String> violations() {
-    return violations;
+  @Override
+  public String phase(boolean moves) {
+    return moves ? "DRIVES" : "STANDS";
+  }
+
+  @Override
+  public RunOutcome outcome() {
+    return new RunOutcome(contacts.get(), false, List.copyOf(violations));
   }
 }

@@ -6,11 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.u2sa.drivers.compass.CompassParser;
-import org.u2sa.drivers.compass.Heading;
-import org.u2sa.drivers.compass.MagneticModel;
+import org.u2sa.device.Heading;
+import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.compass.NmeaCompass;
 import org.u2sa.drivers.compass.SpartonCompass;
+import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.sim.sensor.CompassField;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.NmeaCompassDevice;
@@ -33,7 +33,7 @@ class SimulatedCompassTest {
     device.advance(0, facing(trueRad), CompassField.none());
     byte[] request = SpartonCompass.request();
     device.accept(0, BAUD, request, request.length);
-    CompassParser parser = new SpartonCompass();
+    ByteParser<Heading> parser = new SpartonCompass();
     parser.accept(buffer, device.line().take(20_000, BAUD, buffer), 20_000);
     assertTrueHeading(parser, trueRad, Math.PI / 4096.0);
   }
@@ -45,7 +45,7 @@ class SimulatedCompassTest {
       NmeaCompassDevice device =
           new NmeaCompassDevice(BAUD, sentence, PERFECT, new NoiseStreams(1L));
       device.advance(0, facing(trueRad), CompassField.none());
-      CompassParser parser = new NmeaCompass();
+      ByteParser<Heading> parser = NmeaCompass.parser();
       parser.accept(buffer, device.line().take(50_000, BAUD, buffer), 50_000);
       assertTrueHeading(parser, trueRad, Math.toRadians(0.051));
     }
@@ -55,7 +55,7 @@ class SimulatedCompassTest {
     return new TrueMotion(0, 0, 0, 0, 0, 0, headingRad);
   }
 
-  private static void assertTrueHeading(CompassParser parser, double trueRad, double within) {
+  private static void assertTrueHeading(ByteParser<Heading> parser, double trueRad, double within) {
     Heading heading = parser.latest().orElseThrow();
     double declination = heading.isTrue() ? 0.0 : DECLINATION;
     double error = heading.headingRad() + declination - trueRad;

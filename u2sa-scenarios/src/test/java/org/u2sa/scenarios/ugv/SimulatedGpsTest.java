@@ -9,20 +9,20 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.u2sa.drivers.gps.GpsFix;
-import org.u2sa.drivers.gps.GpsParser;
+import org.u2sa.device.GpsFix;
 import org.u2sa.drivers.gps.NmeaGps;
 import org.u2sa.drivers.gps.UbxGps;
+import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.GpsMessage;
 import org.u2sa.sim.sensor.GpsParameters;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.sensor.UtcTime;
+import org.u2sa.sim.world.LocalPlane;
 
 /** The drivers understand the simulated receiver, and what they make of its bytes is the truth. */
 class SimulatedGpsTest {
@@ -45,7 +45,7 @@ class SimulatedGpsTest {
   @ParameterizedTest
   @MethodSource("receivers")
   void accept_movingReceiver_givesPlaceVelocityAndSigma(
-      UbloxSettings settings, GpsParser parser, double longestLagS) {
+      UbloxSettings settings, ByteParser<GpsFix> parser, double longestLagS) {
     UtcTime utc = new UtcTime(Instant.parse("2026-06-01T23:59:30Z")); // past midnight
     UbloxReceiver receiver =
         new UbloxReceiver(settings, GpsParameters.survey(), PLANE, utc, new NoiseStreams(11L));

@@ -24,9 +24,15 @@ record UgvCommandLine(int exitCode, String out, String err, Path directory) {
 
   /** Without a broker for others. */
   static UgvCommandLine demo(Path directory, String... options) {
+    return demo(directory, 0, options);
+  }
+
+  /** With a broker at that port; 0: none. */
+  static UgvCommandLine demo(Path directory, int port, String... options) {
     System.setProperty("u2sa.home", repository().toString());
     List<String> arguments =
-        new ArrayList<>(List.of("demo", "ugv", "--port", "0", "--out", directory.toString()));
+        new ArrayList<>(
+            List.of("demo", "ugv", "--port", String.valueOf(port), "--out", directory.toString()));
     arguments.addAll(List.of(options));
     StringWriter out = new StringWriter();
     StringWriter err = new StringWriter();

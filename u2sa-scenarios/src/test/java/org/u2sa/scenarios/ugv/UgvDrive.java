@@ -11,6 +11,8 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.scenarios.run.RunPlans;
+import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
@@ -31,7 +33,13 @@ final class UgvDrive implements AutoCloseable {
     Path root = UgvCommandLine.repository();
     Mission mission = Mission.load(root.resolve("missions/ugv/loop.xml"));
     world =
-        new UgvWorld(UgvFiles.home(mission), VehicleKind.DIFFERENTIAL, GpsGrade.SURVEY, 1, hazards);
+        new UgvWorld(
+            RunPlans.start(mission),
+            VehicleKind.DIFFERENTIAL,
+            GpsGrade.SURVEY,
+            1,
+            hazards,
+            DriveConditions.usual());
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
@@ -70,7 +78,7 @@ final class UgvDrive implements AutoCloseable {
                 + " "
                 + operator.causes()
                 + ", "
-                + world.truth());
+                + world.state());
       }
       drive(LOOK_S);
     }
@@ -78,11 +86,11 @@ final class UgvDrive implements AutoCloseable {
 
   /** Until it is on its way to the first waypoint at full speed. */
   void driveAtFullSpeed() throws InterruptedException {
-    driveUntil("drives", () -> world.truth().forwardMps() > 0.95, 20.0);
+    driveUntil("drives", () -> world.state().forwardMps() > 0.95, 20.0);
   }
 
   private boolean moves() {
-    return UnarmedMotion.moves(world.truth());
+    return TruthObserver.moves(world.truth());
   }
 
   /** Whether neither motor is driven. */
@@ -101,7 +109,7 @@ final class UgvDrive implements AutoCloseable {
   /** Measures from now on how long it takes and how far it gets until it stands. */
   Stop stop(double atMostS) throws InterruptedException {
     double from = nowS();
-    GroundState began = world.truth();
+    GroundState began = world.state();
     driveUntil("motors off", this::motorsOff, atMostS);
     double motorsOffS = nowS() - from;
     double movedS = nowS();
@@ -109,10 +117,10 @@ final class UgvDrive implements AutoCloseable {
       drive(LOOK_S);
       movedS = moves() ? nowS() : movedS;
       if (movedS - from > atMostS) {
-        throw new AssertionError("does not stand after " + atMostS + " s: " + world.truth());
+        throw new AssertionError("does not stand after " + atMostS + " s: " + world.state());
       }
     }
-    GroundState ended = world.truth();
+    GroundState ended = world.state();
     return new Stop(
         motorsOffS,
         movedS - from,
@@ -121,16 +129,16 @@ final class UgvDrive implements AutoCloseable {
 
   /** Fails if it moves in that time. */
   void requireStanding(double forS) throws InterruptedException {
-    GroundState began = world.truth();
+    GroundState began = world.state();
     for (double end = nowS() + forS; nowS() < end; ) {
       drive(LOOK_S);
       if (moves() || !motorsOff()) {
         throw new AssertionError(
-            "moved at " + nowS() + " s: " + world.truth() + ", " + world.motors());
+            "moved at " + nowS() + " s: " + world.state() + ", " + world.motors());
       }
     }
     double way =
-        Math.hypot(world.truth().eastM() - began.eastM(), world.truth().northM() - began.northM());
+        Math.hypot(world.state().eastM() - began.eastM(), world.state().northM() - began.northM());
     if (way > 0.02) {
       throw new AssertionError("crept " + way + " m in " + forS + " s");
     }

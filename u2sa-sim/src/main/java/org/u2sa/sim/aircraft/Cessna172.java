@@ -13,72 +13,89 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VD;
 import static org.u2sa.sim.aircraft.FlightDynamics.VE;
 import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 
+import java.util.List;
 import java.util.Objects;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.Air;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.atmosphere.WindField;
 import org.u2sa.sim.motion.RungeKutta;
+import org.u2sa.sim.vehicle.FixedStep;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Footprint;
+import org.u2sa.sim.world.World;
 
-/**
- * One simulated Cessna 172: controls in, state out. It steps at 120 Hz inside, whatever steps it is
- * asked for, and gives the same doubles for the same start, wind, seed and inputs on every machine.
- * Not safe for several threads.
- */
-public final class Cessna172 {
+/** One simulated Cessna 172: controls in, state out. It steps at 120 Hz inside. */
+public final class Cessna172 implements SimulatedVehicle {
   /** Rate of the physics inside [1/s]. */
   public static final int TICKS_PER_SECOND = 120;
 
-  private static final double LONGEST_STEP_S = 60.0;
+  /** Nose, wing tips and tail, from wheels to fin. */
+  private static final Footprint FOOTPRINT =
+      new Footprint(
+          List.of(
+              Point.of(1.75, 0.0, 0.0),
+              Point.of(0.0, 5.48, 0.0),
+              Point.of(-5.3, 0.0, 0.0),
+              Point.of(0.0, -5.48, 0.0)),
+          -LandingGear.STANDING_M,
+          1.45);
+
   private static final double FLAP_TRAVEL_S = 7.0; // for the whole 30°
   private static final double FLYING_MPS = 10.0; // slower air makes no stall
   private static final double STALL_MIDDLE = 0.5;
   private static final double HALTS_RAD_PER_S = 2.0; // a dead engine turning slower stands
 
-  private final TerrainHeight terrain;
+  private final World world;
   private final WindField wind;
   private final FlightDynamics dynamics;
   private final RungeKutta integrator = new RungeKutta(FlightDynamics.SIZE);
   private final double[] rate = new double[FlightDynamics.SIZE];
   private final double[] s;
   private double flapPosition;
-  private long ticks;
-  private double dueS;
+  private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
+  private final Runnable tick = this::tick;
+  private ControlInputs held = ControlInputs.neutral();
   private boolean crashed;
 
-  private Cessna172(
-      double[] start, TerrainHeight terrain, Wind wind, boolean engineRunning, double flaps) {
+  private Cessna172(double[] start, World world, boolean engineRunning, double flaps) {
     this.s = start;
-    this.terrain = Objects.requireNonNull(terrain, "terrain");
-    this.wind = new WindField(Objects.requireNonNull(wind, "wind"), Airframe.SPAN_M);
+    this.world = Objects.requireNonNull(world, "world");
+    this.wind = world.windAround(Airframe.SPAN_M);
     this.dynamics = new FlightDynamics(new PistonEngine(engineRunning));
     this.flapPosition = flaps;
     surround(1.0 / TICKS_PER_SECOND);
-    prepare(ControlInputs.neutral());
+    prepare(held);
     dynamics.derivatives(s, rate);
   }
 
   /** An aircraft standing on its wheels, on level ground of the start's elevation. */
   public static Cessna172 onRunway(RunwayStart start, Wind wind, boolean engineRunning) {
-    return onRunway(start, TerrainHeight.plane(start.elevationM()), wind, engineRunning);
+    Geodetic place = new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.elevationM());
+    return onRunway(start, World.at(place).with(wind), engineRunning);
   }
 
   /** An aircraft standing on its wheels at the start's elevation, with other ground elsewhere. */
-  public static Cessna172 onRunway(
-      RunwayStart start, TerrainHeight terrain, Wind wind, boolean engineRunning) {
+  public static Cessna172 onRunway(RunwayStart start, World world, boolean engineRunning) {
     double[] s = InitialState.standing(start, engineRunning);
-    return new Cessna172(s, terrain, wind, engineRunning, 0.0);
+    return new Cessna172(s, world, engineRunning, 0.0);
+  }
+
+  /** An aircraft in the air above level ground. */
+  public static Cessna172 inFlight(FlightStart start, Wind wind) {
+    Geodetic below =
+        new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.groundElevationM());
+    return inFlight(start, World.at(below).with(wind));
   }
 
   /** An aircraft in the air; the airspeed is against the steady wind that blows there. */
-  public static Cessna172 inFlight(FlightStart start, Wind wind) {
-    return inFlight(start, TerrainHeight.plane(start.groundElevationM()), wind);
-  }
-
-  /** An aircraft in the air above other than level ground. */
-  public static Cessna172 inFlight(FlightStart start, TerrainHeight terrain, Wind wind) {
-    double[] s = InitialState.flying(start, wind);
-    return new Cessna172(s, terrain, wind, start.engineRpm() > 0.0, start.flaps());
+  public static Cessna172 inFlight(FlightStart start, World world) {
+    double[] s = InitialState.flying(start, world.wind());
+    return new Cessna172(s, world, start.engineRpm() > 0.0, start.flaps());
   }
 
   /**
@@ -92,37 +109,36 @@ public final class Cessna172 {
     }
   }
 
-  /**
-   * Moves on in time. What does not fill a tick of 1/120 s is kept for the next call, so that many
-   * small steps equal one large step.
-   *
-   * @param inputs held during the step
-   * @param dtS above 0, at most 60 s
-   * @throws IllegalArgumentException if dt is outside its range
-   */
+  /** Holds these inputs from now on, and steps. */
   public void step(ControlInputs inputs, double dtS) {
-    Objects.requireNonNull(inputs, "inputs");
-    if (!(dtS > 0.0 && dtS <= LONGEST_STEP_S)) {
-      throw new IllegalArgumentException("dt: " + dtS + " s is outside 0…" + LONGEST_STEP_S + " s");
-    }
-    dueS += dtS;
-    long count = (long) StrictMath.floor(dueS * TICKS_PER_SECOND + 1e-6);
-    dueS -= (double) count / TICKS_PER_SECOND;
-    for (long i = 0; i < count; i++) {
-      tick(inputs);
-    }
+    held = Objects.requireNonNull(inputs, "inputs");
+    step(dtS);
   }
 
-  private void tick(ControlInputs inputs) {
-    ticks++;
+  @Override
+  public void step(double dtS) {
+    steps.step(dtS, tick);
+  }
+
+  @Override
+  public List<String> actuators() {
+    return ControlInputs.NAMES;
+  }
+
+  @Override
+  public void command(String actuator, double value) {
+    held = held.with(actuator, value);
+  }
+
+  private void tick() {
     if (crashed) {
       return;
     }
     double dtS = 1.0 / TICKS_PER_SECOND;
     double flapStep = dtS / FLAP_TRAVEL_S;
-    flapPosition += Math.max(-flapStep, Math.min(flapStep, inputs.flaps() - flapPosition));
+    flapPosition += Math.max(-flapStep, Math.min(flapStep, held.flaps() - flapPosition));
     surround(dtS);
-    prepare(inputs);
+    prepare(held);
     integrator.step(dynamics, s, dtS);
     tidy();
     dynamics.derivatives(s, rate);
@@ -133,7 +149,7 @@ public final class Cessna172 {
 
   private void surround(double dtS) {
     dynamics.attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
-    dynamics.groundM = groundM();
+    dynamics.groundM = world.elevationM(Math.toDegrees(s[LON]), Math.toDegrees(s[LAT]));
     dynamics.densityKgPerM3 = StandardAtmosphere.at(s[ALT]).densityKgPerM3();
     double heading = dynamics.attitude.headingRad();
     wind.step(
@@ -148,18 +164,6 @@ public final class Cessna172 {
     dynamics.gustP = wind.gusts().rollRadPerS();
     dynamics.gustQ = wind.gusts().pitchRadPerS();
     dynamics.gustR = wind.gusts().yawRadPerS();
-  }
-
-  private double groundM() {
-    double lon = Math.toDegrees(s[LON]);
-    double lat = Math.toDegrees(s[LAT]);
-    double elevation = terrain.elevationM(lon, lat);
-    if (!Double.isFinite(elevation)) {
-      String place = lat + "°, " + lon + "°: " + elevation;
-      throw new IllegalStateException(
-          "terrain elevation at " + place + " is not a number of metres");
-    }
-    return elevation;
   }
 
   private void prepare(ControlInputs inputs) {
@@ -221,7 +225,7 @@ public final class Cessna172 {
     boolean stalled =
         !onWheels && airspeed > FLYING_MPS && Aerodynamics.stallFraction(alpha) > STALL_MIDDLE;
     return new AircraftMotion(
-        (double) ticks / TICKS_PER_SECOND,
+        steps.timeS(),
         Math.toDegrees(s[LON]),
         Math.toDegrees(s[LAT]),
         s[ALT],
@@ -244,5 +248,28 @@ public final class Cessna172 {
         crashed,
         stalled,
         crashed ? 1.0 : dynamics.loadFactor);
+  }
+
+  @Override
+  public VehicleTruth truth() {
+    AircraftAttitude attitude = dynamics.attitude;
+    Geodetic place = new Geodetic(Math.toDegrees(s[LON]), Math.toDegrees(s[LAT]), s[ALT]);
+    return new VehicleTruth(
+        steps.timeS(),
+        world.plane().point(place),
+        new Attitude(attitude.rollRad(), attitude.pitchRad(), attitude.headingRad()),
+        Point.of(s[VE], s[VN], -s[VD]),
+        Point.of(s[P], s[Q], s[R]),
+        crashed ? Point.ORIGIN : Point.of(rate[VE], rate[VN], -rate[VD]));
+  }
+
+  @Override
+  public Footprint footprint() {
+    return FOOTPRINT;
+  }
+
+  @Override
+  public World world() {
+    return world;
   }
 }

@@ -1,5 +1,7 @@
 package org.u2sa.sim.aircraft;
 
+import java.util.List;
+
 /**
  * What the pilot does, normalised; signs are FlightGear's.
  *
@@ -36,6 +38,18 @@ public record ControlInputs(
     require("brakeRight", brakeRight, 0.0);
   }
 
+  /** Names of all, in order, as commands address them. */
+  static final List<String> NAMES =
+      List.of(
+          "AILERON",
+          "ELEVATOR",
+          "RUDDER",
+          "THROTTLE",
+          "MIXTURE",
+          "FLAPS",
+          "LEFT BRAKE",
+          "RIGHT BRAKE");
+
   /** Surfaces centred, throttle idle, mixture rich, flaps up, brakes off. */
   public static ControlInputs neutral() {
     return new ControlInputs(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0);
@@ -63,6 +77,22 @@ public record ControlInputs(
         limit("flaps", flaps, 0.0),
         limit("brakeLeft", brakeLeft, 0.0),
         limit("brakeRight", brakeRight, 0.0));
+  }
+
+  /** These inputs with another value of one of {@link #NAMES}. */
+  ControlInputs with(String name, double value) {
+    return switch (name) {
+      case "AILERON" -> withSurfaces(value, elevator, rudder);
+      case "ELEVATOR" -> withSurfaces(aileron, value, rudder);
+      case "RUDDER" -> withSurfaces(aileron, elevator, value);
+      case "THROTTLE" -> withThrottle(value);
+      case "MIXTURE" -> withMixture(value);
+      case "FLAPS" -> withFlaps(value);
+      case "LEFT BRAKE" -> withBrakes(value, brakeRight);
+      case "RIGHT BRAKE" -> withBrakes(brakeLeft, value);
+      default ->
+          throw new IllegalArgumentException("actuator \"" + name + "\": expected one of " + NAMES);
+    };
   }
 
   /** These inputs with other aileron, elevator and rudder. */

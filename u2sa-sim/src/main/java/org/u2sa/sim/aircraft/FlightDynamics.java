@@ -1,5 +1,6 @@
 package org.u2sa.sim.aircraft;
 
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.motion.Motion;
 
@@ -135,8 +136,8 @@ final class FlightDynamics implements Motion {
     double accN = forceN / Airframe.MASS_KG;
     double accE = forceE / Airframe.MASS_KG;
     double accD = forceD / Airframe.MASS_KG;
-    loadFactor = -attitude.below(accN, accE, accD) / StandardAtmosphere.GRAVITY_MPS2;
-    accD += StandardAtmosphere.GRAVITY_MPS2;
+    loadFactor = -attitude.below(accN, accE, accD) / Gravity.STANDARD_MPS2;
+    accD += Gravity.STANDARD_MPS2;
 
     // α' = (w'u − u'w)/(u² + w²), body accelerations with u' = a − ω × v (Stevens and Lewis, 2nd
     // ed., eq. 1.4)

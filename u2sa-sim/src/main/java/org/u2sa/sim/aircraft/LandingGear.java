@@ -1,5 +1,7 @@
 package org.u2sa.sim.aircraft;
 
+import org.u2sa.messages.frame.Gravity;
+
 /**
  * Tricycle gear of the Cessna 172: nose wheel steered by the pedals (10° each way: Pilot's
  * Operating Handbook, section 7), two braked main wheels, and the corners of the airframe that must
@@ -17,7 +19,7 @@ final class LandingGear {
   private static final double NOSE_X = 1.214;
   private static final double MAIN_X = -0.437;
   private static final double HALF_TRACK = 1.264;
-  private static final double WEIGHT_N = Airframe.MASS_KG * 9.80665;
+  private static final double WEIGHT_N = Airframe.MASS_KG * Gravity.STANDARD_MPS2;
   private static final double NOSE_SHARE = -MAIN_X / (NOSE_X - MAIN_X);
   private static final double NOSE_STIFFNESS = 30_000.0;
   private static final double MAIN_STIFFNESS = 70_000.0;

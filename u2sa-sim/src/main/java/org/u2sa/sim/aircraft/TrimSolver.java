@@ -8,6 +8,9 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VD;
 import static org.u2sa.sim.aircraft.FlightDynamics.VE;
 import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.motion.Arguments;
 
@@ -154,9 +157,10 @@ final class TrimSolver {
     double u = speedMps * StrictMath.cos(x[ALPHA]) * StrictMath.cos(x[BETA]);
     double v = speedMps * StrictMath.sin(x[BETA]);
     double w = speedMps * StrictMath.sin(x[ALPHA]) * StrictMath.cos(x[BETA]);
-    double p = -turn * StrictMath.sin(theta);
-    double q = turn * StrictMath.sin(rollRad) * StrictMath.cos(theta);
-    double r = turn * StrictMath.cos(rollRad) * StrictMath.cos(theta);
+    Point rates = new Attitude(rollRad, theta, 0.0).bodyRates(Point.of(0.0, 0.0, turn));
+    double p = rates.x();
+    double q = rates.y();
+    double r = rates.z();
     AircraftAttitude.write(state, Q0, rollRad, theta, 0.0);
     AircraftAttitude a = dynamics.attitude;
     a.set(state[Q0], state[Q0 + 1], state[Q0 + 2], state[Q0 + 3]);
@@ -193,7 +197,7 @@ final class TrimSolver {
   private double turnRate() {
     // Coordinated: ψ' = g tan φ / V (McCormick, Aerodynamics, Aeronautics, and Flight Mechanics,
     // section 7)
-    return StandardAtmosphere.GRAVITY_MPS2 * StrictMath.tan(rollRad) / speedMps;
+    return Gravity.STANDARD_MPS2 * StrictMath.tan(rollRad) / speedMps;
   }
 
   /** Pitch of a flight path: rate-of-climb constraint (Stevens and Lewis, 2nd ed., eq. 3.6-3). */

@@ -1,5 +1,7 @@
 package org.u2sa.sim.atmosphere;
 
+import org.u2sa.messages.frame.Gravity;
+
 /**
  * The troposphere of the ICAO standard atmosphere (ICAO Doc 7488/3; identical to ISO 2533 up to 11
  * km).
@@ -16,9 +18,6 @@ public final class StandardAtmosphere {
 
   /** Speed of sound at sea level [m/s]. */
   public static final double SEA_LEVEL_SOUND_SPEED_MPS = 340.294;
-
-  /** Standard acceleration of gravity [m/s²]. */
-  public static final double GRAVITY_MPS2 = 9.80665;
 
   /**
    * Lowest and highest altitude served [m]: the Dead Sea's shore is inside, the stratosphere is
@@ -51,7 +50,7 @@ public final class StandardAtmosphere {
     double geopotentialM = EARTH_RADIUS_M * altitudeM / (EARTH_RADIUS_M + altitudeM);
     double bounded = Math.min(HIGHEST_M, Math.max(LOWEST_M, geopotentialM));
     double temperature = SEA_LEVEL_TEMPERATURE_K + LAPSE_K_PER_M * bounded;
-    double exponent = -GRAVITY_MPS2 / (LAPSE_K_PER_M * GAS_CONSTANT);
+    double exponent = -Gravity.STANDARD_MPS2 / (LAPSE_K_PER_M * GAS_CONSTANT);
     double pressure =
         SEA_LEVEL_PRESSURE_PA * StrictMath.pow(temperature / SEA_LEVEL_TEMPERATURE_K, exponent);
     return new Air(

@@ -1,5 +1,9 @@
 package org.u2sa.sim.ground;
 
+import java.util.List;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.sim.world.Footprint;
+
 /**
  * A vehicle that steers with its front wheels and drives its rear axle, as a single track: at a
  * walk it is the kinematic bicycle, faster its tyres run at slip angles (Rajamani, Vehicle Dynamics
@@ -11,6 +15,8 @@ public final class AckermannVehicle extends PlanarVehicle {
   private static final int FRONT = REAR + DrivenWheel.SIZE; // stretch across [m]
   private static final int STEER = FRONT + 1; // [rad]
   private static final int SIZE = STEER + 1;
+  private static final double OVERHANG = 0.25; // at each end, by the wheelbase
+  private static final double WIDTH = 0.85; // by the wheelbase
 
   private final AckermannParameters p;
   private final Chassis chassis;
@@ -36,7 +42,7 @@ public final class AckermannVehicle extends PlanarVehicle {
     super(start, SIZE, chassis.centred(), new Battery(p.battery()));
     this.p = p;
     this.chassis = chassis;
-    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double weight = chassis.massKg() * Gravity.STANDARD_MPS2;
     double frontN = weight * chassis.cogAheadM() / p.wheelbaseM();
     if (!(frontN > 0.0 && frontN < weight)) {
       throw new IllegalArgumentException(
@@ -51,7 +57,7 @@ public final class AckermannVehicle extends PlanarVehicle {
 
   @Override
   void lean(double pressing, double forward, double right) {
-    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double weight = chassis.massKg() * Gravity.STANDARD_MPS2;
     double ahead = pressing * chassis.cogAheadM() + forward * p.cogHeightM();
     double frontN = weight * ahead / p.wheelbaseM();
     rear.load(Math.max(LEAST_LOAD_N, weight * pressing - frontN));
@@ -108,6 +114,19 @@ public final class AckermannVehicle extends PlanarVehicle {
   void halt() {
     rear.halt(s, REAR);
     s[FRONT] = 0.0;
+  }
+
+  @Override
+  public List<String> actuators() {
+    return List.of("THROTTLE", "STEERING");
+  }
+
+  /** {@inheritDoc} From bumper to bumper one and a half wheelbases, wide as most cars by theirs. */
+  @Override
+  public Footprint footprint() {
+    double overhang = OVERHANG * p.wheelbaseM();
+    return Footprint.rectangle(
+        p.wheelbaseM() + overhang, overhang, WIDTH * p.wheelbaseM(), 0.0, 2.0 * p.cogHeightM());
   }
 
   @Override

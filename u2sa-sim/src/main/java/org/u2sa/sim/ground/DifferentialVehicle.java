@@ -1,5 +1,9 @@
 package org.u2sa.sim.ground;
 
+import java.util.List;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.sim.world.Footprint;
+
 /**
  * A vehicle that steers by the difference of its two driven wheels, with a castor in front: the
  * Mini-Molle of thesis 4.6.3. Its wheels creep and slide, scrub in turns, and load the battery.
@@ -11,6 +15,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
   private static final int RIGHT = LEFT + DrivenWheel.SIZE;
   private static final int CASTOR = RIGHT + DrivenWheel.SIZE;
   private static final int SIZE = CASTOR + 1;
+  private static final double HALF_TYRE_M = 0.03;
 
   private final DifferentialParameters p;
   private final Chassis chassis;
@@ -38,7 +43,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
     this.p = p;
     this.chassis = chassis;
     mismatch = p.mismatch();
-    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double weight = chassis.massKg() * Gravity.STANDARD_MPS2;
     double castorN = weight * chassis.cogAheadM() / p.castorAheadM();
     double axleN = weight - castorN;
     double shiftN = weight * chassis.cogRightM() / p.trackM(); // from left to right
@@ -53,7 +58,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
 
   @Override
   void lean(double pressing, double forward, double right) {
-    double weight = chassis.massKg() * GRAVITY_MPS2;
+    double weight = chassis.massKg() * Gravity.STANDARD_MPS2;
     double ahead = pressing * chassis.cogAheadM() + forward * p.cogHeightM();
     double aside = pressing * chassis.cogRightM() + right * p.cogHeightM();
     double castorN = weight * ahead / p.castorAheadM();
@@ -136,6 +141,22 @@ public final class DifferentialVehicle extends PlanarVehicle {
   void halt() {
     left.halt(s, LEFT);
     right.halt(s, RIGHT);
+  }
+
+  @Override
+  public List<String> actuators() {
+    return List.of("LEFT MOTOR", "RIGHT MOTOR");
+  }
+
+  /** {@inheritDoc} The outline of its wheels. */
+  @Override
+  public Footprint footprint() {
+    return Footprint.rectangle(
+        p.castorAheadM() + HALF_TYRE_M,
+        p.wheelRadiusM(),
+        p.trackM() + 2.0 * HALF_TYRE_M,
+        0.0,
+        2.0 * p.cogHeightM());
   }
 
   @Override

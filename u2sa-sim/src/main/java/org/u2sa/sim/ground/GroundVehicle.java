@@ -1,25 +1,20 @@
 package org.u2sa.sim.ground;
 
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.world.World;
+
 /**
- * One simulated ground vehicle, on level ground until it gets other {@link #terrain}. It steps at
- * 500 Hz inside, whatever steps it is asked for, and gives the same doubles for the same start and
- * inputs on every machine. Not safe for several threads.
+ * One simulated ground vehicle, on a level lawn until it enters another world. Its place is that of
+ * its reference point, the middle of the driven axle; it steps at 500 Hz inside.
  */
-public interface GroundVehicle {
+public interface GroundVehicle extends SimulatedVehicle {
   /** Rate of the physics inside [1/s]. */
   int TICKS_PER_SECOND = 500;
 
-  /**
-   * Moves on in time. What does not fill a tick of 1/500 s is kept for the next call, so that many
-   * small steps equal one large step.
-   *
-   * @param command held during the step
-   * @param dtS above 0, at most 60 s
-   * @throws IllegalArgumentException if dt is outside its range
-   */
+  /** Commands both inputs at once, and steps. */
   void step(DriveCommand command, double dtS);
 
-  /** The vehicle as it is now. */
+  /** The vehicle as it is now, with all that turns and flows in it. */
   GroundState state();
 
   /**
@@ -38,9 +33,6 @@ public interface GroundVehicle {
    */
   void charge(double charge);
 
-  /** Puts hills under the vehicle. */
-  void terrain(Terrain terrain);
-
-  /** Exchanges the ground that the vehicle stands on. */
-  void ground(Surface surface);
+  /** Puts other ground and obstacles around the vehicle, where it is. */
+  void enter(World world);
 }

@@ -3,6 +3,7 @@ package org.u2sa.sim.ground;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.sim.sensor.CompassField;
+import org.u2sa.sim.world.World;
 
 /** Plays the hazards of a run upon a vehicle. */
 final class HazardPlay {
@@ -16,7 +17,7 @@ final class HazardPlay {
   private final List<DrivingHazard.Magnetic> magnets;
   private double lastS = -1.0;
 
-  HazardPlay(Hazards hazards, GroundVehicle vehicle, Surface surface) {
+  HazardPlay(Hazards hazards, GroundVehicle vehicle, World world) {
     this.vehicle = vehicle;
     all = hazards.all();
     outages = hazards.of(DrivingHazard.GpsOutage.class);
@@ -25,7 +26,7 @@ final class HazardPlay {
     batteries = hazards.of(DrivingHazard.BatteryAt.class);
     pushes = hazards.of(DrivingHazard.Push.class);
     magnets = hazards.of(DrivingHazard.Magnetic.class);
-    vehicle.ground(hazards.on(surface));
+    vehicle.enter(world.with(hazards.on(world.surface())));
   }
 
   List<DrivingHazard> all() {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Random;
 import org.u2sa.sim.motion.Arguments;
+import org.u2sa.sim.world.Surface;
 
 /**
  * What goes wrong in a run, by time and place: the script of a test. Immutable; times are simulated

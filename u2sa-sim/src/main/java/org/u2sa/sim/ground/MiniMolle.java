@@ -1,15 +1,17 @@
 package org.u2sa.sim.ground;
 
 import java.util.List;
-import org.u2sa.messages.frame.Geodetic;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.u2sa.sim.ioio.Pins;
 import org.u2sa.sim.ioio.PulseTrain;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.SpartonDevice;
 import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UartTransmitter;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.VoltmeterModel;
+import org.u2sa.sim.vehicle.ContactWatch;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.World;
 
 /**
  * The hardware of thesis 4.6.3 behind the pins of an IOIO: a vehicle, its motor controllers, a
@@ -28,8 +30,7 @@ public final class MiniMolle implements Pins {
 
   private final MiniMolleWiring wiring;
   private final GroundVehicle vehicle;
-  private final LocalPlane plane;
-  private final Terrain terrain;
+  private final World world;
   private final UbloxReceiver gps;
   private final SpartonDevice compass;
   private final VoltmeterModel voltmeter;
@@ -39,27 +40,27 @@ public final class MiniMolle implements Pins {
   private long beginUs = -1; // not yet; other times count from it
   private long tickUs;
   private long nowUs;
+  private final List<ContactWatch.Contact> contacts = new CopyOnWriteArrayList<>();
+  private final ContactWatch watch = new ContactWatch(contacts::add);
   private volatile GroundState state;
+  private volatile VehicleTruth truth;
   private volatile DriveCommand command = DriveCommand.none();
 
   MiniMolle(MiniMolleBuilder parts) {
     wiring = parts.wiring;
     vehicle = parts.vehicle;
-    plane = parts.plane;
-    terrain = parts.terrain;
-    if (terrain != Terrain.flat()) {
-      vehicle.terrain(terrain);
-    }
+    world = parts.world;
     gps = parts.gps();
     compass = parts.compass();
     voltmeter = parts.voltmeter();
-    hazards = new HazardPlay(parts.hazards, vehicle, parts.surface);
+    hazards = new HazardPlay(parts.hazards, vehicle, world);
     state = vehicle.state();
+    truth = vehicle.truth();
   }
 
-  /** Builds one that stands on this plane. */
-  public static MiniMolleBuilder on(LocalPlane plane) {
-    return new MiniMolleBuilder(plane);
+  /** Builds one that stands in this world. */
+  public static MiniMolleBuilder in(World world) {
+    return new MiniMolleBuilder(world);
   }
 
   @Override
@@ -86,6 +87,8 @@ public final class MiniMolle implements Pins {
     vehicle.step(told, TICK_S);
     command = told;
     state = vehicle.state();
+    truth = vehicle.truth();
+    watch.look(vehicle, truth);
     if (micros >= gps.nextUs() || micros >= compass.nextUs()) {
       sense(micros);
     }
@@ -94,13 +97,13 @@ public final class MiniMolle implements Pins {
   private void sense(long micros) {
     GroundState s = state;
     double climbMps =
-        terrain.riseEast(s.eastM(), s.northM()) * s.eastMps()
-            + terrain.riseNorth(s.eastM(), s.northM()) * s.northMps();
+        world.terrain().riseEast(s.eastM(), s.northM()) * s.eastMps()
+            + world.terrain().riseNorth(s.eastM(), s.northM()) * s.northMps();
     TrueMotion truth =
         new TrueMotion(
             s.eastM(),
             s.northM(),
-            heightM(s),
+            world.terrain().heightM(s.eastM(), s.northM()),
             s.eastMps(),
             s.northMps(),
             climbMps + 0.0, // no negative zero on level ground
@@ -167,14 +170,14 @@ public final class MiniMolle implements Pins {
     return state;
   }
 
-  /** Where the vehicle truly is on earth. */
-  public Geodetic place() {
-    GroundState s = state;
-    return plane.at(s.eastM(), s.northM(), heightM(s));
+  /** The same in the terms of all vehicles. */
+  public VehicleTruth truth() {
+    return truth;
   }
 
-  private double heightM(GroundState s) {
-    return terrain.heightM(s.eastM(), s.northM());
+  /** Every touch of an obstacle so far. */
+  public List<ContactWatch.Contact> contacts() {
+    return List.copyOf(contacts);
   }
 
   /** What reached the motors in the last tick, from whoever drives. */

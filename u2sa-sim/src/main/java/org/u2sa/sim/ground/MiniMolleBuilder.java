@@ -4,29 +4,27 @@ import java.time.Instant;
 import java.util.Objects;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.SpartonDevice;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.sensor.UtcTime;
 import org.u2sa.sim.sensor.VoltmeterModel;
+import org.u2sa.sim.world.World;
 
 /**
- * Puts a {@link MiniMolle} together. Without more it is the differential vehicle at the plane's
- * origin, facing north on a lawn, with a survey receiver that sends UBX eight times a second at
- * 9600 baud, which carries no more, a calibrated compass at 9600 baud, no hazards and seed 1.
+ * Puts a {@link MiniMolle} together. Without more it is the differential vehicle at the world's
+ * origin, facing north, with a survey receiver that sends UBX eight times a second at 9600 baud,
+ * which carries no more, a calibrated compass at 9600 baud, no hazards and seed 1.
  */
 public final class MiniMolleBuilder {
   private static final int BAUD = 9600;
   private static final double AT_9600_HZ = 8.0;
   private static final double VOLTMETER_NOISE_V = 0.005;
 
-  final LocalPlane plane;
+  final World world;
   MiniMolleWiring wiring = MiniMolleWiring.standard();
   GroundVehicle vehicle = new DifferentialVehicle(DifferentialParameters.miniMolle());
-  Surface surface = Surface.lawn();
-  Terrain terrain = Terrain.flat();
   Hazards hazards = Hazards.none();
   private GpsParameters gps = GpsParameters.survey();
   private UbloxSettings gpsSettings = UbloxSettings.binary(BAUD, AT_9600_HZ);
@@ -35,25 +33,13 @@ public final class MiniMolleBuilder {
   private UtcTime utc = new UtcTime(Instant.parse("2026-06-01T12:00:00Z"));
   private NoiseStreams streams = new NoiseStreams(1L);
 
-  MiniMolleBuilder(LocalPlane plane) {
-    this.plane = Objects.requireNonNull(plane, "plane");
+  MiniMolleBuilder(World world) {
+    this.world = Objects.requireNonNull(world, "world");
   }
 
-  /** Another vehicle. Its place and its ground are its own, the latter until it is built in. */
+  /** Another vehicle. Its place is its own; it enters the world when it is built in. */
   public MiniMolleBuilder vehicle(GroundVehicle newVehicle) {
     vehicle = Objects.requireNonNull(newVehicle, "vehicle");
-    return this;
-  }
-
-  /** Other ground. */
-  public MiniMolleBuilder surface(Surface newSurface) {
-    surface = Objects.requireNonNull(newSurface, "surface");
-    return this;
-  }
-
-  /** Hills. */
-  public MiniMolleBuilder terrain(Terrain newTerrain) {
-    terrain = Objects.requireNonNull(newTerrain, "terrain");
     return this;
   }
 
@@ -101,7 +87,7 @@ public final class MiniMolleBuilder {
   }
 
   UbloxReceiver gps() {
-    return new UbloxReceiver(gpsSettings, gps, plane, utc, streams);
+    return new UbloxReceiver(gpsSettings, gps, world.plane(), utc, streams);
   }
 
   SpartonDevice compass() {

@@ -1,9 +1,18 @@
 package org.u2sa.sim.ground;
 
 import java.util.Objects;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.motion.Motion;
 import org.u2sa.sim.motion.RungeKutta;
+import org.u2sa.sim.vehicle.FixedStep;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Surface;
+import org.u2sa.sim.world.Terrain;
+import org.u2sa.sim.world.World;
 
 /**
  * A rigid body on a plane, or on gentle slopes: what all ground vehicles share. Axes as in the
@@ -20,19 +29,17 @@ abstract class PlanarVehicle implements GroundVehicle {
   static final int FREE = 6; // first of the vehicle's own states
 
   static final double TICK_S = 1.0 / TICKS_PER_SECOND;
-  static final double GRAVITY_MPS2 = 9.80665;
   static final double FRICTION_FULL_MPS = 0.05; // free wheels: below, their drag fades
 
   static final double LEAST_LOAD_N = 1.0; // of a wheel that would lift
 
-  private static final double LONGEST_STEP_S = 60.0;
   private static final double TURN_RAD = 2.0 * Math.PI;
   private static final double STILL = 1e-4; // [m/s], [rad/s]
   private static final double CALM = 1e-2; // [m/s²], [rad/s²]
 
   final double[] s;
   final Battery battery;
-  Surface surface = Surface.lawn();
+  Surface surface;
   private final double massKg;
   private final double yawInertiaKgM2;
   private final double referenceX; // by the centre of gravity
@@ -43,11 +50,14 @@ abstract class PlanarVehicle implements GroundVehicle {
   private double pushEast;
   private double pushNorth;
   private double pushTurn;
-  private Terrain terrain = Terrain.flat();
+  private World world = World.at(new Geodetic(0.0, 0.0, 0.0));
+  private Terrain terrain = world.terrain();
   private double pullEast; // gravity along the slope [N], held during a tick
   private double pullNorth;
-  private long ticks;
-  private double dueS;
+  private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
+  private final Runnable tick = this::tick;
+  private final double[] before = new double[FREE]; // the tick before
+  private DriveCommand held = DriveCommand.none();
   private boolean resting;
   private double sinPsi;
   private double cosPsi;
@@ -57,6 +67,10 @@ abstract class PlanarVehicle implements GroundVehicle {
     s[EAST] = start.eastM();
     s[NORTH] = start.northM();
     s[PSI] = start.headingRad();
+    System.arraycopy(s, 0, before, 0, FREE);
+    sinPsi = StrictMath.sin(s[PSI]);
+    cosPsi = StrictMath.cos(s[PSI]);
+    surface = world.surface();
     rate = new double[size];
     integrator = new RungeKutta(size);
     massKg = chassis.massKg();
@@ -107,26 +121,33 @@ abstract class PlanarVehicle implements GroundVehicle {
 
   @Override
   public final void step(DriveCommand command, double dtS) {
-    Objects.requireNonNull(command, "command");
-    if (!(dtS > 0.0 && dtS <= LONGEST_STEP_S)) {
-      throw new IllegalArgumentException("dt: " + dtS + " s is outside 0…" + LONGEST_STEP_S + " s");
-    }
-    dueS += dtS;
-    long count = (long) StrictMath.floor(dueS * TICKS_PER_SECOND + 1e-6);
-    dueS -= count * TICK_S;
-    for (long i = 0; i < count; i++) {
-      tick(command);
-    }
+    held = Objects.requireNonNull(command, "command");
+    step(dtS);
   }
 
-  private void tick(DriveCommand command) {
-    ticks++;
+  @Override
+  public final void step(double dtS) {
+    steps.step(dtS, tick);
+  }
+
+  @Override
+  public final void command(String actuator, double value) {
+    int input = actuators().indexOf(actuator);
+    if (input < 0) {
+      throw new IllegalArgumentException(
+          "actuator \"" + actuator + "\": expected one of " + actuators());
+    }
+    held = new DriveCommand(input == 0 ? value : held.first(), input == 1 ? value : held.second());
+  }
+
+  private void tick() {
+    System.arraycopy(s, 0, before, 0, FREE);
     sinPsi = StrictMath.sin(s[PSI]);
     cosPsi = StrictMath.cos(s[PSI]);
     if (terrain != Terrain.flat()) {
       meetSlope();
     }
-    prepare(command);
+    prepare(held);
     boolean left = idle() && !pushed();
     if (resting && left) {
       return;
@@ -154,8 +175,8 @@ abstract class PlanarVehicle implements GroundVehicle {
     double pressing = 1.0 / StrictMath.sqrt(1.0 + riseEast * riseEast + riseNorth * riseNorth);
     double shareEast = -riseEast * pressing;
     double shareNorth = -riseNorth * pressing;
-    pullEast = massKg * GRAVITY_MPS2 * shareEast;
-    pullNorth = massKg * GRAVITY_MPS2 * shareNorth;
+    pullEast = massKg * Gravity.STANDARD_MPS2 * shareEast;
+    pullNorth = massKg * Gravity.STANDARD_MPS2 * shareNorth;
     lean(
         pressing,
         shareEast * sinPsi + shareNorth * cosPsi,
@@ -196,7 +217,7 @@ abstract class PlanarVehicle implements GroundVehicle {
       double rightA) {
     double heading = s[PSI] - TURN_RAD * StrictMath.floor(s[PSI] / TURN_RAD);
     return new GroundState(
-        (double) ticks / TICKS_PER_SECOND,
+        steps.timeS(),
         s[EAST],
         s[NORTH],
         heading < TURN_RAD ? heading : 0.0,
@@ -227,11 +248,20 @@ abstract class PlanarVehicle implements GroundVehicle {
   }
 
   @Override
-  public final void terrain(Terrain newTerrain) {
-    terrain = Objects.requireNonNull(newTerrain, "terrain");
-    pullEast = 0.0;
-    pullNorth = 0.0;
-    lean(1.0, 0.0, 0.0);
+  public final void enter(World newWorld) {
+    world = Objects.requireNonNull(newWorld, "world");
+    surface = world.surface();
+    if (terrain != world.terrain()) {
+      terrain = world.terrain();
+      pullEast = 0.0;
+      pullNorth = 0.0;
+      lean(1.0, 0.0, 0.0);
+    }
+  }
+
+  @Override
+  public final World world() {
+    return world;
   }
 
   @Override
@@ -240,8 +270,48 @@ abstract class PlanarVehicle implements GroundVehicle {
   }
 
   @Override
-  public final void ground(Surface newSurface) {
-    surface = Objects.requireNonNull(newSurface, "surface");
+  public final VehicleTruth truth() {
+    double sin = StrictMath.sin(s[PSI]);
+    double cos = StrictMath.cos(s[PSI]);
+    Attitude now = attitude(s, sin, cos);
+    Attitude then = attitude(before, sinPsi, cosPsi);
+    Point velocity = velocity(s, sin, cos);
+    Point old = velocity(before, sinPsi, cosPsi);
+    Point euler =
+        Point.of((now.phi() - then.phi()) / TICK_S, (now.theta() - then.theta()) / TICK_S, s[R]);
+    return new VehicleTruth(
+        steps.timeS(),
+        Point.of(s[EAST], s[NORTH], terrain.heightM(s[EAST], s[NORTH])),
+        now,
+        velocity,
+        now.bodyRates(euler),
+        Point.of(
+            (velocity.x() - old.x()) / TICK_S,
+            (velocity.y() - old.y()) / TICK_S,
+            (velocity.z() - old.z()) / TICK_S));
+  }
+
+  /** How it lies on the slope: its axes are the slope's, turned by its heading. */
+  private Attitude attitude(double[] state, double sin, double cos) {
+    double heading = state[PSI] - TURN_RAD * StrictMath.floor(state[PSI] / TURN_RAD);
+    double riseEast = terrain.riseEast(state[EAST], state[NORTH]);
+    double riseNorth = terrain.riseNorth(state[EAST], state[NORTH]);
+    double ahead = riseEast * sin + riseNorth * cos;
+    double aside = riseEast * cos - riseNorth * sin; // rise to the right: left wing down
+    double pitch = StrictMath.atan(ahead);
+    return new Attitude(-StrictMath.atan(aside * StrictMath.cos(pitch)), pitch, heading);
+  }
+
+  /** Of the reference point: east, north, up [m/s]. */
+  private Point velocity(double[] state, double sin, double cos) {
+    double u = state[U] - state[R] * referenceY;
+    double v = state[V] + state[R] * referenceX;
+    double east = u * sin + v * cos;
+    double north = u * cos - v * sin;
+    double climb =
+        terrain.riseEast(state[EAST], state[NORTH]) * east
+            + terrain.riseNorth(state[EAST], state[NORTH]) * north;
+    return Point.of(east, north, climb);
   }
 
   /** East of a place given by the centre of gravity, at the tick's beginning [m]. */

@@ -2,6 +2,7 @@ package org.u2sa.sim.sensor;
 
 import java.util.Random;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.sim.world.LocalPlane;
 
 /** A satellite receiver's errors: white noise, wandering bias, drop-outs. */
 public final class GpsModel {

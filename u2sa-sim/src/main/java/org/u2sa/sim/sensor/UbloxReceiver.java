@@ -2,6 +2,7 @@ package org.u2sa.sim.sensor;
 
 import java.util.EnumSet;
 import java.util.Set;
+import org.u2sa.sim.world.LocalPlane;
 
 /**
  * A u-blox receiver as its host sees it: bytes at a line's rate, NMEA or UBX, and answers to what

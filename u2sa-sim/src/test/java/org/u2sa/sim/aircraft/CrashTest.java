@@ -6,7 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.sim.world.Terrain;
+import org.u2sa.sim.world.World;
 
 class CrashTest {
   private static final ControlInputs HANDS_OFF = ControlInputs.neutral();
@@ -66,8 +69,8 @@ class CrashTest {
   @Test
   void step_terrainRises_crashesIntoTheHill() {
     Trim trim = Trim.level(300.0, 50.0, 0.0);
-    TerrainHeight hill = (lon, lat) -> lat > 0.01 ? 320.0 : 0.0;
-    Cessna172 aircraft = Cessna172.inFlight(trim.start(0, 0, 0, 0), hill, Wind.calm());
+    World cliff = World.at(new Geodetic(0.0, 0.0, 0.0)).with(new Cliff(1_105.0, 320.0));
+    Cessna172 aircraft = Cessna172.inFlight(trim.start(0, 0, 0, 0), cliff);
     aircraft.step(trim.controls(), 15.0);
     assertThat(aircraft.state().crashed()).isFalse();
     aircraft.step(trim.controls(), 15.0);
@@ -81,10 +84,37 @@ class CrashTest {
             () ->
                 Cessna172.onRunway(
                     new RunwayStart(8.0, 50.0, 0.0, 0.0),
-                    (lon, lat) -> Double.NaN,
-                    Wind.calm(),
+                    World.at(new Geodetic(8.0, 50.0, 0.0)).with(new Cliff(-1.0, Double.NaN)),
                     true))
         .withMessageContaining("NaN is not a number of metres");
+  }
+
+  /** Ground that is as high as this from a line northward. */
+  private record Cliff(double fromNorthM, double high) implements Terrain {
+    @Override
+    public double heightM(double eastM, double northM) {
+      return northM > fromNorthM ? high : 0.0;
+    }
+
+    @Override
+    public double riseEast(double eastM, double northM) {
+      return 0.0;
+    }
+
+    @Override
+    public double riseNorth(double eastM, double northM) {
+      return 0.0;
+    }
+
+    @Override
+    public double steepest() {
+      return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public double highestM() {
+      return high;
+    }
   }
 
   /** The wheels this far above ground, flying north without climb. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.Wind;
 
@@ -52,7 +53,7 @@ class FlightDynamicsTest {
     double along =
         40.0 * rate[FlightDynamics.VN]
             + 60.0 * rate[FlightDynamics.VE]
-            + 5.0 * (rate[FlightDynamics.VD] - StandardAtmosphere.GRAVITY_MPS2);
+            + 5.0 * (rate[FlightDynamics.VD] - Gravity.STANDARD_MPS2);
     assertThat(along).isCloseTo(0.0, within(1e-9));
     // Stevens and Lewis, 2nd ed., eq. 1.4-16 without the earth's rotation: VE' = VE (VN tan φ − VD)
     // / N
@@ -65,7 +66,7 @@ class FlightDynamicsTest {
   void derivatives_atRestInTheAir_fallsAtG() {
     state[FlightDynamics.ALT] = 1_000.0;
     derive(0.2, 0.3, 0.4);
-    assertThat(rate[FlightDynamics.VD]).isEqualTo(StandardAtmosphere.GRAVITY_MPS2);
+    assertThat(rate[FlightDynamics.VD]).isEqualTo(Gravity.STANDARD_MPS2);
     assertThat(rate[FlightDynamics.VN]).isZero();
   }
 
@@ -128,7 +129,7 @@ class FlightDynamicsTest {
         s.velocityNorthMps() * s.velocityNorthMps()
             + s.velocityEastMps() * s.velocityEastMps()
             + s.velocityDownMps() * s.velocityDownMps();
-    return Airframe.MASS_KG * (StandardAtmosphere.GRAVITY_MPS2 * s.altitudeM() + 0.5 * v2);
+    return Airframe.MASS_KG * (Gravity.STANDARD_MPS2 * s.altitudeM() + 0.5 * v2);
   }
 
   private void derive(double roll, double pitch, double heading) {

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.sim.atmosphere.StandardAtmosphere;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.atmosphere.Wind;
 
 class StabilityTest {
@@ -129,10 +129,7 @@ class StabilityTest {
       if (after.timeS() > 15.0) {
         turned += Math.IEEEremainder(after.headingRad() - before.headingRad(), 2.0 * Math.PI);
         expected +=
-            0.025
-                * StandardAtmosphere.GRAVITY_MPS2
-                * Math.tan(after.rollRad())
-                / after.trueAirspeedMps();
+            0.025 * Gravity.STANDARD_MPS2 * Math.tan(after.rollRad()) / after.trueAirspeedMps();
       }
     }
     assertThat(turned).isCloseTo(expected, within(0.04 * expected));

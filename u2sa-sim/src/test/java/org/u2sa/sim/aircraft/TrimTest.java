@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.Wind;
 
@@ -35,7 +36,7 @@ class TrimTest {
     double alpha = trim.angleOfAttackRad();
     aero.compute(55.0 * Math.cos(alpha), 0.0, 55.0 * Math.sin(alpha), 0, 0, 0, 1.225, 0.0, 1_000.0);
     double lift = aero.forceX * Math.sin(alpha) - aero.forceZ * Math.cos(alpha);
-    assertThat(lift).isCloseTo(Airframe.MASS_KG * 9.80665, within(300.0));
+    assertThat(lift).isCloseTo(Airframe.MASS_KG * Gravity.STANDARD_MPS2, within(300.0));
   }
 
   @Test

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.frame.Gravity;
 
 class AckermannVehicleTest {
   private static final double CREEP = 0.15; // command for 0.1 m/s
@@ -41,7 +42,7 @@ class AckermannVehicleTest {
     double lateral = s.forwardMps() * s.yawRateRadPerS(); // [m/s²]
     double slip = Math.atan2(s.rightMps(), s.forwardMps()); // of the rear axle
     // across = stiffness · load · slip, and the rear axle corners its share of the weight
-    double expected = -lateral / PlanarVehicle.GRAVITY_MPS2 / parameters.tyre().slipStiffness();
+    double expected = -lateral / Gravity.STANDARD_MPS2 / parameters.tyre().slipStiffness();
     assertThat(lateral).isGreaterThan(1.0);
     assertThat(slip).isCloseTo(expected, within(0.1 * Math.abs(expected)));
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Gravity;
 
 class DifferentialVehicleTest {
   private final DifferentialParameters parameters = DifferentialParameters.miniMolle();
@@ -51,7 +52,7 @@ class DifferentialVehicleTest {
     MotorParameters motor = parameters.motor();
     double r = parameters.wheelRadiusM();
     double resistance =
-        0.05 * parameters.massKg() * PlanarVehicle.GRAVITY_MPS2 + 2.0 * motor.dragNm() / r;
+        0.05 * parameters.massKg() * Gravity.STANDARD_MPS2 + 2.0 * motor.dragNm() / r;
     double inertia = parameters.wheelInertiaKgM2() + motor.inertiaKgM2();
     double mass = parameters.massKg() + 2.0 * inertia / (r * r);
     double distance = mass * before.forwardMps() * before.forwardMps() / (2.0 * resistance);

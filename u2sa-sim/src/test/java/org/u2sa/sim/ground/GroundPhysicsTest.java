@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.sim.world.Surface;
 
 /** The differential vehicle against what mechanics and the motor's equations say. */
 class GroundPhysicsTest {
@@ -39,7 +41,7 @@ class GroundPhysicsTest {
     vehicle.step(new DriveCommand(0.5, 0.5), 8.0);
     GroundState s = vehicle.state();
     double resistanceNm =
-        0.05 * parameters.massKg() * PlanarVehicle.GRAVITY_MPS2 * parameters.wheelRadiusM() / 2.0
+        0.05 * parameters.massKg() * Gravity.STANDARD_MPS2 * parameters.wheelRadiusM() / 2.0
             + motor.dragNm();
     double ampere = resistanceNm / (motor.constant() * motor.efficiency());
     assertThat(s.leftMotorA()).isCloseTo(ampere, within(0.01 * ampere));
@@ -52,7 +54,7 @@ class GroundPhysicsTest {
     DifferentialVehicle vehicle = new DifferentialVehicle(parameters);
     vehicle.step(new DriveCommand(1.0, 1.0), 0.2);
     double share = 1.0 - parameters.cogAheadM() / parameters.castorAheadM(); // on driven wheels
-    double fastest = 0.65 * share * PlanarVehicle.GRAVITY_MPS2;
+    double fastest = 0.65 * share * Gravity.STANDARD_MPS2;
     GroundState s = vehicle.state();
     assertThat(s.forwardMps()).isBetween(0.8 * fastest * 0.2, fastest * 0.2);
     assertThat(s.leftWheelRadPerS() * parameters.wheelRadiusM()).isGreaterThan(s.forwardMps());
@@ -74,10 +76,10 @@ class GroundPhysicsTest {
   @Test
   void push_coastingOnIce_changesTheMomentumByForceTimesTime() {
     DifferentialVehicle vehicle = new DifferentialVehicle(parameters);
-    vehicle.ground(Surface.even(0.01, 0.0));
+    vehicle.enter(vehicle.world().with(Surface.even(0.01, 0.0)));
     vehicle.push(100.0, 0.0, 0.0);
     vehicle.step(DriveCommand.none(), 0.5);
-    double friction = 0.01 * parameters.massKg() * PlanarVehicle.GRAVITY_MPS2; // at most
+    double friction = 0.01 * parameters.massKg() * Gravity.STANDARD_MPS2; // at most
     double momentum = parameters.massKg() * vehicle.state().eastMps();
     assertThat(momentum).isBetween((100.0 - friction) * 0.5, 100.0 * 0.5);
   }

@@ -7,7 +7,7 @@ import java.lang.management.ThreadMXBean;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.ioio.PulseTrain;
-import org.u2sa.sim.sensor.LocalPlane;
+import org.u2sa.sim.world.World;
 
 class GroundThroughputTest {
   private static final int DRIVEN_S = 600;
@@ -16,7 +16,7 @@ class GroundThroughputTest {
   /** Measured at 1000 to 2500; time of this thread counts, not what others take meanwhile. */
   @Test
   void advance_vehicleWithSensors_runsFarFasterThanRealTime() {
-    MiniMolle molle = MiniMolle.on(new LocalPlane(new Geodetic(-80.42, 37.23, 600.0))).build();
+    MiniMolle molle = MiniMolle.in(World.at(new Geodetic(-80.42, 37.23, 600.0))).build();
     byte[] buffer = new byte[256];
     long received = 0;
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();

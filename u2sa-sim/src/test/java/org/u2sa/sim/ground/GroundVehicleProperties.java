@@ -7,6 +7,7 @@ import java.util.stream.DoubleStream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
+import org.u2sa.sim.world.Surface;
 
 class GroundVehicleProperties {
   private static final double STEP_S = 0.1;
@@ -56,7 +57,7 @@ class GroundVehicleProperties {
 
   private static void wild(GroundVehicle vehicle, long seed, double grip) {
     Random driver = new Random(seed);
-    vehicle.ground(Surface.even(grip, 0.05));
+    vehicle.enter(vehicle.world().with(Surface.even(grip, 0.05)));
     for (int i = 0; i < STEPS; i++) {
       vehicle.step(anyCommand(driver), STEP_S);
       GroundState s = vehicle.state();

@@ -9,11 +9,11 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.ioio.PulseTrain;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;
-import org.u2sa.sim.sensor.LocalPlane;
 import org.u2sa.sim.sensor.UbloxSettings;
+import org.u2sa.sim.world.World;
 
 class MiniMolleTest {
-  private static final LocalPlane PLANE = new LocalPlane(new Geodetic(-80.42, 37.23, 600.0));
+  private static final World WORLD = World.at(new Geodetic(-80.42, 37.23, 600.0));
   private static final int GPS = 6;
   private static final int LEFT = 10;
   private static final int RIGHT = 11;
@@ -27,19 +27,20 @@ class MiniMolleTest {
 
   @Test
   void driven_sameWidths_drivesNorth() {
-    MiniMolle molle = MiniMolle.on(PLANE).build();
+    MiniMolle molle = MiniMolle.in(WORLD).build();
     drive(molle, 1_800, 1_800);
     run(molle, 5.0);
     assertThat(molle.state().northM()).isGreaterThan(4.0);
     assertThat(molle.command().first()).isEqualTo(0.6, within(1e-9));
     assertThat(molle.command().second()).isEqualTo(0.6, within(1e-9));
-    assertThat(molle.place().latitudeDeg()).isGreaterThan(37.23003);
+    assertThat(WORLD.groundAt(molle.state().eastM(), molle.state().northM()).latitudeDeg())
+        .isGreaterThan(37.23003);
     assertThat(molle.state().timeS()).isEqualTo(5.0);
   }
 
   @Test
   void driven_pulsesStop_motorsAreOffAfterATenthOfASecond() {
-    MiniMolle molle = MiniMolle.on(PLANE).build();
+    MiniMolle molle = MiniMolle.in(WORLD).build();
     drive(molle, 1_800, 1_200);
     run(molle, 1.0);
     molle.released(LEFT);
@@ -53,7 +54,7 @@ class MiniMolleTest {
 
   @Test
   void driven_widthsOutsideAServosRange_areNoPulses() {
-    MiniMolle molle = MiniMolle.on(PLANE).build();
+    MiniMolle molle = MiniMolle.in(WORLD).build();
     drive(molle, 500, 3_000);
     run(molle, 1.0);
     assertThat(molle.command()).isEqualTo(DriveCommand.none());
@@ -62,7 +63,7 @@ class MiniMolleTest {
   @Test
   void received_gpsAndCompass_speakAtTheirRatesOnly() {
     MiniMolle molle =
-        MiniMolle.on(PLANE).gps(GpsParameters.survey(), UbloxSettings.factory()).build();
+        MiniMolle.in(WORLD).gps(GpsParameters.survey(), UbloxSettings.factory()).build();
     run(molle, 3.0);
     assertThat(heard).contains("$GPRMC,120001.00,A,3713.");
     byte[] request = {(byte) 0xA4, 0x09, (byte) 0xA0};
@@ -79,7 +80,7 @@ class MiniMolleTest {
   @Test
   void received_afterSilenceOfTheListener_beginsWithWhatComesThen() {
     MiniMolle molle =
-        MiniMolle.on(PLANE).gps(GpsParameters.survey(), UbloxSettings.factory()).build();
+        MiniMolle.in(WORLD).gps(GpsParameters.survey(), UbloxSettings.factory()).build();
     for (int i = 0; i < 5_500; i++) {
       nowUs += 1_000;
       molle.advance(nowUs);
@@ -90,7 +91,7 @@ class MiniMolleTest {
 
   @Test
   void volts_fullBattery_areDivided() {
-    MiniMolle molle = MiniMolle.on(PLANE).build();
+    MiniMolle molle = MiniMolle.in(WORLD).build();
     run(molle, 0.1);
     assertThat(molle.volts(BATTERY)).isCloseTo(0.2 * 12.78, within(0.06));
     assertThat(molle.volts(BATTERY + 1)).isZero();
@@ -100,7 +101,7 @@ class MiniMolleTest {
   void hazards_manual_sticksDriveAndTheSwitchSaysSo() {
     DriveCommand sticks = new DriveCommand(0.3, 0.2);
     MiniMolle molle =
-        MiniMolle.on(PLANE)
+        MiniMolle.in(WORLD)
             .hazards(Hazards.none().with(new DrivingHazard.Manual(1, 2, sticks)))
             .build();
     drive(molle, 1_900, 1_900);
@@ -116,7 +117,7 @@ class MiniMolleTest {
   @Test
   void hazards_radioSilence_nobodyDrives() {
     MiniMolle molle =
-        MiniMolle.on(PLANE)
+        MiniMolle.in(WORLD)
             .hazards(Hazards.none().with(new DrivingHazard.RadioSilence(1, 2)))
             .build();
     drive(molle, 1_900, 1_900);
@@ -128,7 +129,7 @@ class MiniMolleTest {
   @Test
   void hazards_gpsOutage_rmcIsInvalidThen() {
     MiniMolle molle =
-        MiniMolle.on(PLANE)
+        MiniMolle.in(WORLD)
             .gps(GpsParameters.survey(), UbloxSettings.factory())
             .hazards(Hazards.none().with(new DrivingHazard.GpsOutage(1.5, 2.5)))
             .build();
@@ -140,7 +141,7 @@ class MiniMolleTest {
   @Test
   void hazards_batteryAndPush_areFelt() {
     MiniMolle molle =
-        MiniMolle.on(PLANE)
+        MiniMolle.in(WORLD)
             .hazards(
                 Hazards.none()
                     .with(new DrivingHazard.BatteryAt(1.0, 0.1))
@@ -156,7 +157,7 @@ class MiniMolleTest {
   @Test
   void hazards_slipperyUnderOneWheel_turnsTheVehicleThatWay() {
     MiniMolle molle =
-        MiniMolle.on(PLANE)
+        MiniMolle.in(WORLD)
             .hazards(Hazards.none().with(new DrivingHazard.Slippery(2.22, 0.0, 2.1, 0.05)))
             .build();
     drive(molle, 2_000, 2_000);
@@ -172,7 +173,7 @@ class MiniMolleTest {
 
   private double headingDegAt(GroundStart start) {
     MiniMolle molle =
-        MiniMolle.on(PLANE)
+        MiniMolle.in(WORLD)
             .vehicle(new DifferentialVehicle(DifferentialParameters.miniMolle(), start))
             .compass(CompassParameters.perfect(0.0), 9_600)
             .hazards(Hazards.none().with(new DrivingHazard.Magnetic(5.0, 5.0, 1.0, -10.0, 0.0)))
@@ -194,7 +195,7 @@ class MiniMolleTest {
     for (int i = 0; i < 3; i++) {
       heard.setLength(0);
       nowUs = BEGIN + i * 1_000_000L;
-      MiniMolle molle = MiniMolle.on(PLANE).hazards(hazards).seed(i < 2 ? 5L : 6L).build();
+      MiniMolle molle = MiniMolle.in(WORLD).hazards(hazards).seed(i < 2 ? 5L : 6L).build();
       drive(molle, 1_800, 1_700);
       run(molle, 60.0);
       heardOf[i] = heard.toString();

@@ -7,15 +7,20 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.sim.world.Terrain;
+import org.u2sa.sim.world.World;
 
 class SlopeTest {
   private static final double UP_NORTH = 0.0;
+  private static final Geodetic HERE = new Geodetic(0.0, 0.0, 0.0);
 
   private static DifferentialVehicle molle(Terrain terrain, double headingRad) {
     DifferentialVehicle vehicle =
         new DifferentialVehicle(
             DifferentialParameters.miniMolle(), new GroundStart(0.0, 0.0, headingRad));
-    vehicle.terrain(terrain);
+    vehicle.enter(World.at(HERE).with(terrain));
     return vehicle;
   }
 
@@ -43,10 +48,9 @@ class SlopeTest {
     double before = vehicle.state().forwardMps();
     vehicle.step(DriveCommand.none(), 1.0);
     double r = p.wheelRadiusM();
-    double pull = p.massKg() * PlanarVehicle.GRAVITY_MPS2 * Math.sin(slope);
+    double pull = p.massKg() * Gravity.STANDARD_MPS2 * Math.sin(slope);
     double resistance =
-        0.05 * p.massKg() * PlanarVehicle.GRAVITY_MPS2 * Math.cos(slope)
-            + 2.0 * p.motor().dragNm() / r;
+        0.05 * p.massKg() * Gravity.STANDARD_MPS2 * Math.cos(slope) + 2.0 * p.motor().dragNm() / r;
     double inertia = p.wheelInertiaKgM2() + p.motor().inertiaKgM2();
     double acceleration = (pull - resistance) / (p.massKg() + 2.0 * inertia / (r * r));
     assertThat(vehicle.state().forwardMps() - before)
@@ -87,7 +91,7 @@ class SlopeTest {
   @Test
   void step_truckUphill_losesSpeedAndKeepsBothAxlesLoaded() {
     AckermannVehicle truck = new AckermannVehicle(AckermannParameters.truck());
-    truck.terrain(Terrain.slope(Math.toRadians(10.0), UP_NORTH));
+    truck.enter(World.at(HERE).with(Terrain.slope(Math.toRadians(10.0), UP_NORTH)));
     truck.step(new DriveCommand(0.8, 0.0), 5.0);
     AckermannVehicle level = new AckermannVehicle(AckermannParameters.truck());
     level.step(new DriveCommand(0.8, 0.0), 5.0);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.world.LocalPlane;
 
 class GpsModelTest {
   private static final Geodetic HERE = new Geodetic(-80.42, 37.23, 600.0);

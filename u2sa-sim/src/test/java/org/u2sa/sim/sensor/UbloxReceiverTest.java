@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.sim.world.LocalPlane;
 
 class UbloxReceiverTest {
   private static final TrueMotion STANDING = new TrueMotion(0, 0, 0, 0, 0, 0, 0);

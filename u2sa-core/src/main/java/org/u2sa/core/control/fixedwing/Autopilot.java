@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Flies the Cessna from the runway along its mission: state and navigation in, surfaces out. Pure
+ * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure
  * computation: time comes with the state. Not safe for several threads.
  */
 final class Autopilot {

@@ -70,7 +70,7 @@ public final class CessnaControl extends ControlSystem {
     FlightState now = seen.get();
     Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
     Surfaces surfaces = autopilot.step(now, target);
-    for (CessnaActuator actuator : CessnaActuator.values()) {
+    for (AircraftActuator actuator : AircraftActuator.values()) {
       double percentage = FULL_PERCENT * actuator.of(surfaces);
       if (actuator.holdsThroughSilence()) {
         command(actuator.actuatorName(), percentage, getVariable(POWER_EXPIRY));
@@ -157,12 +157,12 @@ public final class CessnaControl extends ControlSystem {
     if (isOfMyClass(state)) {
       reader.takeOver(state);
       autopilot.takeOver(state);
-    } else if (lastCommand(CessnaActuator.THROTTLE.actuatorName()).isPresent()) {
+    } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
       autopilot.takeOver(
-          lastShare(CessnaActuator.AILERON.actuatorName()),
-          lastShare(CessnaActuator.ELEVATOR.actuatorName()),
-          lastShare(CessnaActuator.RUDDER.actuatorName()),
-          lastShare(CessnaActuator.THROTTLE.actuatorName()));
+          lastShare(AircraftActuator.AILERON.actuatorName()),
+          lastShare(AircraftActuator.ELEVATOR.actuatorName()),
+          lastShare(AircraftActuator.RUDDER.actuatorName()),
+          lastShare(AircraftActuator.THROTTLE.actuatorName()));
     }
   }
 
@@ -175,6 +175,6 @@ public final class CessnaControl extends ControlSystem {
 
   @Override
   protected Map<String, Double> neutral() {
-    return CessnaActuator.neutral();
+    return AircraftActuator.neutral();
   }
 }

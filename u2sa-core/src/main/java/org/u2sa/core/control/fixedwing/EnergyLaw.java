@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
@@ -87,7 +88,7 @@ final class EnergyLaw {
         Limit.symmetric(
                 (demand.airspeedMps() - filteredAirspeed) / parameters.speedTimeConstantS(),
                 parameters.accelerationLimitMps2())
-            / LateralGuidance.GRAVITY;
+            / Gravity.STANDARD_MPS2;
 
     double speedShare = demand.speedOnly() ? 2.0 : 1.0 + urgency; // of the two that are shared out
     double heightShare = 2.0 - speedShare;
@@ -149,7 +150,7 @@ final class EnergyLaw {
     double share = dtS / (parameters.airspeedFilterS() + dtS);
     double change = share * difference;
     filteredAirspeed += change;
-    return change / dtS / LateralGuidance.GRAVITY;
+    return change / dtS / Gravity.STANDARD_MPS2;
   }
 
   private double flightPath(FlightState state) {

@@ -11,6 +11,7 @@ import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
@@ -99,9 +100,14 @@ final class FlightStateReader {
     Point ned = origin.nedOf(place);
     double roll = value(state, StateField.PHI);
     double pitch = value(state, StateField.THETA);
-    double rollDot = value(state, StateField.PHI_DOT);
-    double pitchDot = value(state, StateField.THETA_DOT);
-    double headingDot = value(state, StateField.PSI_DOT);
+    double heading = value(state, StateField.PSI);
+    Point rates =
+        new Attitude(roll, pitch, heading)
+            .bodyRates(
+                Point.of(
+                    value(state, StateField.PHI_DOT),
+                    value(state, StateField.THETA_DOT),
+                    value(state, StateField.PSI_DOT)));
     double forward = value(state, StateField.FLUID_X_DOT);
     double right = -state.fluidyDot().orElse(0.0); // BODY: y is to the left
     double climb = value(state, StateField.Z_DOT);
@@ -111,10 +117,6 @@ final class FlightStateReader {
     AircraftState aircraft = state instanceof AircraftState known ? known : null;
     OptionalDouble calibrated =
         aircraft == null ? OptionalDouble.empty() : aircraft.calibratedAirspeed();
-    // Euler to body rates: Stevens and Lewis, 2nd ed., eq. 1.3-21.
-    double sinRoll = StrictMath.sin(roll);
-    double cosRoll = StrictMath.cos(roll);
-    double cosPitch = StrictMath.cos(pitch);
     return Optional.of(
         new FlightState(
             Clock.seconds(state.timestamp().orElse(0L)),
@@ -124,10 +126,10 @@ final class FlightStateReader {
             aircraft == null ? HIGH_M : aircraft.heightAboveGround().orElse(HIGH_M),
             roll,
             pitch,
-            value(state, StateField.PSI),
-            rollDot - headingDot * StrictMath.sin(pitch),
-            pitchDot * cosRoll + headingDot * sinRoll * cosPitch,
-            headingDot * cosRoll * cosPitch - pitchDot * sinRoll,
+            heading,
+            rates.x(),
+            rates.y(),
+            rates.z(),
             last.get(StateField.Y_DOT),
             last.get(StateField.X_DOT),
             climb,

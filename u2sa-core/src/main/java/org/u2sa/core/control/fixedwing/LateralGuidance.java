@@ -1,12 +1,13 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.messages.frame.Gravity;
+
 /**
  * Steers to a point ahead on the leg: S. Park, J. Deyst, J. P. How, A New Nonlinear Guidance Logic
  * for Trajectory Tracking, AIAA 2004-4900, eq. 1: a = 2 V² / L1 · sin η, with V over ground, so
  * that wind needs no estimate. Bank follows from a level coordinated turn.
  */
 final class LateralGuidance {
-  static final double GRAVITY = 9.80665;
 
   private static final double SLOWEST_MPS =
       5.0; // over ground; slower there is no track to speak of
@@ -41,6 +42,6 @@ final class LateralGuidance {
 
   /** Bank of the coordinated level turn to the point [rad, right wing down positive], unlimited. */
   double bankRad(FlightState state, double northM, double eastM) {
-    return StrictMath.atan2(accelerationMps2(state, northM, eastM), GRAVITY);
+    return StrictMath.atan2(accelerationMps2(state, northM, eastM), Gravity.STANDARD_MPS2);
   }
 }

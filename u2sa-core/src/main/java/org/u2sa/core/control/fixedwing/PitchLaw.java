@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
@@ -37,7 +38,7 @@ final class PitchLaw {
   static double turnRate(FlightState state) {
     double bank = Limit.symmetric(state.rollRad(), STEEPEST_RAD);
     double speed = Math.max(SLOWEST_MPS, state.trueAirspeedMps());
-    return LateralGuidance.GRAVITY / speed * StrictMath.sin(bank) * StrictMath.tan(bank);
+    return Gravity.STANDARD_MPS2 / speed * StrictMath.sin(bank) * StrictMath.tan(bank);
   }
 
   void restart() {

@@ -1,7 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
 /**
- * What the control laws answer. Signs are FlightGear's.
+ * What the control laws ask of the actuators.
  *
  * @param aileron −1…1, positive rolls right
  * @param elevator −1…1, positive lowers the nose

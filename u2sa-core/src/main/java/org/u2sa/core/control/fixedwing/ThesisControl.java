@@ -92,13 +92,13 @@ public final class ThesisControl extends ControlSystem {
         new GuidanceTarget(
             ahead.x(), ahead.y(), now.altitudeM() - ahead.z(), point.orElseThrow().speed());
     Surfaces surfaces = law.surfaces(now, target);
-    for (CessnaActuator actuator : CessnaActuator.values()) {
+    for (AircraftActuator actuator : AircraftActuator.values()) {
       command(actuator.actuatorName(), FULL_PERCENT * actuator.of(surfaces));
     }
   }
 
   @Override
   protected Map<String, Double> neutral() {
-    return CessnaActuator.neutral();
+    return AircraftActuator.neutral();
   }
 }

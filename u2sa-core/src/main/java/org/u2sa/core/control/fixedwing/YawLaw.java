@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
@@ -48,7 +49,7 @@ final class YawLaw {
   /** Yaw rate of a turn without sideslip at the present bank [rad/s]. */
   static double coordinatedRate(FlightState state) {
     double speed = Math.max(SLOWEST_MPS, state.trueAirspeedMps());
-    return LateralGuidance.GRAVITY
+    return Gravity.STANDARD_MPS2
         / speed
         * StrictMath.sin(state.rollRad())
         * StrictMath.cos(state.pitchRad());

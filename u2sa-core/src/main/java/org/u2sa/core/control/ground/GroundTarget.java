@@ -3,6 +3,7 @@ package org.u2sa.core.control.ground;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -37,13 +38,9 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps) {
     if (now.psi().isEmpty() || !hasPlace(then) || !hasPlace(now)) {
       return Optional.empty();
     }
-    Point gone = displacement(then, now);
-    double north = ned.x() - gone.x();
-    double east = ned.y() - gone.y();
-    double heading = now.psi().getAsDouble();
-    double forward = north * Math.cos(heading) + east * Math.sin(heading);
-    double left = north * Math.sin(heading) - east * Math.cos(heading);
-    return Optional.of(new GroundTarget(forward, left, speedMps));
+    Point left = ned.minus(displacement(then, now)); // of the way
+    Point level = new Attitude(0.0, 0.0, now.psi().getAsDouble()).levelOf(left);
+    return Optional.of(new GroundTarget(level.x(), level.y(), speedMps));
   }
 
   private static boolean hasPlace(StateInformation state) {

@@ -36,10 +36,14 @@ class CessnaControlTest {
   void refuseUndeclared_shippedFile_passes() {
     XmlConfiguration file = XmlConfiguration.load(TestTuning.FILE);
     GuidanceVariables.tuning(file);
-    file.getVariable(org.u2sa.interfaces.configuration.VariableDeclaration.number("STALE AFTER", "s"));
-    file.getVariable(org.u2sa.interfaces.configuration.VariableDeclaration.number("COMMAND EXPIRY", "s"));
-    file.getVariable(org.u2sa.interfaces.configuration.VariableDeclaration.number("POWER EXPIRY", "s"));
-    file.getVariable(org.u2sa.interfaces.configuration.VariableDeclaration.number("BLEND TIME", "s"));
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("STALE AFTER", "s"));
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("COMMAND EXPIRY", "s"));
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("POWER EXPIRY", "s"));
+    file.getVariable(
+        org.u2sa.interfaces.configuration.VariableDeclaration.number("BLEND TIME", "s"));
     file.refuseUndeclared();
   }
 

@@ -1,6 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Gravity;
 
 /**
  * The least path planner that a flight needs: a point ahead on the present leg, the next leg as
@@ -8,7 +9,7 @@ import java.util.OptionalDouble;
  */
 final class LegFollower {
   private static final double LOOK_AHEAD_M = 300.0;
-  private static final double TURN_MPS2 = LateralGuidance.GRAVITY * Math.tan(Math.toRadians(22.0));
+  private static final double TURN_MPS2 = Gravity.STANDARD_MPS2 * Math.tan(Math.toRadians(22.0));
   private static final double TURN_LAG_S = 1.5;
   private static final double THRESHOLD_M = 100.0;
 

@@ -1,0 +1,51 @@
+package org.u2sa.device;
+
+import java.util.List;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Offers devices of one kind by name. A public class with a public constructor without parameters,
+ * named in {@code META-INF/services/org.u2sa.device.DeviceProvider}: then every service of that
+ * port accepts the names in its configuration.
+ *
+ * @param <D> the port
+ */
+public abstract class DeviceProvider<D extends Device<?>> {
+  private final Class<D> port;
+  private final List<String> names;
+
+  /**
+   * @param port such as {@code Imu.class}
+   * @param names in a configuration, such as {@code VECTORNAV}; unique among the port's providers
+   */
+  protected DeviceProvider(Class<D> port, String... names) {
+    this.port = port;
+    this.names = List.of(names);
+  }
+
+  final Class<D> port() {
+    return port;
+  }
+
+  final List<String> names() {
+    return names;
+  }
+
+  /**
+   * Variables of these devices beside the service's own. Any configuration of the port's services
+   * may set them, whichever device it names.
+   */
+  protected List<VariableDeclaration<?>> variables() {
+    return List.of();
+  }
+
+  /**
+   * Makes the device. Returns at once: the device need not be there yet.
+   *
+   * @param name the one of the names that the configuration has
+   * @param context of the service: its configuration, its clock
+   * @throws org.u2sa.interfaces.BadInputException if a variable does not fit the device
+   */
+  protected abstract D open(String name, ServiceContext context);
+}

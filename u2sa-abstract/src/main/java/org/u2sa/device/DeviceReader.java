@@ -1,0 +1,61 @@
+package org.u2sa.device;
+
+import java.util.Optional;
+import org.u2sa.service.U2SAService;
+
+/**
+ * Reads a device for the service that owns it: hands out each reading once, and reports in log and
+ * health what is wrong with the device. Belongs to the service's thread.
+ */
+public final class DeviceReader<R extends Device.Reading> {
+  private final U2SAService service;
+  private final Device<R> device;
+  private final DeviceWatch watch;
+  private Optional<R> last = Optional.empty();
+  private String said = "";
+
+  /**
+   * @param name what the device is called in log and health
+   * @param silentAfterS time without a reading after which a connected device counts as silent [s]
+   */
+  public DeviceReader(U2SAService service, String name, Device<R> device, double silentAfterS) {
+    this.service = service;
+    this.device = device;
+    watch = new DeviceWatch(service, name, device, silentAfterS);
+  }
+
+  /**
+   * The reading that has come since the last call; at each step.
+   *
+   * @param nowMicros the time now [µs of the run's clock]
+   */
+  public Optional<R> next(long nowMicros) {
+    watch.look(nowMicros);
+    Optional<R> newest = device.read(nowMicros);
+    watch.malformed(device.malformed());
+    reportTrouble();
+    boolean isNew = newest.isPresent() && !newest.equals(last);
+    last = newest;
+    if (!isNew) {
+      return Optional.empty();
+    }
+    watch.heard(nowMicros);
+    return newest;
+  }
+
+  /** What the device said at the last call of {@link #next}, new or not. */
+  public Optional<R> latest() {
+    return last;
+  }
+
+  /** Trouble of a connected device, such as a refused setup; of a lost one the watch reports it. */
+  private void reportTrouble() {
+    String trouble = device.isConnected() ? device.trouble() : "";
+    if (!trouble.equals(said)) {
+      said = trouble;
+      if (!trouble.isEmpty()) {
+        service.trouble(trouble);
+      }
+    }
+  }
+}

@@ -1,0 +1,115 @@
+package org.u2sa.device;
+
+import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.U2SAService;
+
+/**
+ * Reports in a service's log and health when its device is lost, falls silent, sends what cannot be
+ * read, and comes back. Belongs to the service's thread.
+ */
+public final class DeviceWatch {
+  private static final long NEVER_HEARD = Long.MIN_VALUE;
+  private static final long GRACE_MICROS = Clock.micros(2.0); // to be found at the start
+
+  private final U2SAService service;
+  private final String device;
+  private final Attached link;
+  private final long silentMicros;
+  private int connections;
+  private Optional<Boolean> told = Optional.empty(); // whether it was said to be there or lost
+  private long firstMicros = NEVER_HEARD;
+  private boolean wasHeard = true;
+  private long sinceMicros = NEVER_HEARD;
+  private long heardMicros = NEVER_HEARD;
+  private long malformed;
+
+  /**
+   * @param service whose log and health
+   * @param device what it is called there
+   * @param silentAfterS time without anything readable after which a device that is there counts as
+   *     silent [s]
+   */
+  public DeviceWatch(U2SAService service, String device, Attached link, double silentAfterS) {
+    this.service = service;
+    this.device = device;
+    this.link = link;
+    this.silentMicros = Clock.micros(silentAfterS);
+  }
+
+  /**
+   * Checks the device; at each step, before reading.
+   *
+   * @return whether it was found anew since the last call: parsers begin anew, and it is set up
+   */
+  public boolean look(long nowMicros) {
+    boolean isConnected = link.isConnected();
+    boolean isNew = link.connections() != connections;
+    connections = link.connections();
+    if (isNew || sinceMicros == NEVER_HEARD) {
+      sinceMicros = nowMicros;
+      heardMicros = NEVER_HEARD;
+    }
+    tell(isConnected, nowMicros);
+    lookForSilence(nowMicros, isConnected);
+    return isNew;
+  }
+
+  private void tell(boolean isConnected, long nowMicros) {
+    if (firstMicros == NEVER_HEARD) {
+      firstMicros = nowMicros;
+    }
+    boolean isLooking = told.isEmpty() && nowMicros - firstMicros < GRACE_MICROS;
+    if (told.equals(Optional.of(isConnected)) || !isConnected && isLooking) {
+      return;
+    }
+    told = Optional.of(isConnected);
+    if (isConnected) {
+      service.log(device + " is there");
+    } else {
+      service.trouble(device + " is lost: " + link.trouble());
+    }
+  }
+
+  private void lookForSilence(long nowMicros, boolean isConnected) {
+    boolean isSilent = isConnected && nowMicros - lastMicros() > silentMicros;
+    if (isSilent && wasHeard) {
+      wasHeard = false;
+      service.trouble(
+          device + " says nothing readable for more than " + Clock.seconds(silentMicros) + " s");
+    }
+  }
+
+  private long lastMicros() {
+    return Math.max(sinceMicros, heardMicros);
+  }
+
+  /** Takes note that the device said something readable. */
+  public void heard(long nowMicros) {
+    heardMicros = nowMicros;
+    if (!wasHeard) {
+      wasHeard = true;
+      service.log(device + " speaks again");
+    }
+  }
+
+  /** Whether the device is there and said something readable lately. */
+  public boolean isHeard(long nowMicros) {
+    return heardMicros != NEVER_HEARD
+        && nowMicros - heardMicros <= silentMicros
+        && link.isConnected();
+  }
+
+  /**
+   * Takes note of what could not be read; said at the 1st, 2nd, 4th, 8th, …: a flood does not fill
+   * the log.
+   *
+   * @param total since the start
+   */
+  public void malformed(long total) {
+    if (Long.highestOneBit(total) > Long.highestOneBit(malformed)) {
+      service.trouble(device + " sent what cannot be read (" + total + " times so far)");
+    }
+    malformed = total;
+  }
+}

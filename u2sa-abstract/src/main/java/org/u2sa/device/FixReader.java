@@ -1,0 +1,43 @@
+package org.u2sa.device;
+
+import java.util.Optional;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.service.U2SAService;
+
+/** Reads a satellite receiver for a service, and reports when it loses or finds its fix. */
+public final class FixReader {
+  private final U2SAService service;
+  private final String sensorName;
+  private final DeviceReader<GpsFix> reader;
+  private boolean hasFix = true; // so that a receiver without a fix from the start is reported, too
+
+  /**
+   * @param sensorName in messages
+   * @param silentAfterS time without a reading after which the receiver counts as silent [s]
+   */
+  public FixReader(
+      U2SAService service, GpsReceiver receiver, String sensorName, double silentAfterS) {
+    this.service = service;
+    this.sensorName = sensorName;
+    reader = new DeviceReader<>(service, "the GPS receiver", receiver, silentAfterS);
+  }
+
+  /** The state of a new valid fix, in GLOBAL, to be published; at each step. */
+  public Optional<StateInformation> next(long nowMicros) {
+    Optional<GpsFix> fix = reader.next(nowMicros);
+    fix.ifPresent(this::report);
+    return fix.filter(GpsFix::valid).map(valid -> valid.toState().sensorName(sensorName));
+  }
+
+  private void report(GpsFix fix) {
+    if (fix.valid() == hasFix) {
+      return;
+    }
+    hasFix = fix.valid();
+    if (hasFix) {
+      service.log("the GPS receiver has a fix");
+    } else {
+      service.trouble("the GPS receiver has no fix (" + fix.satellites() + " satellites)");
+    }
+  }
+}

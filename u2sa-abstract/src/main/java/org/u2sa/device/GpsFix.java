@@ -1,0 +1,66 @@
+package org.u2sa.device;
+
+import java.util.OptionalDouble;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Where a receiver was at one moment. What the receiver does not say is empty.
+ *
+ * @param measuredAtMicros when it was measured, or its first byte arrived [µs of the run's clock]
+ * @param latitudeDeg WGS 84 [deg], north positive, −90…90; 0 if not {@code valid}
+ * @param longitudeDeg WGS 84 [deg], east positive, −180…180; 0 if not {@code valid}
+ * @param altitudeM above mean sea level [m], up positive
+ * @param eastMps velocity over ground [m/s]
+ * @param northMps velocity over ground [m/s]
+ * @param upMps velocity upwards [m/s]
+ * @param horizontalSigmaM standard deviation of the position along each horizontal axis [m]
+ * @param verticalSigmaM standard deviation of the altitude [m]
+ * @param satellites how many were used; 0 if unknown
+ * @param valid whether the receiver stands by its position; if not, no other number counts
+ */
+public record GpsFix(
+    long measuredAtMicros,
+    double latitudeDeg,
+    double longitudeDeg,
+    OptionalDouble altitudeM,
+    OptionalDouble eastMps,
+    OptionalDouble northMps,
+    OptionalDouble upMps,
+    OptionalDouble horizontalSigmaM,
+    OptionalDouble verticalSigmaM,
+    int satellites,
+    boolean valid)
+    implements Device.Reading {
+
+  /** A reading without a position. */
+  public static GpsFix none(long measuredAtMicros, int satellites) {
+    OptionalDouble unknown = OptionalDouble.empty();
+    return new GpsFix(
+        measuredAtMicros,
+        0.0,
+        0.0,
+        unknown,
+        unknown,
+        unknown,
+        unknown,
+        unknown,
+        unknown,
+        satellites,
+        false);
+  }
+
+  /** A valid fix as a new State Information in GLOBAL, at its own time; without a sensor's name. */
+  public StateInformation toState() {
+    StateInformation state =
+        new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(longitudeDeg).y(latitudeDeg);
+    altitudeM.ifPresent(state::z);
+    eastMps.ifPresent(state::xDot);
+    northMps.ifPresent(state::yDot);
+    upMps.ifPresent(state::zDot);
+    horizontalSigmaM.ifPresent(sigma -> state.xSigma(sigma).ySigma(sigma));
+    verticalSigmaM.ifPresent(state::zSigma);
+    state.timestamp(measuredAtMicros);
+    return state;
+  }
+}

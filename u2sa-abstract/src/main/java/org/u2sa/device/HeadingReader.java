@@ -1,0 +1,72 @@
+package org.u2sa.device;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.U2SAService;
+
+/** Reads a compass for a service, and turns its headings into the vehicle's true ones. */
+public final class HeadingReader {
+  private final String sensorName;
+  private final DeviceReader<Heading> reader;
+  private final TrueNorth north;
+  private final double mountingRad;
+  private final double sigmaRad;
+  private boolean waits;
+
+  /**
+   * @param sensorName in messages
+   * @param silentAfterS time without a reading after which the compass counts as silent [s]
+   * @param north turns its headings into true ones
+   * @param mountingRad where the compass's front points, clockwise from the vehicle's [rad]
+   * @param sigmaRad standard deviation of a heading [rad]
+   */
+  public HeadingReader(
+      U2SAService service,
+      Compass compass,
+      String sensorName,
+      double silentAfterS,
+      TrueNorth north,
+      double mountingRad,
+      double sigmaRad) {
+    this.sensorName = sensorName;
+    reader = new DeviceReader<>(service, "the compass", compass, silentAfterS);
+    this.north = north;
+    this.mountingRad = mountingRad;
+    this.sigmaRad = sigmaRad;
+  }
+
+  /** Takes the vehicle's position for the declination, as {@link TrueNorth#at}. */
+  public void at(StateInformation state, long nowMicros) {
+    north.at(state, nowMicros);
+  }
+
+  /** The state of a new heading, in GLOBAL, to be published; at each step. */
+  public Optional<StateInformation> next(long nowMicros) {
+    Optional<Heading> heading = reader.next(nowMicros);
+    Optional<StateInformation> state = heading.flatMap(this::state);
+    waits = heading.isPresent() && state.isEmpty();
+    return state;
+  }
+
+  /** Whether the last call of {@link #next} dropped a heading, as true north is not known yet. */
+  public boolean waitsForPosition() {
+    return waits;
+  }
+
+  private Optional<StateInformation> state(Heading heading) {
+    OptionalDouble psi = north.of(heading, -mountingRad);
+    if (psi.isEmpty()) {
+      return Optional.empty();
+    }
+    StateInformation state =
+        new StateInformation()
+            .sensorName(sensorName)
+            .referenceFrame(ReferenceFrame.GLOBAL)
+            .psi(psi.getAsDouble())
+            .psiSigma(sigmaRad);
+    state.timestamp(heading.measuredAtMicros());
+    return Optional.of(state);
+  }
+}

@@ -1,0 +1,78 @@
+package org.u2sa.device;
+
+import java.util.Optional;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.ExteroceptiveSensor;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Publishes the nearest thing that a range finder with one beam sees, as a point in BODY (thesis
+ * 4.1.2). Out: sensed-objects, once for each measurement with something in reach.
+ */
+public final class RangeSensor extends ExteroceptiveSensor {
+  private static final double STEPS_PER_S = 50.0;
+  private static final double SILENT_AFTER_S = 0.5; // the slowest measures 7 times a second
+
+  static final VariableDeclaration<String> CONNECTION =
+      VariableDeclaration.text("CONNECTION")
+          .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
+          .describedAs(
+              "Address of the range finder, as its driver takes it (docs/drivers/links.md).");
+
+  static final VariableDeclaration<String> MODEL =
+      VariableDeclaration.text("MODEL")
+          .ifAbsent("LV")
+          .describedAs("Kind of range finder: the name of a driver.");
+
+  private final RangeFinder finder;
+  private final DeviceReader<RangeFinder.Distance> reader;
+  private final MountingPose.Turn mounted;
+
+  /** Called by the launcher: the range finder is the one that the configuration names. */
+  public RangeSensor(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** With a range finder that the host made: a simulated one. */
+  public RangeSensor(ServiceContext context, RangeFinder finder) {
+    this(context, Optional.of(finder));
+  }
+
+  private RangeSensor(ServiceContext context, Optional<RangeFinder> made) {
+    super(context, "RangeSensor", STEPS_PER_S);
+    mounted = MountingPose.read(this).turn();
+    getVariable(CONNECTION);
+    finder = Devices.open(RangeFinder.class, MODEL, context, made);
+    reader = new DeviceReader<>(this, "the range finder", finder, SILENT_AFTER_S);
+  }
+
+  @Override
+  protected void step(double nowS) {
+    reader
+        .next(clock().micros())
+        .filter(distance -> distance.rangeM().isPresent())
+        .ifPresent(distance -> publish(Channels.SENSED_OBJECTS, object(distance)));
+  }
+
+  private ObjectDescription object(RangeFinder.Distance distance) {
+    Point seen = mounted.toBody(Point.of(distance.rangeM().getAsDouble(), 0.0, 0.0));
+    ObjectDescription object =
+        new ObjectDescription()
+            .uid(sensorName())
+            .referenceFrame(ReferenceFrame.BODY)
+            .x(seen.x())
+            .y(seen.y())
+            .z(seen.z());
+    object.timestamp(distance.measuredAtMicros());
+    return object;
+  }
+
+  @Override
+  protected void release() {
+    finder.close();
+  }
+}

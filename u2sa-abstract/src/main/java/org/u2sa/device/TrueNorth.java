@@ -1,0 +1,96 @@
+package org.u2sa.device;
+
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.time.ZonedDateTime;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Range;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * Turns magnetic headings into true ones for the service that owns it: by a fixed declination, or
+ * by that of the {@link MagneticModel} at the position in the vehicle's state.
+ */
+public final class TrueNorth {
+  private static final double SAME_PLACE_DEG =
+      0.02; // about 2 km: less than 0.01 deg of declination
+
+  private static final VariableDeclaration<String> NORTH =
+      VariableDeclaration.text("NORTH")
+          .oneOf("MODEL", "FIXED")
+          .ifAbsent("MODEL")
+          .describedAs(
+              "MODEL: World Magnetic Model at the vehicle's position, no heading before that is known; FIXED: DECLINATION.");
+
+  private static final VariableDeclaration<Double> DECLINATION =
+      VariableDeclaration.number("DECLINATION", "rad")
+          .range(Range.of(-Math.PI, Math.PI))
+          .ifAbsent(0.0)
+          .describedAs("Magnetic declination, east positive, where NORTH is FIXED.");
+
+  private final boolean isModelled;
+  private OptionalDouble declinationRad;
+  private double latitudeDeg = Double.NaN;
+  private double longitudeDeg = Double.NaN;
+
+  /** Reads the variables of a service. */
+  public TrueNorth(Configurator variables) {
+    isModelled = variables.getVariable(NORTH).equals("MODEL");
+    double fixedRad = variables.getVariable(DECLINATION);
+    declinationRad = isModelled ? OptionalDouble.empty() : OptionalDouble.of(fixedRad);
+  }
+
+  /**
+   * Takes the vehicle's position, if the state has one in GLOBAL.
+   *
+   * @param nowMicros since 1970; in simulated time, which begins at 0, the model's first year
+   *     counts
+   */
+  public void at(StateInformation state, long nowMicros) {
+    if (!isModelled
+        || state.x().isEmpty()
+        || state.y().isEmpty()
+        || state.referenceFrame() != ReferenceFrame.GLOBAL) {
+      return; // a local position says nothing of where on earth it is
+    }
+    double latitude = state.y().getAsDouble();
+    double longitude = state.x().getAsDouble();
+    boolean isSamePlace =
+        Math.abs(latitude - latitudeDeg) < SAME_PLACE_DEG
+            && Math.abs(longitude - longitudeDeg) < SAME_PLACE_DEG;
+    if (!isSamePlace && Math.abs(latitude) <= 90.0) {
+      latitudeDeg = latitude;
+      longitudeDeg = longitude;
+      declinationRad =
+          OptionalDouble.of(
+              MagneticModel.declinationRad(
+                  latitude, longitude, state.z().orElse(0.0), year(nowMicros)));
+    }
+  }
+
+  private static double year(long micros) {
+    ZonedDateTime now =
+        Instant.ofEpochSecond(Math.floorDiv(micros, Clock.MICROS_PER_SECOND))
+            .atZone(ZoneOffset.UTC);
+    return now.getYear() + (now.getDayOfYear() - 1) / (double) now.toLocalDate().lengthOfYear();
+  }
+
+  /**
+   * A heading as a true one [rad, 0…2π]; empty while the declination is not known.
+   *
+   * @param turnRad added to it: how far the vehicle's front lies clockwise of the compass's
+   */
+  public OptionalDouble of(Heading heading, double turnRad) {
+    if (heading.isTrue()) {
+      return OptionalDouble.of(Heading.turned(heading.headingRad() + turnRad));
+    }
+    return declinationRad.isPresent()
+        ? OptionalDouble.of(
+            Heading.turned(heading.headingRad() + declinationRad.getAsDouble() + turnRad))
+        : OptionalDouble.empty();
+  }
+}

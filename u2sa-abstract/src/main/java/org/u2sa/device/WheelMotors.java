@@ -1,0 +1,214 @@
+package org.u2sa.device;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * The two wheels of a differential vehicle at one motor controller, one service because one serial
+ * line (thesis 4.1.1.5). In: actuation, emergency-stop, arming-state. Out: sensed-state, the
+ * wheels' speeds; power; actuators.
+ *
+ * <p>Both motors are off unless both have a command in time: half of a control system must not turn
+ * the vehicle in circles.
+ */
+public final class WheelMotors extends PeriodicService {
+  private static final double STEPS_PER_S = 100.0;
+  private static final double ANNOUNCE_EVERY_S = 5.0;
+  private static final double BATTERY_EVERY_S = 1.0;
+  private static final double SILENT_AFTER_S = 0.5;
+  private static final double FULL_PERCENT = 100.0;
+  private static final String LEFT_SLEW = "LEFT SLEW";
+  private static final String RIGHT_SLEW = "RIGHT SLEW";
+
+  private final String leftName;
+  private final String rightName;
+  private final boolean leftIsSecond;
+  private final double leftSign;
+  private final double rightSign;
+  private final double dutyPerPercent;
+  private final CommandedActuators commands;
+  private final SlewLimit leftSlew;
+  private final SlewLimit rightSlew;
+  private final WheelOdometry odometry;
+  private final long stateEveryMicros;
+  private final MotorController controller;
+  private final DeviceReader<MotorController.Counts> reader;
+  private final long goesOnMicros; // how long the motors run on without being told to
+  private long turningUntilMicros = Long.MIN_VALUE; // taken over, not heard of yet
+  private long stateDueMicros;
+  private double announceDueS;
+  private double batteryDueS;
+
+  /** Called by the launcher: the controller is the one that the configuration names. */
+  public WheelMotors(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** With a controller that the host made: a simulated one. */
+  public WheelMotors(ServiceContext context, MotorController controller) {
+    this(context, Optional.of(controller));
+  }
+
+  private WheelMotors(ServiceContext context, Optional<MotorController> made) {
+    super(context, ServiceRole.ACTUATOR, "WheelMotors", STEPS_PER_S);
+    leftName = getVariable(WheelVariables.LEFT_NAME);
+    rightName = getVariable(WheelVariables.RIGHT_NAME);
+    if (leftName.equals(rightName)) {
+      throw new BadInputException("LEFT ACTUATOR and RIGHT ACTUATOR are both \"" + leftName + "\"");
+    }
+    leftIsSecond = getVariable(WheelVariables.LEFT_IS_SECOND);
+    leftSign = getVariable(WheelVariables.LEFT_REVERSED) ? -1.0 : 1.0;
+    rightSign = getVariable(WheelVariables.RIGHT_REVERSED) ? -1.0 : 1.0;
+    dutyPerPercent = getVariable(WheelVariables.FULL_DUTY) / FULL_PERCENT;
+    commands = new CommandedActuators(this, Set.of(leftName, rightName));
+    leftSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
+    rightSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
+    odometry = WheelVariables.odometry(this);
+    stateEveryMicros = Clock.micros(1.0 / getVariable(WheelVariables.STATE_RATE));
+    registerPublisher(Channels.SENSED_STATE);
+    registerPublisher(Channels.POWER);
+    getVariable(WheelVariables.CONNECTION);
+    goesOnMicros = Clock.micros(getVariable(WheelVariables.SERIAL_TIMEOUT));
+    controller = Devices.open(MotorController.class, WheelVariables.CONTROLLER, context, made);
+    reader = new DeviceReader<>(this, "the motor controller", controller, SILENT_AFTER_S);
+  }
+
+  private void announce(double nowS) {
+    announce(leftName, "drives the left wheel forward");
+    announce(rightName, "drives the right wheel forward");
+    announceDueS = nowS + ANNOUNCE_EVERY_S;
+  }
+
+  private void announce(String name, String effect) {
+    commands.announce(
+        new ActuatorAnnouncement()
+            .actuatorName(name)
+            .minimum(-FULL_PERCENT)
+            .maximum(FULL_PERCENT)
+            .effect(effect));
+  }
+
+  @Override
+  protected void begin() {
+    announce(nowS());
+    if (commands.isCommanded()) {
+      turningUntilMicros = clock().micros() + goesOnMicros;
+    } else {
+      controller.stop(clock().micros());
+    }
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof ActuatorCommand command) {
+      commands.obey(command);
+    } else if (!commands.heed(data)) {
+      unexpected(data);
+    } else if (!commands.mayMove()) {
+      rest(clock().micros());
+      controller.stop(clock().micros()); // an emergency stop does not wait for the next step
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    drive(now);
+    Optional<MotorController.Counts> counts = reader.next(now);
+    if (reader.latest().isEmpty()) {
+      lost(now);
+    }
+    counts.ifPresent(news -> use(news, nowS));
+    if (nowS >= announceDueS) {
+      announce(nowS);
+    }
+  }
+
+  private void drive(long nowMicros) {
+    OptionalDouble left = commands.percentage(leftName);
+    OptionalDouble right = commands.percentage(rightName);
+    if (left.isEmpty() || right.isEmpty()) {
+      rest(nowMicros);
+      controller.drive(0.0, 0.0);
+      return;
+    }
+    double leftDuty = leftSign * dutyPerPercent * leftSlew.towards(left.getAsDouble(), nowMicros);
+    double rightDuty =
+        rightSign * dutyPerPercent * rightSlew.towards(right.getAsDouble(), nowMicros);
+    controller.drive(leftIsSecond ? rightDuty : leftDuty, leftIsSecond ? leftDuty : rightDuty);
+  }
+
+  private void rest(long nowMicros) {
+    leftSlew.rest(nowMicros);
+    rightSlew.rest(nowMicros);
+  }
+
+  private void lost(long nowMicros) {
+    odometry.beginAnew();
+    if (nowMicros >= turningUntilMicros) {
+      rest(nowMicros); // it comes back from 0, whatever is commanded then
+    }
+  }
+
+  private void use(MotorController.Counts counts, double nowS) {
+    turningUntilMicros = Long.MIN_VALUE;
+    if (counts.measuredAtMicros() >= stateDueMicros) {
+      stateDueMicros = counts.measuredAtMicros() + stateEveryMicros;
+      publishState(counts);
+    }
+    if (nowS >= batteryDueS && counts.batteryV().isPresent()) {
+      batteryDueS = nowS + BATTERY_EVERY_S;
+      publish(
+          Channels.POWER,
+          new BatteryState().sensorName(getServiceName()).voltage(counts.batteryV().getAsDouble()));
+    }
+  }
+
+  private void publishState(MotorController.Counts counts) {
+    int left = leftIsSecond ? counts.second() : counts.first();
+    int right = leftIsSecond ? counts.first() : counts.second();
+    odometry
+        .moved(counts.measuredAtMicros(), (int) leftSign * left, (int) rightSign * right)
+        .ifPresent(
+            state -> {
+              state.timestamp(counts.measuredAtMicros());
+              publish(Channels.SENSED_STATE, state.sensorName(getServiceName()));
+            });
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+    state.number(LEFT_SLEW, leftSlew.percent()).number(RIGHT_SLEW, rightSlew.percent());
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
+    state.number(LEFT_SLEW).ifPresent(leftSlew::goOnFrom);
+    state.number(RIGHT_SLEW).ifPresent(rightSlew::goOnFrom);
+  }
+
+  @Override
+  protected void releaseToSuccessor() {
+    controller.leave();
+  }
+
+  @Override
+  protected void release() {
+    controller.close();
+  }
+}

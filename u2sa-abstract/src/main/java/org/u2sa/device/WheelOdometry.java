@@ -1,0 +1,76 @@
+package org.u2sa.device;
+
+import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * How fast a vehicle with a left and a right wheel goes and turns, from the counts of their
+ * encoders (thesis 4.1.1.1: the X and Y speed fields).
+ */
+final class WheelOdometry {
+  // The ends of a span are each wrong by up to half a count: their difference has σ = 1/√6 counts.
+  private static final double COUNT_SIGMA = 1.0 / Math.sqrt(6.0);
+
+  private final double metresPerCount;
+  private final double trackM;
+  private final double slip;
+  private final double fastestMps;
+  private boolean hasBegun;
+  private long atMicros;
+  private int left;
+  private int right;
+
+  /**
+   * @param metresPerCount way of a wheel at one count [m]
+   * @param trackM distance of the wheels [m]
+   * @param slip standard deviation of a speed, as a share of it
+   * @param fastestMps what is faster is no motion, but a controller that began to count anew [m/s]
+   */
+  WheelOdometry(double metresPerCount, double trackM, double slip, double fastestMps) {
+    this.metresPerCount = metresPerCount;
+    this.trackM = trackM;
+    this.slip = slip;
+    this.fastestMps = fastestMps;
+  }
+
+  /** Forgets the last counts: the next ones only begin a span. */
+  void beginAnew() {
+    hasBegun = false;
+  }
+
+  /**
+   * The motion since the last call, in BODY: forward speed, none sideways, rate of turn to the
+   * left.
+   *
+   * @param leftCounts forward positive; wraps at 32 bits
+   * @param rightCounts likewise
+   * @return empty at the first call, without time between, and for jumps that no wheel makes
+   */
+  Optional<StateInformation> moved(long nowMicros, int leftCounts, int rightCounts) {
+    double seconds = Clock.seconds(nowMicros - atMicros);
+    double leftMps = (leftCounts - left) * metresPerCount / seconds;
+    double rightMps = (rightCounts - right) * metresPerCount / seconds;
+    boolean isSpan = hasBegun && seconds > 0.0;
+    hasBegun = true;
+    atMicros = nowMicros;
+    left = leftCounts;
+    right = rightCounts;
+    if (!isSpan || Math.abs(leftMps) > fastestMps || Math.abs(rightMps) > fastestMps) {
+      return Optional.empty();
+    }
+    double forwardMps = (leftMps + rightMps) / 2.0;
+    double countMps = COUNT_SIGMA * metresPerCount / seconds;
+    double sigmaMps = Math.hypot(countMps, slip * Math.max(Math.abs(leftMps), Math.abs(rightMps)));
+    return Optional.of(
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.BODY)
+            .xDot(forwardMps)
+            .yDot(0.0)
+            .psiDot((rightMps - leftMps) / trackM)
+            .xDotSigma(sigmaMps / Math.sqrt(2.0))
+            .yDotSigma(sigmaMps)
+            .psiDotSigma(sigmaMps * Math.sqrt(2.0) / trackM));
+  }
+}

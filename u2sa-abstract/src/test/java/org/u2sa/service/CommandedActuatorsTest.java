@@ -1,0 +1,242 @@
+package org.u2sa.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.testkit.ServiceKit;
+
+/** Two actuators of one service: which commands move them, and what is said of the others. */
+@Timeout(120)
+class CommandedActuatorsTest {
+  private final ServiceKit kit = new ServiceKit();
+
+  /** Writes down what came of each message. */
+  private static final class Drive extends EventDrivenService {
+    private final CommandedActuators commands;
+    private final List<String> results = new ArrayList<>();
+
+    Drive(ServiceContext context) {
+      super(context, ServiceRole.ACTUATOR, "Drive");
+      commands = new CommandedActuators(this, Set.of("LEFT", "RIGHT"));
+      registerSubscriber(Channels.GOALS);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      boolean done =
+          data instanceof ActuatorCommand command ? commands.obey(command) : commands.heed(data);
+      results.add(data.type().name() + " " + done);
+    }
+
+    @Override
+    protected void handOver(HandOver state) {
+      commands.handOver(state);
+    }
+
+    @Override
+    protected void takeOver(HandOver state) {
+      commands.takeOver(state);
+    }
+  }
+
+  @AfterEach
+  void close() {
+    kit.close();
+  }
+
+  private Drive start() {
+    return kit.start(Drive::new);
+  }
+
+  private Drive startUnarmed() {
+    kit.with("REQUIRES ARMING", true);
+    return start();
+  }
+
+  private void command(String actuator, double percentage) {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of(actuator, percentage));
+  }
+
+  private void arm(boolean armed) {
+    kit.publish(
+        Channels.ARMING_STATE,
+        new ArmingState().armed(armed).reasons(armed ? List.of() : List.of("battery")));
+  }
+
+  private void stop(String id) {
+    kit.publish(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().active(true).stopId(id).operator("Ann").reason("smoke"));
+  }
+
+  private void clear(String id) {
+    kit.publish(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().active(false).lifts(List.of(id)).operator("Bob").reason("all well"));
+  }
+
+  private List<String> log(String part) {
+    return kit.log("Drive").stream().filter(line -> line.contains(part)).toList();
+  }
+
+  private HealthReport health() {
+    return kit.latest(Channels.HEALTH).orElseThrow();
+  }
+
+  @Test
+  void obey_commandsToItsActuatorsAndOthers_countsThoseThatWereMeantForIt() {
+    Drive drive = start();
+    command("LEFT", 10.0);
+    command("RIGHT", 20.0);
+    command("RUDDER", 30.0);
+    kit.publish(Channels.ACTUATION, new ActuatorCommand().actuatorName("LEFT"));
+    kit.advance(1.0);
+
+    assertThat(drive.results)
+        .containsExactly(
+            "PercentageCommand true",
+            "PercentageCommand true",
+            "PercentageCommand false",
+            "ActuatorCommand false");
+    assertThat(drive.commands.refused(CommandRefusal.NOT_ADDRESSED)).isOne();
+    assertThat(drive.commands.refused(CommandRefusal.NOT_A_PERCENTAGE)).isOne();
+    assertThat(drive.commands.refused(CommandRefusal.TOO_OLD)).isZero();
+    assertThat(health().commandsObeyed()).hasValue(2);
+    assertThat(health().commandsRefused()).hasValue(1);
+    assertThat(log("refused ")).singleElement().asString().contains("not a percentage (1 so far)");
+  }
+
+  @Test
+  void heed_messageOfAnotherKind_isNoneOfItsBusiness() {
+    Drive drive = start();
+    kit.publish(Channels.GOALS, new GoalList());
+    arm(true);
+    stop("Ann 1");
+
+    assertThat(drive.results)
+        .containsExactly("GoalList false", "ArmingState true", "EmergencyStop true");
+  }
+
+  @Test
+  void stop_whileCommanded_forgetsTheCommandThoughItIsCleared() {
+    Drive drive = start();
+    command("LEFT", 10.0);
+    assertThat(drive.commands.isCommanded()).isTrue();
+    assertThat(drive.commands.percentage("LEFT")).hasValue(10.0);
+
+    stop("Ann 1");
+    assertThat(drive.commands.mayMove()).isFalse();
+    assertThat(drive.commands.isCommanded()).isFalse();
+    assertThat(drive.commands.percentage("LEFT")).isEmpty();
+    clear("Ann 1");
+
+    assertThat(drive.commands.mayMove()).isTrue();
+    assertThat(drive.commands.isCommanded()).isFalse();
+    assertThat(log("emergency stop by \"Ann\": smoke")).singleElement().asString().contains("WARN");
+    assertThat(log("emergency stop cleared by \"Bob\": all well"))
+        .singleElement()
+        .asString()
+        .contains("INFO");
+  }
+
+  @Test
+  void obey_whileStopped_isRefusedAsStoppedAndForgottenWhenCleared() {
+    Drive drive = startUnarmed();
+    stop("Ann 1");
+    command("LEFT", 10.0);
+    assertThat(drive.commands.refused(CommandRefusal.EMERGENCY_STOPPED)).isOne();
+    clear("Ann 1");
+    command("LEFT", 10.0);
+    assertThat(drive.commands.refused(CommandRefusal.NOT_ARMED)).isOne();
+
+    arm(true);
+
+    assertThat(drive.commands.mayMove()).isTrue();
+    assertThat(drive.commands.isCommanded()).as("by what it refused before").isFalse();
+  }
+
+  @Test
+  void arm_thenDisarm_isLoggedOnceEachAndForgetsTheCommand() {
+    Drive drive = startUnarmed();
+    arm(true);
+    arm(true);
+    command("LEFT", 10.0);
+    assertThat(drive.commands.isCommanded()).isTrue();
+
+    arm(false);
+    arm(false);
+    arm(true);
+
+    assertThat(drive.commands.isCommanded()).isFalse();
+    assertThat(log("disarmed: [battery]")).hasSize(1);
+    assertThat(log(" armed")).hasSize(2);
+  }
+
+  @Test
+  void disarm_whereArmingIsNotRequired_keepsTheCommand() {
+    Drive drive = start();
+    arm(true);
+    command("LEFT", 10.0);
+
+    arm(false);
+
+    assertThat(drive.commands.percentage("LEFT")).hasValue(10.0);
+  }
+
+  @Test
+  void clear_thatLeavesAStop_isToldAndTheStopRepeated() {
+    Drive drive = start();
+    stop("Ann 1");
+    kit.forget();
+
+    clear("another");
+
+    assertThat(drive.commands.mayMove()).isFalse();
+    assertThat(kit.published(Channels.EMERGENCY_STOP))
+        .singleElement()
+        .matches(stop -> stop.stopId().orElse("").equals("Ann 1"));
+    assertThat(log("clear by \"Bob\" leaves "))
+        .singleElement()
+        .asString()
+        .endsWith("still stopped");
+  }
+
+  @Test
+  void swap_whileStopped_successorSaysAtOnceWhichStopsHold() {
+    Drive drive = start();
+    stop("Ann 1");
+
+    Drive successor = kit.swap(drive, Drive::new);
+    kit.forget();
+    kit.advance(1.0);
+
+    assertThat(successor.commands.mayMove()).isFalse();
+    assertThat(health().emergencyStops()).contains(List.of("Ann 1"));
+  }
+
+  @Test
+  void swap_whileCommanded_successorGoesOnWithTheCommandUntilItExpires() {
+    Drive drive = start();
+    command("LEFT", 10.0);
+
+    Drive successor = kit.swap(drive, Drive::new);
+
+    assertThat(successor.commands.percentage("LEFT")).hasValue(10.0);
+    kit.advance(0.5);
+    assertThat(successor.commands.percentage("LEFT")).isEmpty();
+    assertThat(successor.commands.isCommanded()).isFalse();
+  }
+}

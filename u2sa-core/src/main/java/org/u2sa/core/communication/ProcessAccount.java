@@ -1,0 +1,45 @@
+package org.u2sa.core.communication;
+
+import java.security.SecureRandom;
+import java.util.Base64;
+import java.util.EnumSet;
+import java.util.List;
+import org.u2sa.core.security.AccessRole;
+import org.u2sa.core.security.PasswordHash;
+import org.u2sa.core.security.User;
+
+/**
+ * A user of one run of the broker who may do everything, with a password that is made for the run:
+ * the services of the broker's own process, and programs of the account that runs it.
+ */
+record ProcessAccount(User user, String password) {
+  private static final int PASSWORD_BYTES = 32;
+  // The password is random and long: nothing is gained by making a guess costly.
+  private static final int ITERATIONS = 1;
+
+  static ProcessAccount named(String name) {
+    return with(name, EnumSet.allOf(AccessRole.class));
+  }
+
+  /** One whose name no file lists and nobody guesses. */
+  static ProcessAccount unnamed() {
+    return named("process-" + random());
+  }
+
+  static ProcessAccount with(String name, EnumSet<AccessRole> roles) {
+    String password = random();
+    PasswordHash hash = PasswordHash.of(password.toCharArray(), new SecureRandom(), ITERATIONS);
+    return new ProcessAccount(new User(name, roles, List.of(User.EVERY_SYSTEM), hash), password);
+  }
+
+  private static String random() {
+    byte[] bytes = new byte[PASSWORD_BYTES];
+    new SecureRandom().nextBytes(bytes);
+    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
+  }
+
+  @Override
+  public String toString() {
+    return user.name(); // never the password
+  }
+}

@@ -1,0 +1,54 @@
+package org.u2sa.core.control.fixedwing;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+
+/** An aeroplane's actuators by the names that commands address. */
+enum AircraftActuator {
+  AILERON("AILERON", Surfaces::aileron),
+  ELEVATOR("ELEVATOR", Surfaces::elevator),
+  RUDDER("RUDDER", Surfaces::rudder),
+  THROTTLE("THROTTLE", Surfaces::throttle),
+  MIXTURE("MIXTURE", Surfaces::mixture),
+  FLAPS("FLAPS", Surfaces::flaps),
+  LEFT_BRAKE("LEFT BRAKE", Surfaces::brakes),
+  RIGHT_BRAKE("RIGHT BRAKE", Surfaces::brakes);
+
+  private final String actuatorName;
+  private final ToDoubleFunction<Surfaces> share;
+
+  AircraftActuator(String actuatorName, ToDoubleFunction<Surfaces> share) {
+    this.actuatorName = actuatorName;
+    this.share = share;
+  }
+
+  /** As in {@link org.u2sa.messages.ActuatorCommand#actuatorName()}. */
+  String actuatorName() {
+    return actuatorName;
+  }
+
+  /** What the surfaces ask of this actuator, −1…1. */
+  double of(Surfaces surfaces) {
+    return share.applyAsDouble(surfaces);
+  }
+
+  /**
+   * Whether it sets power or shape rather than attitude: what a short silence of control should not
+   * change, as an engine that idles for a few seconds costs more than it saves.
+   */
+  boolean holdsThroughSilence() {
+    return this == THROTTLE || this == MIXTURE || this == FLAPS;
+  }
+
+  /** Surfaces left alone, engine idling on a rich mixture, brakes off [%]. */
+  static Map<String, Double> neutral() {
+    Map<String, Double> neutral = new LinkedHashMap<>();
+    for (AircraftActuator actuator : values()) {
+      neutral.put(actuator.actuatorName(), 0.0);
+    }
+    neutral.put(ELEVATOR.actuatorName(), HandsOff.ELEVATOR_PERCENT);
+    neutral.put(MIXTURE.actuatorName(), 100.0);
+    return neutral;
+  }
+}

@@ -1,0 +1,14 @@
+package org.u2sa.core.control.fixedwing;
+
+import java.util.Collection;
+import java.util.List;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypeProvider;
+
+/** Makes this module's messages known to every reader on the class path. */
+public final class FixedWingMessages implements MessageTypeProvider {
+  @Override
+  public Collection<MessageType<?>> messageTypes() {
+    return List.of(AircraftState.TYPE, ControlStatus.TYPE);
+  }
+}

@@ -1,0 +1,37 @@
+package org.u2sa.core.launch;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.xml.XmlElement;
+
+/** How messages travel between the services of one process. */
+public enum Delivery {
+  /** The publisher hands them to the subscribers' inboxes; the broker gets copies for others. */
+  DIRECT,
+  /** Each is sent to the broker by MQTT and comes back from there (thesis 3.2.1). */
+  BROKER;
+
+  private static final String ATTRIBUTE = "delivery";
+
+  static Delivery of(XmlElement communication) {
+    String text = communication.optionalAttribute(ATTRIBUTE).orElse(DIRECT.text());
+    return Arrays.stream(values())
+        .filter(delivery -> delivery.text().equals(text))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                communication.error(
+                    ATTRIBUTE
+                        + " \""
+                        + text
+                        + "\": expected one of "
+                        + Arrays.stream(values())
+                            .map(Delivery::text)
+                            .collect(Collectors.joining(", "))));
+  }
+
+  private String text() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,150 @@
+package org.u2sa.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.contract.FailsafeAction;
+
+/** Which of several causes decides, how long a cause counts, and what stays though it is gone. */
+class FailsafeDecisionTest {
+  private static final long SECOND = 1_000_000; // µs
+  private static final String OVER = " (over; goes on until armed anew)";
+
+  private static FailsafeDecision decision(Map<String, ?> values) {
+    return new FailsafeDecision(XmlConfiguration.inMemory("test", values));
+  }
+
+  @Test
+  void causes_ofSeveral_mostSevereIsFirstAndDecides() {
+    FailsafeDecision decision = decision(Map.of("ON LOW BATTERY", "LAND"));
+    decision.present(Hazard.POSITION, "lost", 0);
+    decision.present(Hazard.LOW_BATTERY, "weak", 0);
+    decision.present(Hazard.OPERATOR, "silent", 0);
+
+    assertThat(decision.action()).isEqualTo(FailsafeAction.LAND);
+    assertThat(decision.causes())
+        .containsExactly("low battery: weak", "operator link: silent", "position: lost");
+    assertThat(decision.hazards())
+        .containsExactlyInAnyOrder(Hazard.OPERATOR, Hazard.POSITION, Hazard.LOW_BATTERY);
+  }
+
+  @Test
+  void forget_goneForExactlyClearAfter_isOverAndNotAMicrosecondBefore() {
+    FailsafeDecision decision = decision(Map.of("CLEAR AFTER", 3.0));
+    decision.present(Hazard.POSITION, "lost", SECOND);
+
+    decision.forgetUntil(4 * SECOND - 1);
+    assertThat(decision.action()).isEqualTo(FailsafeAction.HOLD);
+    decision.forgetUntil(4 * SECOND);
+    assertThat(decision.action()).isEqualTo(FailsafeAction.CONTINUE);
+    assertThat(decision.causes()).isEmpty();
+  }
+
+  @Test
+  void forget_clearAfterIsZero_causeThatIsThereNowCounts() {
+    FailsafeDecision decision = decision(Map.of("CLEAR AFTER", 0.0));
+    decision.present(Hazard.POSITION, "lost", SECOND);
+
+    decision.forgetUntil(SECOND);
+    assertThat(decision.action()).isEqualTo(FailsafeAction.HOLD);
+    decision.forgetUntil(SECOND + 1);
+    assertThat(decision.action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "ON POSITION LOSS, HOLD, false, CONTINUE",
+    "ON POSITION LOSS, RETURN, false, RETURN",
+    "ON POSITION LOSS, LAND, false, LAND",
+    "ON POSITION LOSS, RETURN, true, CONTINUE",
+    "ON FENCE, CONTINUE, false, CONTINUE",
+    "ON FENCE, HOLD, false, HOLD",
+    "ON FENCE, RETURN, true, RETURN"
+  })
+  void action_causeIsGone_staysFromReturnOnAndAtTheFenceInAnyCase(
+      String variable, String action, boolean resume, FailsafeAction afterwards) {
+    FailsafeDecision decision = decision(Map.of(variable, action, "RESUME", resume));
+    Hazard hazard = variable.equals("ON FENCE") ? Hazard.FENCE : Hazard.POSITION;
+    decision.present(hazard, "lost", 0);
+    decision.forgetUntil(60 * SECOND);
+
+    assertThat(decision.action()).isEqualTo(afterwards);
+    assertThat(decision.causes())
+        .isEqualTo(
+            afterwards == FailsafeAction.CONTINUE
+                ? List.of()
+                : List.of(hazard.words() + ": lost" + OVER));
+    decision.acknowledge();
+    assertThat(decision.action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void causes_keptOneIsGoneAndAnotherIsThere_keptOneIsSaidFirst() {
+    FailsafeDecision decision = decision(Map.of());
+    decision.present(Hazard.OPERATOR, "silent", 0);
+    decision.forgetUntil(60 * SECOND);
+    decision.present(Hazard.POSITION, "lost", 60 * SECOND);
+
+    assertThat(decision.causes()).containsExactly("operator link: silent" + OVER, "position: lost");
+  }
+
+  @Test
+  void causes_twoOfTheSameSeverityAreGone_firstOneIsKept() {
+    FailsafeDecision decision = decision(Map.of());
+    decision.present(Hazard.OPERATOR, "silent", 0);
+    decision.present(Hazard.LOW_BATTERY, "weak", 0);
+    decision.forgetUntil(60 * SECOND);
+
+    assertThat(decision.causes()).containsExactly("operator link: silent" + OVER);
+  }
+
+  @Test
+  void causes_moreSevereOneComesLater_itIsKeptInstead() {
+    FailsafeDecision decision = decision(Map.of("ON LOW BATTERY", "LAND"));
+    decision.present(Hazard.OPERATOR, "silent", 0);
+    decision.present(Hazard.LOW_BATTERY, "weak", 0);
+    decision.present(Hazard.OPERATOR, "silent again", SECOND);
+    decision.forgetUntil(60 * SECOND);
+
+    assertThat(decision.causes()).containsExactly("low battery: weak" + OVER);
+  }
+
+  @Test
+  void acknowledge_causeIsStillThere_countsOnlyWhenItIsPresentAgain() {
+    FailsafeDecision decision = decision(Map.of());
+    decision.present(Hazard.OPERATOR, "silent", 0);
+
+    decision.acknowledge();
+    assertThat(decision.action()).isEqualTo(FailsafeAction.CONTINUE);
+    assertThat(decision.causes()).isEmpty();
+    decision.present(Hazard.OPERATOR, "silent", SECOND);
+    assertThat(decision.action()).isEqualTo(FailsafeAction.RETURN);
+  }
+
+  @Test
+  void adopt_causeThatStays_goesOnWithItAndSaysOverOnce() {
+    FailsafeDecision decision = decision(Map.of());
+    decision.adopt(
+        FailsafeAction.RETURN, List.of("operator link: silent" + OVER, "position: lost"));
+
+    assertThat(decision.action()).isEqualTo(FailsafeAction.RETURN);
+    assertThat(decision.causes()).containsExactly("operator link: silent" + OVER);
+    assertThat(decision.hazards()).isEmpty();
+  }
+
+  @Test
+  void adopt_causeThatDoesNotStayOrNone_continues() {
+    FailsafeDecision decision = decision(Map.of());
+    decision.adopt(FailsafeAction.CONTINUE, List.of());
+    decision.adopt(FailsafeAction.HOLD, List.of("position: lost"));
+    decision.adopt(FailsafeAction.RETURN, List.of("a hazard of another version: lost"));
+
+    assertThat(decision.action()).isEqualTo(FailsafeAction.CONTINUE);
+    assertThat(decision.causes()).isEmpty();
+  }
+}

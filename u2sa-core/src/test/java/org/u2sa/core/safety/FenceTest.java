@@ -1,0 +1,142 @@
+package org.u2sa.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+import org.locationtech.jts.geom.Envelope;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.Polygon;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** A square of 200 m around the origin with a hole of 20 m in it, from 10 m to 90 m of altitude. */
+class FenceTest {
+  private static final GeometryFactory GEOMETRY = new GeometryFactory();
+  private static final Geodetic ZURICH = new Geodetic(8.5, 47.4, 0.0);
+
+  private static Polygon square(double half) {
+    return (Polygon) GEOMETRY.toGeometry(new Envelope(-half, half, -half, half));
+  }
+
+  private static Fence fence(Optional<Geodetic> origin) {
+    return new Fence(
+        origin,
+        square(100.0),
+        List.of(square(10.0)),
+        OptionalDouble.of(10.0),
+        OptionalDouble.of(90.0));
+  }
+
+  private static boolean allows(Fence fence, double x, double y) {
+    return fence.allows(Point.of(x, y, 0.0));
+  }
+
+  @Test
+  void allows_exactlyOnAnEdge_ofTheKeepInAreaYesAndOfAKeepOutOneNo() {
+    Fence fence = fence(Optional.empty());
+
+    assertThat(allows(fence, 100.0, 50.0)).isTrue();
+    assertThat(allows(fence, 100.001, 50.0)).isFalse();
+    assertThat(allows(fence, 10.0, 0.0)).isFalse();
+    assertThat(allows(fence, 10.001, 0.0)).isTrue();
+  }
+
+  @Test
+  void drawnIn_byTwenty_isSmallerOnAllSidesAndItsHoleLarger() {
+    Fence fence = fence(Optional.empty()).drawnInBy(20.0);
+
+    assertThat(allows(fence, 80.0, 0.0)).isTrue();
+    assertThat(allows(fence, 80.001, 0.0)).isFalse();
+    assertThat(allows(fence, 30.0, 0.0)).isFalse();
+    assertThat(allows(fence, 30.001, 0.0)).isTrue();
+    assertThat(fence.floorM()).hasValue(30.0);
+    assertThat(fence.ceilingM()).hasValue(70.0);
+  }
+
+  @Test
+  void drawnIn_byNothing_isTheSame() {
+    Fence fence = fence(Optional.empty());
+
+    assertThat(fence.drawnInBy(0.0)).isSameAs(fence);
+  }
+
+  /** Two squares with a passage of 10 m between them. */
+  @Test
+  void drawnIn_soThatItFallsInTwo_isRefused() {
+    Polygon waisted =
+        (Polygon)
+            GEOMETRY
+                .toGeometry(new Envelope(0.0, 100.0, 0.0, 100.0))
+                .union(GEOMETRY.toGeometry(new Envelope(100.0, 200.0, 45.0, 55.0)))
+                .union(GEOMETRY.toGeometry(new Envelope(200.0, 300.0, 0.0, 100.0)));
+    Fence fence =
+        new Fence(
+            Optional.empty(), waisted, List.of(), OptionalDouble.empty(), OptionalDouble.empty());
+
+    assertThat(fence.drawnInBy(4.0).floorM()).isEmpty();
+    assertThatThrownBy(() -> fence.drawnInBy(6.0))
+        .hasMessage("a margin of 6 m leaves no keep-in area in one piece");
+  }
+
+  @Test
+  void corners_onTheEarth_areThoseOfThePolygonAndOnALocalPlaneNone() {
+    Geodetic first = fence(Optional.of(ZURICH)).corners().get(0);
+    Point seen = Fence.plane(ZURICH, first.longitudeDeg(), first.latitudeDeg());
+
+    assertThat(Math.abs(seen.x())).isCloseTo(100.0, within(0.01));
+    assertThat(Math.abs(seen.y())).isCloseTo(100.0, within(0.01));
+    assertThat(fence(Optional.empty()).corners()).isEmpty();
+  }
+
+  private static StateInformation state(ReferenceFrame frame, double x, double y) {
+    return new StateInformation().referenceFrame(frame).x(x).y(y);
+  }
+
+  @Test
+  void place_onTheEarth_isEastAndNorthOfTheOriginWithTheAltitude() {
+    Geodetic there = ZURICH.fromEnu(Point.of(30.0, -40.0, 0.0));
+    StateInformation state =
+        state(ReferenceFrame.GLOBAL, there.longitudeDeg(), there.latitudeDeg()).z(55.0);
+
+    Point place = fence(Optional.of(ZURICH)).place(state);
+
+    assertThat(place.x()).isCloseTo(30.0, within(0.01));
+    assertThat(place.y()).isCloseTo(-40.0, within(0.01));
+    assertThat(place.z()).isEqualTo(55.0);
+  }
+
+  @Test
+  void place_ofAStateInNorthEastDown_isTurnedToEastNorthUp() {
+    StateInformation state = state(ReferenceFrame.LOCAL_NED, 30.0, -40.0).z(-55.0);
+    state.xDot(1.0).yDot(2.0).zDot(3.0);
+
+    assertThat(fence(Optional.empty()).place(state)).isEqualTo(Point.of(-40.0, 30.0, 55.0));
+    assertThat(fence(Optional.empty()).velocity(state)).isEqualTo(Point.of(2.0, 1.0, -3.0));
+  }
+
+  @Test
+  void place_altitudeAndVelocityNotKnown_areZero() {
+    StateInformation state = state(ReferenceFrame.LOCAL_ENU, 30.0, -40.0);
+
+    assertThat(fence(Optional.empty()).place(state)).isEqualTo(Point.of(30.0, -40.0, 0.0));
+    assertThat(fence(Optional.empty()).velocity(state)).isEqualTo(Point.of(0.0, 0.0, 0.0));
+  }
+
+  @Test
+  void place_stateOfAnotherKindOfFrame_isRefusedNamingBoth() {
+    StateInformation local = state(ReferenceFrame.LOCAL_ENU, 0.0, 0.0);
+    StateInformation global = state(ReferenceFrame.GLOBAL, 8.5, 47.4);
+
+    assertThatThrownBy(() -> fence(Optional.of(ZURICH)).place(local))
+        .hasMessage("a state in LOCAL_ENU does not fit a fence on the earth");
+    assertThatThrownBy(() -> fence(Optional.empty()).place(global))
+        .hasMessage("a state in GLOBAL does not fit a fence on a local plane");
+  }
+}

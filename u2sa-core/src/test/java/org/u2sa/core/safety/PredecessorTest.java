@@ -1,0 +1,72 @@
+package org.u2sa.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.contract.FailsafeState;
+
+/** Whose words a Safety Manager that starts takes for those of the one before it. */
+class PredecessorTest {
+  private static final long START = 100_000_000; // µs
+  private static final long HALF_A_SECOND = 500_000;
+  private final Predecessor predecessor = new Predecessor(START);
+
+  private static ArmingState armedAt(long micros) {
+    ArmingState state = new ArmingState().armed(true);
+    state.timestamp(micros);
+    return state;
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "-20000000, true",
+    "-20000001, false",
+    "0, true",
+    "20000000, true",
+    "20000001, false"
+  })
+  void see_wordsOfAnotherTime_countWithinTwentySecondsBeforeAndAhead(long micros, boolean counts) {
+    predecessor.see(armedAt(START + micros), START);
+
+    assertThat(predecessor.wasArmed()).isEqualTo(counts);
+  }
+
+  @Test
+  void see_wordsWithoutATime_doNotCount() {
+    predecessor.see(new ArmingState().armed(true), START);
+
+    assertThat(predecessor.wasArmed()).isFalse();
+  }
+
+  @Test
+  void isAwaited_forHalfASecond_andNothingCountsAfterwards() {
+    assertThat(predecessor.isAwaited(START + HALF_A_SECOND - 1)).isTrue();
+    assertThat(predecessor.isAwaited(START + HALF_A_SECOND)).isFalse();
+    assertThat(predecessor.isAwaited(START)).as("a clock that went back").isFalse();
+
+    predecessor.see(armedAt(START), START);
+    assertThat(predecessor.wasArmed()).isFalse();
+  }
+
+  @Test
+  void end_afterItWasHeard_forgetsWhatItSaid() {
+    FailsafeState failsafe = new FailsafeState().action(FailsafeAction.RETURN);
+    failsafe.causes(List.of("operator link: silent")).timestamp(START);
+    predecessor.see(armedAt(START), START);
+    predecessor.see(failsafe, START);
+    assertThat(predecessor.wasArmed()).isTrue();
+    assertThat(predecessor.action()).isEqualTo(FailsafeAction.RETURN);
+    assertThat(predecessor.causes()).containsExactly("operator link: silent");
+
+    predecessor.end();
+
+    assertThat(predecessor.wasArmed()).isFalse();
+    assertThat(predecessor.action()).isEqualTo(FailsafeAction.CONTINUE);
+    assertThat(predecessor.isAwaited(START)).isFalse();
+  }
+}

@@ -1,0 +1,35 @@
+package org.u2sa.drivers.link;
+
+import java.util.Optional;
+import org.u2sa.device.Device;
+
+/** A device at the other end of a link whose bytes a parser understands. */
+public abstract class ParsedDevice<R extends Device.Reading> extends LinkedDevice<R> {
+  private final ByteParser<R> parser;
+
+  /** Over that link, which is closed with the device. */
+  protected ParsedDevice(ByteLink link, ByteParser<R> parser) {
+    super(link);
+    this.parser = parser;
+  }
+
+  @Override
+  protected void found(long nowMicros) {
+    parser.reset();
+  }
+
+  @Override
+  protected final void hear(byte[] bytes, int length, long nowMicros) {
+    parser.accept(bytes, length, nowMicros);
+  }
+
+  @Override
+  protected final Optional<R> latest() {
+    return parser.latest();
+  }
+
+  @Override
+  public final long malformed() {
+    return parser.refused();
+  }
+}

@@ -1,0 +1,152 @@
+package org.u2sa.interfaces.configuration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalLong;
+import org.junit.jupiter.api.Test;
+
+/** What a program lays over a file, what it tolerates in it, and what a successor takes along. */
+class ConfigurationOverridesTest extends RefusedFile {
+  private static final VariableDeclaration<Double> BANK =
+      VariableDeclaration.number("BANK", "rad").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
+  private static final VariableDeclaration<Integer> PORT =
+      VariableDeclaration.integer("PORT").ifAbsent(1883);
+  private static final ChangeOrigin ANN = new ChangeOrigin(0, "Test", "ann");
+
+  private static ConfigurationOutcome change(XmlConfiguration configuration, String name, int n) {
+    return configuration.change(
+        Map.of(name, n), OptionalLong.empty(), ANN, ConfigurationCheck.NONE);
+  }
+
+  @Test
+  void override_beforeTheDeclaration_winsOverTheFileAndLeavesItAlone() {
+    XmlConfiguration configuration =
+        configuration("<variable name='BANK' type='double' value='30' unit='deg'/>");
+    configuration.override("BANK", 1); // whole, where a decimal is declared
+
+    assertThat(configuration.getVariable(BANK)).isEqualTo(1.0);
+    assertThat(file).content().contains("value='30'");
+  }
+
+  @Test
+  void change_ofAnOverriddenVariableWithRevision_doesNotMindWhatTheFileSays() {
+    XmlConfiguration configuration = configuration("<variable name='PORT' type='int' value='1'/>");
+    configuration.override("PORT", 2);
+    configuration.getVariable(PORT);
+
+    ConfigurationOutcome outcome =
+        configuration.change(Map.of("PORT", 3), OptionalLong.of(0), ANN, ConfigurationCheck.NONE);
+
+    assertThat(outcome.refusal()).isEmpty();
+    assertThat(outcome.assignments().get(0).previous()).contains("2");
+    assertThat(configuration.getVariable(PORT)).isEqualTo(3);
+  }
+
+  @Test
+  void override_decimalThatIsWhole_staysAProgramsWordInTheSuccessorToo() {
+    XmlConfiguration configuration = configuration("");
+    configuration.override("BANK", 1);
+
+    assertThat(configuration.forSuccessor().getVariable(BANK)).isEqualTo(1.0);
+  }
+
+  @Test
+  void tolerate_variableThatNobodyDeclares_isNotRefusedAndToldAsWithoutEffect() {
+    XmlConfiguration configuration =
+        configuration(
+            "<variable name='OLD' type='int' value='1'/><variable name='PORT' type='int'"
+                + " value='2'/><variable name='PROT' type='int' value='3'/>");
+    configuration.getVariable(PORT);
+    configuration.tolerate(List.of("OLD", "PORT", "NOWHERE"));
+
+    assertThat(configuration.withoutEffect()).containsExactly("OLD");
+    assertRefused(
+        configuration::refuseUndeclared,
+        ", line 2, variable \"PROT\": no service declares it; did you mean \"PORT\"?");
+    configuration.tolerate(List.of("PROT"));
+    configuration.refuseUndeclared();
+  }
+
+  @Test
+  void tolerated_declaredAndToleratedOnes_areWhatASuccessorNeedNotDeclare() {
+    XmlConfiguration configuration =
+        configuration(
+            "<variable name='OLD' type='int' value='1'/><variable name='PORT' type='int'"
+                + " value='2'/>");
+    configuration.tolerate(List.of("OLD"));
+    configuration.getVariable(PORT);
+    assertThat(configuration.tolerated()).containsExactlyInAnyOrder("OLD", "PORT");
+
+    XmlConfiguration successor = configuration.forSuccessor();
+
+    successor.refuseUndeclared();
+    assertThat(successor.declared()).isEmpty();
+    assertThat(successor.withoutEffect()).containsExactlyInAnyOrder("OLD", "PORT");
+    assertThat(successor.origin()).isEqualTo(file.toString());
+  }
+
+  @Test
+  void forSuccessor_afterChanges_goesOnWithValuesAndRevision() {
+    XmlConfiguration configuration = configuration("<variable name='PORT' type='int' value='1'/>");
+    change(configuration, "PORT", 2);
+
+    XmlConfiguration successor = configuration.forSuccessor();
+
+    assertThat(successor.getVariable(PORT)).isEqualTo(2);
+    assertThat(successor.revision()).isOne();
+    assertThat(change(successor, "PORT", 3).revision()).isEqualTo(2);
+    assertThat(configuration.getVariable("PORT")).isEqualTo(2);
+  }
+
+  @Test
+  void write_notInEffectYet_isSeenByTheNextChangeAndByASuccessor() {
+    XmlConfiguration configuration = configuration("<variable name='PORT' type='int' value='1'/>");
+    configuration.getVariable(PORT);
+    WrittenChange first =
+        configuration.write(Map.of("PORT", 2), OptionalLong.empty(), ANN, ConfigurationCheck.NONE);
+    assertThat(first.outcome().accepted()).isTrue();
+    assertThat(configuration.getVariable(PORT)).isEqualTo(1);
+    assertThat(configuration.forSuccessor().getVariable(PORT)).isEqualTo(2);
+
+    WrittenChange second =
+        configuration.write(Map.of("PORT", 3), OptionalLong.empty(), ANN, ConfigurationCheck.NONE);
+    assertThat(second.outcome().assignments().get(0).previous()).contains("2");
+
+    second.takeEffect();
+    assertThat(configuration.getVariable(PORT)).isEqualTo(3);
+    first.takeEffect(); // has happened already
+    assertThat(configuration.getVariable(PORT)).isEqualTo(3);
+  }
+
+  @Test
+  void write_ofTwoTheFirstTakesEffect_theSecondStillWaits() {
+    XmlConfiguration configuration = configuration("<variable name='PORT' type='int' value='1'/>");
+    configuration.getVariable(PORT);
+    WrittenChange first =
+        configuration.write(Map.of("PORT", 2), OptionalLong.empty(), ANN, ConfigurationCheck.NONE);
+    WrittenChange second =
+        configuration.write(Map.of("PORT", 3), OptionalLong.empty(), ANN, ConfigurationCheck.NONE);
+
+    first.takeEffect();
+    assertThat(configuration.getVariable(PORT)).isEqualTo(2);
+    second.takeEffect();
+    assertThat(configuration.getVariable(PORT)).isEqualTo(3);
+  }
+
+  @Test
+  void undo_inMemory_remembersTwoHundredChanges() {
+    XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of("PORT", 0));
+    for (int i = 1; i <= 201; i++) {
+      assertThat(change(configuration, "PORT", i).accepted()).isTrue();
+    }
+    assertThat(configuration.revision()).isEqualTo(201);
+    int undone = 0;
+    while (configuration.undo(ANN, ConfigurationCheck.NONE).accepted()) {
+      undone++;
+    }
+
+    assertThat(undone).isEqualTo(100); // each undo is an entry as well, and pushes one out
+  }
+}

@@ -1,0 +1,130 @@
+package org.u2sa.scenarios.run;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.launch.VehicleMission;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.RunReport;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/**
+ * Options and course of every demo: reads its files, checks them, and makes the runs. Used as
+ * {@code @Mixin DemoFrame frame} in a command that is a {@link Demo}.
+ */
+public final class DemoFrame {
+  @Mixin private DemoOptions options;
+  @Mixin private BrokerPort broker;
+  @Mixin private RunChanges changes;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  /** Where people read of the run. */
+  public Terminal terminal() {
+    return options.terminal();
+  }
+
+  /** Seed of the first run. */
+  public long seed() {
+    return options.seed();
+  }
+
+  /** Whether the mission is the demo's own one. */
+  public boolean isOwnMission() {
+    return options.mission().isEmpty();
+  }
+
+  /** Runs a demo, as often and as fast as was asked for, and returns the exit code. */
+  public Integer run(Demo demo) throws InterruptedException, IOException {
+    return run(demo, options.realtime(), OptionalDouble.empty());
+  }
+
+  /**
+   * Runs a demo in real time.
+   *
+   * @param patience how long the vehicle may be silent [s]; empty: the default
+   */
+  public Integer runInRealTime(Demo demo, OptionalDouble patience)
+      throws InterruptedException, IOException {
+    return run(demo, true, patience);
+  }
+
+  private Integer run(Demo demo, boolean realTime, OptionalDouble patience)
+      throws InterruptedException, IOException {
+    String name = demo.profile().name();
+    Path root = HomeFolder.holding("config/" + name);
+    SystemFile system =
+        SystemFile.read(root.resolve("config").resolve(name).resolve(demo.systemFile()));
+    changes.check(system);
+    LaunchOptions changed = new LaunchOptions();
+    changes.applyTo(changed);
+    Path own = root.resolve("missions").resolve(name).resolve(demo.profile().missionFile());
+    Mission mission = VehicleMission.load(system, changed, options.mission().orElse(own));
+    demo.check(plan(demo, mission)); // what is wrong is said before anything is made
+    return new RunLoop(options, command.commandLine().getOut())
+        .run(
+            demo.profile().directory(),
+            (directory, seed, interruption) -> {
+              Demo.Trial trial = demo.trial(mission, directory, seed);
+              RunPlan plan = plan(demo, trial.mission());
+              DemoRun run =
+                  new DemoRun(
+                      name,
+                      system,
+                      plan,
+                      demo.profile().readyWithinS()
+                          + RunPlans.lengthM(plan) / demo.profile().slowestMps(),
+                      trial.observer(),
+                      directory,
+                      terminal(),
+                      interruption,
+                      changes.swaps());
+              return run(run, launch(system, trial), trial, seed, realTime, patience);
+            });
+  }
+
+  private static RunReport run(
+      DemoRun run,
+      LaunchOptions launch,
+      Demo.Trial trial,
+      long seed,
+      boolean realTime,
+      OptionalDouble patience)
+      throws InterruptedException {
+    return realTime
+        ? run.inRealTime(launch, seed, trial.realTime().apply(launch), patience)
+        : run.inLockstep(launch, seed, trial.lockstep().apply(launch));
+  }
+
+  /** A mission of the demo as reports and screens see it. */
+  public RunPlan plan(Demo demo, Mission mission) {
+    return RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)));
+  }
+
+  private LaunchOptions launch(SystemFile system, Demo.Trial trial) {
+    LaunchOptions launch =
+        new LaunchOptions()
+            .console(line -> terminal().out().println(line))
+            .override("MissionManager", "MISSION", absolute(trial.mission()));
+    if (!isOwnMission()) { // it may be elsewhere on the earth than what is configured
+      launch.override("MissionManager", "LAND MISSION", "").override("SafetyManager", "FENCE", "");
+    }
+    trial.settings().accept(launch);
+    changes.applyTo(launch);
+    broker.configure(system, launch, terminal());
+    return launch;
+  }
+
+  /** The mission's file as it is found from any directory. */
+  public static String absolute(Mission mission) {
+    return Path.of(mission.origin()).toAbsolutePath().toString();
+  }
+}

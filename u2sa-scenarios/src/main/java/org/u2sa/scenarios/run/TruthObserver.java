@@ -1,0 +1,149 @@
+package org.u2sa.scenarios.run;
+
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.contract.ArmingState;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.LocalPlane;
+
+/**
+ * Records where a simulated vehicle truly is, for score and screen. In: goals, goal-reports,
+ * arming-state. Out: nothing.
+ */
+public final class TruthObserver extends PeriodicService implements RunObserver {
+  private static final double LOOKS_PER_S = 20.0;
+  private static final double SLOWEST_MPS = 0.02;
+  private static final double SLOWEST_RADPS = 0.05;
+  private static final double STANDS_AFTER_S = 1.0; // without motion: not between two turns
+  private static final double STOOD_S = 2.0; // at the end of the mission
+  private static final double PARKED_WITHIN_S = 30.0; // after the last goal
+
+  private final Supplier<VehicleTruth> vehicle;
+  private final LocalPlane plane;
+  private final Scorer scorer;
+  private final RunRecord record;
+  private double lastS = Double.NEGATIVE_INFINITY;
+  private double movedS = Double.NEGATIVE_INFINITY;
+  private double missionOverS = Double.POSITIVE_INFINITY;
+  private volatile boolean over;
+
+  private TruthObserver(
+      ServiceContext context,
+      RunRecord record,
+      Supplier<VehicleTruth> vehicle,
+      LocalPlane plane,
+      Scorer scorer) {
+    super(context, ServiceRole.OBSERVER, "TruthObserver", LOOKS_PER_S);
+    this.record = record;
+    this.vehicle = vehicle;
+    this.plane = plane;
+    this.scorer = scorer;
+    registerSubscriber(Channels.GOALS);
+    registerSubscriber(Channels.GOAL_REPORTS);
+    registerSubscriber(Channels.ARMING_STATE);
+  }
+
+  /**
+   * Observes a vehicle.
+   *
+   * @param vehicle safe from any thread
+   * @param scorer a new one for each run
+   */
+  public static RunObserver.Maker of(
+      Supplier<VehicleTruth> vehicle, LocalPlane plane, Scorer scorer) {
+    return (ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) ->
+        new TruthObserver(context, new RunRecord(plan, screen), vehicle, plane, scorer);
+  }
+
+  /** Whether a vehicle moves at all. */
+  public static boolean moves(VehicleTruth truth) {
+    return truth.speedMps() > SLOWEST_MPS || Math.abs(truth.rates().z()) > SLOWEST_RADPS;
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof GoalList && record.isTargetUnseen()) {
+      look(); // waypoints nearer to each other than two looks
+    }
+    if (data instanceof ArmingState state) {
+      scorer.armed(state, vehicle.get());
+    } else if (!record.received(data)) {
+      unexpected(data);
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    if (look()) {
+      lookForTheEnd(lastS);
+    }
+  }
+
+  /** Records the truth; false if its time stands still, as until the vehicle is there. */
+  private boolean look() {
+    VehicleTruth truth = vehicle.get();
+    if (truth.timeS() <= lastS) {
+      return false;
+    }
+    lastS = truth.timeS();
+    scorer.see(truth);
+    if (moves(truth)) {
+      movedS = truth.timeS();
+    }
+    Point at = truth.position();
+    Geodetic place = plane.at(at.x(), at.y(), at.z());
+    record.moment(
+        Math.round(truth.timeS() * TimeUnit.SECONDS.toMicros(1)),
+        place.longitudeDeg(),
+        place.latitudeDeg(),
+        place.altitudeM(),
+        truth.headingRad(),
+        truth.speedMps(),
+        scorer.phase(truth.timeS() - movedS < STANDS_AFTER_S),
+        Optional.empty());
+    return true;
+  }
+
+  private void lookForTheEnd(double timeS) {
+    if (record.isMissionOver()) {
+      missionOverS = Math.min(missionOverS, timeS);
+      boolean parked = timeS - Math.max(missionOverS, movedS) >= STOOD_S;
+      over = parked || timeS - missionOverS >= PARKED_WITHIN_S;
+    }
+  }
+
+  @Override
+  public U2SAService service() {
+    return this;
+  }
+
+  @Override
+  public RunRecord record() {
+    return record;
+  }
+
+  /** {@inheritDoc} The mission is over, and the vehicle stands. */
+  @Override
+  public boolean isOver() {
+    return over;
+  }
+
+  @Override
+  public RunOutcome outcome() {
+    return scorer.outcome();
+  }
+}

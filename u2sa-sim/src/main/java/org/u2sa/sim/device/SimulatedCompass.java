@@ -1,0 +1,37 @@
+package org.u2sa.sim.device;
+
+import java.util.function.Supplier;
+import org.u2sa.device.Compass;
+import org.u2sa.device.Heading;
+import org.u2sa.sim.sensor.CompassField;
+import org.u2sa.sim.sensor.CompassModel;
+import org.u2sa.sim.sensor.CompassParameters;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.sensor.TrueMotion;
+
+/** A magnetic compass with the errors of {@link CompassModel}. */
+public final class SimulatedCompass extends SimulatedDevice<Heading> implements Compass {
+  private final CompassModel model;
+  private final Supplier<TrueMotion> truth;
+  private final Supplier<CompassField> field;
+
+  /**
+   * @param truth of the compass's vehicle, now
+   * @param field what disturbs the compass, now
+   */
+  public SimulatedCompass(
+      CompassParameters parameters,
+      NoiseStreams streams,
+      Supplier<TrueMotion> truth,
+      Supplier<CompassField> field) {
+    super(parameters.rateHz(), 0.0);
+    model = new CompassModel(parameters, streams);
+    this.truth = truth;
+    this.field = field;
+  }
+
+  @Override
+  Heading measure(double timeS, long measuredAtMicros) {
+    return new Heading(measuredAtMicros, model.sample(truth.get(), field.get()), false);
+  }
+}

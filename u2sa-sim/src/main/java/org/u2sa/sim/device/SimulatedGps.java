@@ -1,0 +1,55 @@
+package org.u2sa.sim.device;
+
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.u2sa.device.GpsFix;
+import org.u2sa.device.GpsReceiver;
+import org.u2sa.sim.sensor.GpsModel;
+import org.u2sa.sim.sensor.GpsParameters;
+import org.u2sa.sim.sensor.GpsSample;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.world.LocalPlane;
+
+/** A satellite receiver with the errors of {@link GpsModel}. */
+public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsReceiver {
+  private final GpsModel model;
+  private final Supplier<TrueMotion> truth;
+  private final BooleanSupplier blocked;
+
+  /**
+   * @param truth of the receiver's vehicle, now
+   * @param blocked whether something keeps the satellites from being seen, now
+   */
+  public SimulatedGps(
+      GpsParameters parameters,
+      LocalPlane plane,
+      NoiseStreams streams,
+      Supplier<TrueMotion> truth,
+      BooleanSupplier blocked) {
+    super(parameters.rateHz(), parameters.latencyS());
+    model = new GpsModel(parameters, plane, streams);
+    this.truth = truth;
+    this.blocked = blocked;
+  }
+
+  @Override
+  GpsFix measure(double timeS, long measuredAtMicros) {
+    GpsSample sample = model.sample(timeS, truth.get(), blocked.getAsBoolean());
+    return sample.valid()
+        ? new GpsFix(
+            measuredAtMicros,
+            sample.latitudeDeg(),
+            sample.longitudeDeg(),
+            OptionalDouble.of(sample.altitudeM()),
+            OptionalDouble.of(sample.eastMps()),
+            OptionalDouble.of(sample.northMps()),
+            OptionalDouble.of(sample.upMps()),
+            OptionalDouble.of(sample.horizontalSigmaM()),
+            OptionalDouble.of(sample.verticalSigmaM()),
+            sample.satellites(),
+            true)
+        : GpsFix.none(measuredAtMicros, sample.satellites());
+  }
+}

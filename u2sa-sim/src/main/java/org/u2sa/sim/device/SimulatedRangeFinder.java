@@ -1,0 +1,45 @@
+package org.u2sa.sim.device;
+
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.function.DoubleSupplier;
+import org.u2sa.device.RangeFinder;
+import org.u2sa.sim.sensor.NoiseStreams;
+
+/** A range finder with one beam and white noise, such as a sonar. */
+public final class SimulatedRangeFinder extends SimulatedDevice<RangeFinder.Distance>
+    implements RangeFinder {
+  private final double farthestM;
+  private final double sigmaM;
+  private final DoubleSupplier distance;
+  private final Random noise;
+
+  /**
+   * Takes the stream {@code name}.
+   *
+   * @param rateHz measurements a second
+   * @param farthestM reach [m]
+   * @param sigmaM standard deviation of a distance [m]
+   * @param distance to the nearest thing in the beam, now [m]; infinite if there is none
+   */
+  public SimulatedRangeFinder(
+      String name,
+      double rateHz,
+      double farthestM,
+      double sigmaM,
+      NoiseStreams streams,
+      DoubleSupplier distance) {
+    super(rateHz, 0.0);
+    this.farthestM = farthestM;
+    this.sigmaM = sigmaM;
+    this.distance = distance;
+    noise = streams.of(name);
+  }
+
+  @Override
+  Distance measure(double timeS, long measuredAtMicros) {
+    double rangeM = Math.max(0.0, distance.getAsDouble() + sigmaM * noise.nextGaussian());
+    return new Distance(
+        measuredAtMicros, rangeM <= farthestM ? OptionalDouble.of(rangeM) : OptionalDouble.empty());
+  }
+}

@@ -1,0 +1,79 @@
+package org.u2sa.sim.world;
+
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * The space that a vehicle takes up: an upright prism over a convex outline, which turns with the
+ * vehicle's heading and stays upright when it rolls or pitches.
+ */
+public final class Footprint {
+  private final double[] ahead; // corners, in order
+  private final double[] right;
+  private final double bottomM;
+  private final double topM;
+
+  /**
+   * @param corners of the outline in order, x ahead and y to the right of the reference point [m]
+   * @param bottomM above the reference point, negative below [m]
+   * @param topM above the reference point [m]
+   * @throws IllegalArgumentException if the outline is not convex, or the top below the bottom
+   */
+  public Footprint(List<Point> corners, double bottomM, double topM) {
+    ahead = corners.stream().mapToDouble(Point::x).toArray();
+    right = corners.stream().mapToDouble(Point::y).toArray();
+    this.bottomM = bottomM;
+    this.topM = topM;
+    int turns = 0;
+    for (int i = 0; i < ahead.length; i++) {
+      int j = (i + 1) % ahead.length;
+      int k = (i + 2) % ahead.length;
+      double cross =
+          (ahead[j] - ahead[i]) * (right[k] - right[j])
+              - (right[j] - right[i]) * (ahead[k] - ahead[j]);
+      turns += (int) Math.signum(cross);
+    }
+    if (ahead.length < 3 || Math.abs(turns) != ahead.length || !(topM >= bottomM)) {
+      throw new IllegalArgumentException(
+          "footprint "
+              + corners
+              + " from "
+              + bottomM
+              + " m to "
+              + topM
+              + " m: expected the corners of a convex outline in order, and a top above the bottom");
+    }
+  }
+
+  /**
+   * A rectangle, from the ground that the reference point stands on up.
+   *
+   * @param aheadM how far it reaches ahead of the reference point [m]
+   * @param behindM how far it reaches behind it [m]
+   */
+  public static Footprint rectangle(
+      double aheadM, double behindM, double widthM, double bottomM, double topM) {
+    double half = widthM / 2.0;
+    return new Footprint(
+        List.of(
+            Point.of(aheadM, -half, 0.0),
+            Point.of(aheadM, half, 0.0),
+            Point.of(-behindM, half, 0.0),
+            Point.of(-behindM, -half, 0.0)),
+        bottomM,
+        topM);
+  }
+
+  /** The prism in the world, for a vehicle at a place [east, north, up] with a heading [rad]. */
+  Prism at(Point place, double headingRad) {
+    double sin = StrictMath.sin(headingRad);
+    double cos = StrictMath.cos(headingRad);
+    double[] east = new double[ahead.length];
+    double[] north = new double[ahead.length];
+    for (int i = 0; i < ahead.length; i++) {
+      east[i] = place.x() + ahead[i] * sin + right[i] * cos;
+      north[i] = place.y() + ahead[i] * cos - right[i] * sin;
+    }
+    return new Prism(east, north, place.z() + bottomM, place.z() + topM);
+  }
+}

@@ -1,0 +1,111 @@
+package org.u2sa.sim.world;
+
+import java.util.Arrays;
+
+/** An upright prism over a convex polygon in the world's axes, for what touches it. */
+record Prism(double[] x, double[] y, double low, double high) {
+  /** The smallest upright box around it. */
+  Bounds bounds() {
+    return new Bounds(min(x), min(y), low, -min(negated(x)), -min(negated(y)), high);
+  }
+
+  private static double min(double[] values) {
+    return Arrays.stream(values).min().orElseThrow();
+  }
+
+  private static double[] negated(double[] values) {
+    return Arrays.stream(values).map(value -> -value).toArray();
+  }
+
+  /** How far above or below it something from {@code bottom} to {@code top} is [m]; 0 beside it. */
+  double verticalM(double bottom, double top) {
+    return Math.max(0.0, Math.max(bottom - high, low - top));
+  }
+
+  /** Distance on the map from a place to the polygon [m]; 0 inside. */
+  double distanceM(double px, double py) {
+    double nearest = Double.POSITIVE_INFINITY;
+    int left = 0;
+    int right = 0;
+    for (int i = 0; i < x.length; i++) {
+      int j = (i + 1) % x.length;
+      double wayX = x[j] - x[i];
+      double wayY = y[j] - y[i];
+      double cross = wayX * (py - y[i]) - wayY * (px - x[i]);
+      left += cross >= 0.0 ? 1 : 0;
+      right += cross <= 0.0 ? 1 : 0;
+      double share = ((px - x[i]) * wayX + (py - y[i]) * wayY) / (wayX * wayX + wayY * wayY);
+      double bounded = Math.max(0.0, Math.min(1.0, share));
+      nearest =
+          Math.min(nearest, Math.hypot(px - x[i] - bounded * wayX, py - y[i] - bounded * wayY));
+    }
+    return left == x.length || right == x.length ? 0.0 : nearest;
+  }
+
+  /** Whether the segment between two points of space meets it. */
+  boolean meets(double ax, double ay, double az, double bx, double by, double bz) {
+    double[] span = {0.0, 1.0}; // share of the segment that is left
+    boolean inside = keep(span, high - az, az - bz) && keep(span, az - low, bz - az);
+    double turn = Math.signum(area());
+    for (int i = 0; inside && i < x.length; i++) {
+      int j = (i + 1) % x.length;
+      double outX = turn * (y[j] - y[i]);
+      double outY = -turn * (x[j] - x[i]);
+      double within = outX * (x[i] - ax) + outY * (y[i] - ay);
+      inside = keep(span, within, -outX * (bx - ax) - outY * (by - ay));
+    }
+    return inside;
+  }
+
+  /**
+   * Cuts the span to where {@code start + change · share} is not negative; false if none is left.
+   */
+  private static boolean keep(double[] span, double start, double change) {
+    if (change == 0.0) {
+      return start >= 0.0;
+    }
+    double zero = -start / change;
+    if (change > 0.0) {
+      span[0] = Math.max(span[0], zero);
+    } else {
+      span[1] = Math.min(span[1], zero);
+    }
+    return span[0] <= span[1];
+  }
+
+  private double area() {
+    double twice = 0.0;
+    for (int i = 0; i < x.length; i++) {
+      int j = (i + 1) % x.length;
+      twice += (x[i] - x[0]) * (y[j] - y[0]) - (x[j] - x[0]) * (y[i] - y[0]);
+    }
+    return twice;
+  }
+
+  /** Whether the polygons of both have a place in common: no edge of either parts them. */
+  boolean overlaps(Prism other) {
+    return !parts(other) && !other.parts(this);
+  }
+
+  private boolean parts(Prism other) {
+    for (int i = 0; i < x.length; i++) {
+      int j = (i + 1) % x.length;
+      double acrossX = y[i] - y[j];
+      double acrossY = x[j] - x[i];
+      if (reach(acrossX, acrossY) < -other.reach(-acrossX, -acrossY)
+          || other.reach(acrossX, acrossY) < -reach(-acrossX, -acrossY)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The farthest along a direction. */
+  private double reach(double alongX, double alongY) {
+    double farthest = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < x.length; i++) {
+      farthest = Math.max(farthest, x[i] * alongX + y[i] * alongY);
+    }
+    return farthest;
+  }
+}
