@@ -52,9 +52,10 @@ class TutorialTest {
     return blocks.appendTail(expected).toString();
   }
 
-  @Test
-  void listings_areTheirFiles() throws IOException {
-    Page page = new Page("docs/hot-swap.md");
+  @ParameterizedTest
+  @ValueSource(strings = {"docs/hot-swap.md", "docs/drivers/own.md"})
+  void listings_areTheirFiles(String path) throws IOException {
+    Page page = new Page(path);
     page.mustBe(with(page.text(), LISTING, file -> Files.readString(Page.ROOT.resolve(file))));
   }
 
