@@ -31,8 +31,7 @@ public class ActuatorCommand extends U2SAData {
 
   /** Sets {@link #actuatorName()}. */
   public ActuatorCommand actuatorName(String value) {
-    put(ACTUATOR_NAME, value);
-    return this;
+    return put(ACTUATOR_NAME, value);
   }
 
   /** How long the command holds from its timestamp [s]; empty: until the next. */
@@ -42,7 +41,6 @@ public class ActuatorCommand extends U2SAData {
 
   /** Sets {@link #expiry()}. */
   public ActuatorCommand expiry(double value) {
-    put(EXPIRY, value);
-    return this;
+    return put(EXPIRY, value);
   }
 }

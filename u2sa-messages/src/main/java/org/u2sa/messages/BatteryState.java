@@ -35,8 +35,7 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #sensorName()}. */
   public BatteryState sensorName(String value) {
-    put(SENSOR_NAME, value);
-    return this;
+    return put(SENSOR_NAME, value);
   }
 
   /** Voltage at its terminals [V]. */
@@ -46,8 +45,7 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #voltage()}. */
   public BatteryState voltage(double value) {
-    put(VOLTAGE, value);
-    return this;
+    return put(VOLTAGE, value);
   }
 
   /** Current that it gives [A]; negative while it is charged. */
@@ -57,8 +55,7 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #current()}. */
   public BatteryState current(double value) {
-    put(CURRENT, value);
-    return this;
+    return put(CURRENT, value);
   }
 
   /** Charge left [%], 0…100. */
@@ -68,7 +65,6 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #remaining()}. */
   public BatteryState remaining(double value) {
-    put(REMAINING, value);
-    return this;
+    return put(REMAINING, value);
   }
 }

@@ -28,7 +28,6 @@ public final class ObjectList extends U2SAData {
 
   /** Sets {@link #objects()}. */
   public ObjectList objects(List<? extends ObjectDescription> value) {
-    put(OBJECTS, List.copyOf(value));
-    return this;
+    return put(OBJECTS, List.copyOf(value));
   }
 }

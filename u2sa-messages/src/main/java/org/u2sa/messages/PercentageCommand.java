@@ -33,8 +33,7 @@ public class PercentageCommand extends ActuatorCommand {
 
   /** Sets {@link #percentage()}. */
   public PercentageCommand percentage(double value) {
-    put(PERCENTAGE, value);
-    return this;
+    return put(PERCENTAGE, value);
   }
 
   /** A command that holds until the next. */

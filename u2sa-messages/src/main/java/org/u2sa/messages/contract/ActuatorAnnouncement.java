@@ -39,8 +39,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #actuatorName()}. */
   public ActuatorAnnouncement actuatorName(String value) {
-    put(ACTUATOR_NAME, value);
-    return this;
+    return put(ACTUATOR_NAME, value);
   }
 
   /** Smallest percentage it takes [%]. */
@@ -50,8 +49,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #minimum()}. */
   public ActuatorAnnouncement minimum(double value) {
-    put(MINIMUM, value);
-    return this;
+    return put(MINIMUM, value);
   }
 
   /** Largest percentage it takes [%]. */
@@ -61,8 +59,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #maximum()}. */
   public ActuatorAnnouncement maximum(double value) {
-    put(MAXIMUM, value);
-    return this;
+    return put(MAXIMUM, value);
   }
 
   /** What moving it does to the vehicle, in words. */
@@ -72,8 +69,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #effect()}. */
   public ActuatorAnnouncement effect(String value) {
-    put(EFFECT, value);
-    return this;
+    return put(EFFECT, value);
   }
 
   /** The part of the vehicle that it moves; "VEHICLE" until set. */
@@ -83,7 +79,6 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #subsystem()}. */
   public ActuatorAnnouncement subsystem(String value) {
-    put(SUBSYSTEM, value);
-    return this;
+    return put(SUBSYSTEM, value);
   }
 }

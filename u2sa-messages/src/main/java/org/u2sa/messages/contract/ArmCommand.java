@@ -29,8 +29,7 @@ public final class ArmCommand extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ArmCommand requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** True: let it move if all checks pass. False: let it no longer move. */
@@ -40,8 +39,7 @@ public final class ArmCommand extends U2SAData {
 
   /** Sets {@link #arm()}. */
   public ArmCommand arm(boolean value) {
-    put(ARM, value);
-    return this;
+    return put(ARM, value);
   }
 
   /** Who asks. */
@@ -51,7 +49,6 @@ public final class ArmCommand extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public ArmCommand operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 }

@@ -32,8 +32,7 @@ public final class ArmingState extends U2SAData {
 
   /** Sets {@link #armed()}. */
   public ArmingState armed(boolean value) {
-    put(ARMED, value);
-    return this;
+    return put(ARMED, value);
   }
 
   /** What speaks against arming, a text a check that failed; empty if nothing does. */
@@ -43,8 +42,7 @@ public final class ArmingState extends U2SAData {
 
   /** Sets {@link #reasons()}. */
   public ArmingState reasons(List<String> value) {
-    put(REASONS, List.copyOf(value));
-    return this;
+    return put(REASONS, List.copyOf(value));
   }
 
   /** The {@link ArmCommand} that this answers; empty if the state changed by itself. */
@@ -54,7 +52,6 @@ public final class ArmingState extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ArmingState requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 }

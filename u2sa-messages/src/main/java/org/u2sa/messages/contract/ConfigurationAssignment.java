@@ -38,8 +38,7 @@ public final class ConfigurationAssignment extends U2SAData {
 
   /** Sets {@link #variableName()}. */
   public ConfigurationAssignment variableName(String value) {
-    put(VARIABLE_NAME, value);
-    return this;
+    return put(VARIABLE_NAME, value);
   }
 
   /** The value as text, in the declared unit. */
@@ -49,8 +48,7 @@ public final class ConfigurationAssignment extends U2SAData {
 
   /** Sets {@link #value()}. */
   public ConfigurationAssignment value(String value) {
-    put(VALUE, value);
-    return this;
+    return put(VALUE, value);
   }
 
   /** The value before, in results. */
@@ -60,7 +58,6 @@ public final class ConfigurationAssignment extends U2SAData {
 
   /** Sets {@link #previous()}. */
   public ConfigurationAssignment previous(String value) {
-    put(PREVIOUS, value);
-    return this;
+    return put(PREVIOUS, value);
   }
 }

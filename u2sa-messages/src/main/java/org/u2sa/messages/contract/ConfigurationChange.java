@@ -34,8 +34,7 @@ public final class ConfigurationChange extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationChange serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** The variable. */
@@ -45,8 +44,7 @@ public final class ConfigurationChange extends U2SAData {
 
   /** Sets {@link #variableName()}. */
   public ConfigurationChange variableName(String value) {
-    put(VARIABLE_NAME, value);
-    return this;
+    return put(VARIABLE_NAME, value);
   }
 
   /** The new value as text. */
@@ -56,7 +54,6 @@ public final class ConfigurationChange extends U2SAData {
 
   /** Sets {@link #value()}. */
   public ConfigurationChange value(String value) {
-    put(VALUE, value);
-    return this;
+    return put(VALUE, value);
   }
 }

@@ -31,7 +31,6 @@ public final class ConfigurationRequest extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationRequest serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 }

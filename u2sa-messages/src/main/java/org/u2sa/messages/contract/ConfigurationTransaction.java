@@ -43,8 +43,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ConfigurationTransaction requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -54,8 +53,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationTransaction serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** The variables and their new values. */
@@ -65,8 +63,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #assignments()}. */
   public ConfigurationTransaction assignments(List<ConfigurationAssignment> value) {
-    put(ASSIGNMENTS, List.copyOf(value));
-    return this;
+    return put(ASSIGNMENTS, List.copyOf(value));
   }
 
   /** Who changes them, for the audit log. */
@@ -76,8 +73,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #author()}. */
   public ConfigurationTransaction author(String value) {
-    put(AUTHOR, value);
-    return this;
+    return put(AUTHOR, value);
   }
 
   /**
@@ -85,13 +81,11 @@ public final class ConfigurationTransaction extends U2SAData {
    * changed. Empty: whatever it is.
    */
   public OptionalLong revision() {
-    Long value = get(REVISION);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return optionalCount(REVISION);
   }
 
   /** Sets {@link #revision()}. */
   public ConfigurationTransaction revision(long value) {
-    put(REVISION, value);
-    return this;
+    return put(REVISION, value);
   }
 }

@@ -32,8 +32,7 @@ public final class ConfigurationUndo extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ConfigurationUndo requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -43,8 +42,7 @@ public final class ConfigurationUndo extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationUndo serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Who takes it back, for the audit log. */
@@ -54,7 +52,6 @@ public final class ConfigurationUndo extends U2SAData {
 
   /** Sets {@link #author()}. */
   public ConfigurationUndo author(String value) {
-    put(AUTHOR, value);
-    return this;
+    return put(AUTHOR, value);
   }
 }

@@ -47,8 +47,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #active()}. */
   public EmergencyStop active(boolean value) {
-    put(ACTIVE, value);
-    return this;
+    return put(ACTIVE, value);
   }
 
   /** Who stopped or cleared; empty if unknown. */
@@ -58,8 +57,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public EmergencyStop operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 
   /** Why, in words. */
@@ -69,20 +67,17 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #reason()}. */
   public EmergencyStop reason(String value) {
-    put(REASON, value);
-    return this;
+    return put(REASON, value);
   }
 
   /** The timestamp of the newest stop that this message lifts [µs]; empty in a stop. */
   public OptionalLong clears() {
-    Long value = get(CLEARS);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return optionalCount(CLEARS);
   }
 
   /** Sets {@link #clears()}. */
   public EmergencyStop clears(long value) {
-    put(CLEARS, value);
-    return this;
+    return put(CLEARS, value);
   }
 
   /**
@@ -95,8 +90,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #stopId()}. */
   public EmergencyStop stopId(String value) {
-    put(STOP_ID, value);
-    return this;
+    return put(STOP_ID, value);
   }
 
   /**
@@ -109,8 +103,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #lifts()}. */
   public EmergencyStop lifts(List<String> value) {
-    put(LIFTS, List.copyOf(value));
-    return this;
+    return put(LIFTS, List.copyOf(value));
   }
 
   /**

@@ -31,8 +31,7 @@ public final class FailsafeState extends U2SAData {
 
   /** Sets {@link #action()}. */
   public FailsafeState action(FailsafeAction value) {
-    put(ACTION, value);
-    return this;
+    return put(ACTION, value);
   }
 
   /** What is wrong, a text each; the most severe first. */
@@ -42,7 +41,6 @@ public final class FailsafeState extends U2SAData {
 
   /** Sets {@link #causes()}. */
   public FailsafeState causes(List<String> value) {
-    put(CAUSES, List.copyOf(value));
-    return this;
+    return put(CAUSES, List.copyOf(value));
   }
 }

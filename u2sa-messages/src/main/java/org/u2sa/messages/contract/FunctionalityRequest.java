@@ -31,7 +31,6 @@ public final class FunctionalityRequest extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public FunctionalityRequest serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 }

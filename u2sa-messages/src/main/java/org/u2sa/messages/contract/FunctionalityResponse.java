@@ -36,8 +36,7 @@ public final class FunctionalityResponse extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public FunctionalityResponse serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Each "channel/TypeChain". */
@@ -47,8 +46,7 @@ public final class FunctionalityResponse extends U2SAData {
 
   /** Sets {@link #publishes()}. */
   public FunctionalityResponse publishes(List<String> value) {
-    put(PUBLISHES, value);
-    return this;
+    return put(PUBLISHES, value);
   }
 
   /** Each "channel/TypeChain". */
@@ -58,7 +56,6 @@ public final class FunctionalityResponse extends U2SAData {
 
   /** Sets {@link #subscribes()}. */
   public FunctionalityResponse subscribes(List<String> value) {
-    put(SUBSCRIBES, value);
-    return this;
+    return put(SUBSCRIBES, value);
   }
 }

@@ -26,7 +26,6 @@ public final class GoalCommand extends U2SAData {
 
   /** Sets {@link #uid()}. */
   public GoalCommand uid(String value) {
-    put(UID, value);
-    return this;
+    return put(UID, value);
   }
 }

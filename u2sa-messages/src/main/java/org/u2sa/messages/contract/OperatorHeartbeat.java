@@ -33,8 +33,7 @@ public final class OperatorHeartbeat extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public OperatorHeartbeat operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 
   /** Time until the next one [s]. */
@@ -44,7 +43,6 @@ public final class OperatorHeartbeat extends U2SAData {
 
   /** Sets {@link #interval()}. */
   public OperatorHeartbeat interval(double value) {
-    put(INTERVAL, value);
-    return this;
+    return put(INTERVAL, value);
   }
 }

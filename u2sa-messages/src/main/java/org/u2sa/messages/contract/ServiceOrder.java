@@ -39,8 +39,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ServiceOrder requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -50,8 +49,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ServiceOrder serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** What to do with it. */
@@ -61,8 +59,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #action()}. */
   public ServiceOrder action(ServiceAction value) {
-    put(ACTION, value);
-    return this;
+    return put(ACTION, value);
   }
 
   /** The full name of the class to put in its place; with SWAP only. */
@@ -72,8 +69,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #className()}. */
   public ServiceOrder className(String value) {
-    put(CLASS_NAME, value);
-    return this;
+    return put(CLASS_NAME, value);
   }
 
   /** Who orders it: a user or a service. */
@@ -83,7 +79,6 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public ServiceOrder operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 }

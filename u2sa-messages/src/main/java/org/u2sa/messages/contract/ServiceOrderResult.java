@@ -37,8 +37,7 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ServiceOrderResult requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -48,8 +47,7 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ServiceOrderResult serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Whether it was done. */
@@ -59,8 +57,7 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #accepted()}. */
   public ServiceOrderResult accepted(boolean value) {
-    put(ACCEPTED, value);
-    return this;
+    return put(ACCEPTED, value);
   }
 
   /** Why not; empty if it was done. */
@@ -70,7 +67,6 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #reason()}. */
   public ServiceOrderResult reason(String value) {
-    put(REASON, value);
-    return this;
+    return put(REASON, value);
   }
 }

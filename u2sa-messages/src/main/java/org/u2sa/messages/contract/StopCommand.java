@@ -29,8 +29,7 @@ public final class StopCommand extends U2SAData {
 
   /** Sets {@link #stopAll()}. */
   public StopCommand stopAll(boolean value) {
-    put(STOP_ALL, value);
-    return this;
+    return put(STOP_ALL, value);
   }
 
   /** The one to stop; empty with {@link #stopAll()}. */
@@ -40,7 +39,6 @@ public final class StopCommand extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public StopCommand serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 }

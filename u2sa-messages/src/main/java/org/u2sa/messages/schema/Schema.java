@@ -194,7 +194,7 @@ public final class Schema<T extends U2SAData> {
 
   /** A point without which no message is published. */
   public ValueField<T, Point> requiredPoint(String field, String unit) {
-    return value(field, unit, ListKinds.POINT, FieldPresence.REQUIRED, null, false);
+    return value(field, unit, ScalarKinds.POINT, FieldPresence.REQUIRED, null, false);
   }
 
   /** A list of points, empty from the start. */

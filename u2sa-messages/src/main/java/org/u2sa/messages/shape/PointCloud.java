@@ -32,8 +32,7 @@ public class PointCloud extends ObjectDescription {
 
   /** Sets {@link #points()}. */
   public PointCloud points(List<Point> value) {
-    put(POINTS, value);
-    return this;
+    return put(POINTS, value);
   }
 
   @Override
