@@ -13,7 +13,7 @@ import picocli.CommandLine.Spec;
  */
 @Command(
     name = "demo",
-    description = "Something to watch: simulated vehicles on missions. Alone: list the demos.",
+    description = "Run simulated vehicles on missions. Alone: list the demos.",
     synopsisSubcommandLabel = "[<demo> [<options>]]",
     commandListHeading = "%n@|bold DEMOS|@%n")
 final class DemoCommand implements Runnable {

@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
     description = {
       "List the libraries U2SA uses: version, age, licence and published advisories.",
       "",
-      "Nothing is asked over the network: advisories are those known when they were last looked up. "
+      "Works offline: advisories are those known when they were last looked up. "
           + "Exit code 1: a version is affected by one that our use of it reaches."
     })
 public final class DependenciesCommand implements Callable<Integer> {
@@ -59,9 +59,9 @@ public final class DependenciesCommand implements Callable<Integer> {
     DependencyData known = data == null ? DependencyData.inThisJar() : data;
     PrintWriter out = command.commandLine().getOut();
     (advisories ? looked(known) : listed(known)).lines().forEach(out::println);
-    List<Advisory> affecting =
+    List<DependencyData.Advisory> affecting =
         known.libraries().stream().flatMap(each -> known.affecting(each).stream()).toList();
-    long reached = affecting.stream().filter(Advisory::reached).count();
+    long reached = affecting.stream().filter(DependencyData.Advisory::reached).count();
     out.printf(
         Locale.ROOT,
         "%d libraries, %d advisories looked up on %s (%s ago): %d affect a version here, %d of them reached%n",
@@ -77,7 +77,7 @@ public final class DependenciesCommand implements Callable<Integer> {
 
   private TextTable listed(DependencyData known) {
     TextTable table = new TextTable("LIBRARY", "VERSION", "USE", "AGE", "LICENCE", "AFFECTED BY");
-    for (Library each : known.libraries()) {
+    for (DependencyData.Library each : known.libraries()) {
       table.add(
           each.name(),
           each.version(),
@@ -95,7 +95,7 @@ public final class DependenciesCommand implements Callable<Integer> {
 
   private static TextTable looked(DependencyData known) {
     TextTable table = new TextTable("ADVISORY", "LIBRARY", "FROM", "FIXED", "REACHED", "WHAT");
-    for (Advisory each : known.advisories()) {
+    for (DependencyData.Advisory each : known.advisories()) {
       table.add(
           each.id(),
           each.library(),

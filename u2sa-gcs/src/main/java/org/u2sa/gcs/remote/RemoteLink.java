@@ -113,7 +113,7 @@ public final class RemoteLink implements AutoCloseable {
    * @throws CommunicationException if the request was not taken
    */
   public <T extends U2SAData> List<T> ask(Question<T> question) throws InterruptedException {
-    Answers<T> answers = question.answers();
+    Question.Answers<T> answers = question.answers();
     long deadline = clock.micros() + Clock.micros(timeoutS);
     try (Clock.Waiter waiter = clock.newWaiter("answers")) {
       Consumer<U2SAData> listener =

@@ -1,13 +1,13 @@
 package org.u2sa.gcs.remote;
 
 import java.io.PrintWriter;
-import java.util.List;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SortedSet;
 import org.u2sa.core.communication.BrokerSearch;
 import org.u2sa.core.communication.FoundBroker;
-import org.u2sa.gcs.Suggestions;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.BrokerAccess;
@@ -15,6 +15,7 @@ import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import picocli.CommandLine.Model.CommandSpec;
@@ -165,13 +166,12 @@ public final class RemoteSystem {
         SystemSearch.heard(
             transport(Topic.ANY_SYSTEM), name() + "-search", link.clock(), link.timeoutS());
     heard.remove(systemId);
-    List<String> near = Suggestions.nearest(systemId, heard);
     return Optional.of(
         "  "
             + (heard.isEmpty()
                 ? "no other system is heard at " + broker
                 : "heard at " + broker + ": " + String.join(", ", heard))
-            + (near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?"));
+            + NearestNames.didYouMean(systemId, heard));
   }
 
   private MqttTransport transport(String id) {
@@ -201,6 +201,11 @@ public final class RemoteSystem {
 
   /** Who gives orders, for logs: {@code user@host}. */
   public static String operator() {
-    return OperatorName.get();
+    String user = System.getProperty("user.name", "unknown");
+    try {
+      return user + "@" + InetAddress.getLocalHost().getHostName();
+    } catch (UnknownHostException e) {
+      return user + "@localhost"; // the machine does not know its own name
+    }
   }
 }

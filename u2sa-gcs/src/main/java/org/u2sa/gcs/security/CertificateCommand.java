@@ -37,7 +37,7 @@ final class CertificateCommand implements Callable<Integer> {
         .commandLine()
         .getOut()
         .printf(
-            "%s: certificate for %s. A running broker takes it when it starts anew.%n",
+            "%s: certificate for %s. Restart the broker to use it.%n",
             certificate, String.join(", ", names));
     return ExitCode.DONE;
   }

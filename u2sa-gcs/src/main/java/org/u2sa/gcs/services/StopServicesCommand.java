@@ -7,13 +7,13 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
-import org.u2sa.gcs.Suggestions;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
@@ -78,15 +78,14 @@ public final class StopServicesCommand implements Callable<Integer> {
 
   /** That nobody of the name is there, and who is. */
   static String unknown(String name, List<String> there, RemoteLink link) {
-    List<String> near = Suggestions.nearest(name, there);
     return "system \""
         + link.systemId()
         + "\" has no service \""
         + name
         + "\" that is heard"
-        + (near.isEmpty()
-            ? "; there are " + (there.isEmpty() ? "none" : String.join(", ", there))
-            : "; did you mean " + String.join(" or ", near) + "?");
+        + "; there are "
+        + (there.isEmpty() ? "none" : String.join(", ", there))
+        + NearestNames.didYouMean(name, there);
   }
 
   private Map<String, ServiceStatus> stopped(RemoteLink link, Set<String> told)
@@ -114,7 +113,7 @@ public final class StopServicesCommand implements Callable<Integer> {
     PrintWriter out = command.commandLine().getOut();
     boolean all = true;
     if (told.isEmpty()) {
-      out.println("Nobody of system " + link.systemId() + " is heard; the stop was sent.");
+      out.println("No service of system " + link.systemId() + " answered; the stop was sent.");
     }
     for (String service : told) {
       ServiceStatus end = ends.get(service);
@@ -122,7 +121,7 @@ public final class StopServicesCommand implements Callable<Integer> {
       out.println(
           service
               + (end == null
-                  ? ": NO WORD of its end within " + link.timeoutS() + " s"
+                  ? ": DID NOT CONFIRM its end within " + link.timeoutS() + " s"
                   : end == ServiceStatus.STOPPED ? ": stopped" : ": ended as failed"));
     }
     out.flush();

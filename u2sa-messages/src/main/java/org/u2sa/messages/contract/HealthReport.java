@@ -179,8 +179,7 @@ public class HealthReport extends U2SAData {
   }
 
   /**
-   * Time until the next report [s]; who hears none for much longer may think of the service as
-   * silent.
+   * Time until the next report [s]; a service without a report for much longer counts as silent.
    */
   public OptionalDouble interval() {
     return get(INTERVAL);

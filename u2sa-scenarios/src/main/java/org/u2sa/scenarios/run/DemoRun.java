@@ -16,7 +16,6 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.scenarios.report.RunFacts;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.RunReport;
 import org.u2sa.service.U2SAService;
@@ -42,7 +41,7 @@ record DemoRun(
     Path directory,
     Terminal terminal,
     Interruption interruption,
-    List<PlannedSwap> swaps) {
+    List<SwapOperator.PlannedSwap> swaps) {
   private static final long LOOK_EVERY_MICROS = 50_000;
   private static final Clock STOPWATCH = new SystemClock();
 
@@ -134,7 +133,7 @@ record DemoRun(
       refuseUnswapped(operator);
       double wallS = Clock.seconds(STOPWATCH.micros() - began);
       return RunReport.of(
-          new RunFacts(
+          new RunReport.Facts(
               demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
           plan.within(fence(running)),
           observer.record().track(),
@@ -154,7 +153,7 @@ record DemoRun(
     if (swaps.isEmpty()) {
       return Optional.empty();
     }
-    PlannedSwap.requireServices(
+    SwapOperator.PlannedSwap.requireServices(
         swaps, running.services().stream().map(U2SAService::getServiceName).toList());
     SwapOperator operator =
         new SwapOperator(

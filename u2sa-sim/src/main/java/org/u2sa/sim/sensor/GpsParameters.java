@@ -63,22 +63,6 @@ public record GpsParameters(
     return new GpsParameters(1.0, 0.25, 0.5, 3.0, 120.0, 1.5, 0.15, 900.0, 5.0, 9, 1);
   }
 
-  /** The same without random drop-outs. */
-  public GpsParameters withoutOutages() {
-    return new GpsParameters(
-        rateHz,
-        latencyS,
-        whiteM,
-        biasM,
-        biasTauS,
-        verticalFactor,
-        velocityMps,
-        0.0,
-        outageS,
-        satellites,
-        quality);
-  }
-
   /** What the receiver says of each horizontal axis [m]. */
   double horizontalSigmaM() {
     return StrictMath.sqrt(whiteM * whiteM + biasM * biasM);
