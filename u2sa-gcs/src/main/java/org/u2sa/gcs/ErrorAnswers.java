@@ -35,7 +35,6 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
       meant(unmatched).ifPresent(name -> err.println("Did you mean " + name + "?"));
     }
     err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
-    err.flush();
     return ExitCode.BAD_INPUT;
   }
 
@@ -63,7 +62,6 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     if (debug.getAsBoolean()) {
       thrown.printStackTrace(err);
     }
-    err.flush();
     return badInput ? ExitCode.BAD_INPUT : ExitCode.FAILED;
   }
 

@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 /** What one actuator is to do (thesis 3.2.3.9, figure 13); a subclass says what. */
 public class ActuatorCommand extends U2SAData {
   private static final Schema<ActuatorCommand> SCHEMA =
-      Schema.of("ActuatorCommand", ActuatorCommand.class, ActuatorCommand::new, U2SAData.TYPE);
+      Schema.of(ActuatorCommand.class, ActuatorCommand::new, U2SAData.TYPE);
   private static final ValueField<ActuatorCommand, String> ACTUATOR_NAME =
       SCHEMA.requiredText("actuatorName");
   private static final NumberField<ActuatorCommand> EXPIRY =

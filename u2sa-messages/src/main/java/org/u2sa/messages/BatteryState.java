@@ -9,9 +9,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What a battery has left. */
 public final class BatteryState extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<BatteryState> SCHEMA =
-      Schema.of("BatteryState", BatteryState.class, BatteryState::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(BatteryState.class, BatteryState::new, U2SAData.TYPE).since(2);
   private static final ValueField<BatteryState, String> SENSOR_NAME =
       SCHEMA.requiredText("sensorName");
   private static final NumberField<BatteryState> VOLTAGE =

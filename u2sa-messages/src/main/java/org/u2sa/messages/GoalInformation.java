@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public abstract class GoalInformation extends U2SAData {
   private static final Schema<GoalInformation> SCHEMA =
-      Schema.ofAbstract("GoalInformation", GoalInformation.class, UnknownGoal::new, U2SAData.TYPE);
+      Schema.ofAbstract(GoalInformation.class, UnknownGoal::new, U2SAData.TYPE);
   private static final ValueField<GoalInformation, String> UID = SCHEMA.requiredText("uid");
   private static final ValueField<GoalInformation, Boolean> COMPLETED = SCHEMA.flag("completed");
   private static final ValueField<GoalInformation, List<String>> NEXT = SCHEMA.texts("next");

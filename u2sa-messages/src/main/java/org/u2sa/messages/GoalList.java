@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public final class GoalList extends U2SAData {
   private static final Schema<GoalList> SCHEMA =
-      Schema.of("GoalList", GoalList.class, GoalList::new, U2SAData.TYPE);
+      Schema.of(GoalList.class, GoalList::new, U2SAData.TYPE);
   private static final ValueField<GoalList, List<GoalInformation>> GOALS =
       SCHEMA.messages("goals", GoalInformation.TYPE);
   private static final ValueField<GoalList, List<GoalInformation>> UPCOMING =

@@ -15,7 +15,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class NavigationPoint extends U2SAData {
   private static final Schema<NavigationPoint> SCHEMA =
-      Schema.of("NavigationPoint", NavigationPoint.class, NavigationPoint::new, U2SAData.TYPE);
+      Schema.of(NavigationPoint.class, NavigationPoint::new, U2SAData.TYPE);
   private static final ValueField<NavigationPoint, String> SUBSYSTEM =
       SCHEMA.text("subsystem", "VEHICLE");
   private static final ValueField<NavigationPoint, ReferenceFrame> REFERENCE_FRAME =

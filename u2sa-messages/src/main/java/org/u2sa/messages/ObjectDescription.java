@@ -19,8 +19,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class ObjectDescription extends U2SAData {
   private static final Schema<ObjectDescription> SCHEMA =
-      Schema.of(
-          "ObjectDescription", ObjectDescription.class, ObjectDescription::new, U2SAData.TYPE);
+      Schema.of(ObjectDescription.class, ObjectDescription::new, U2SAData.TYPE);
   private static final ValueField<ObjectDescription, String> UID = SCHEMA.requiredText("uid");
   private static final ValueField<ObjectDescription, String> OBJECT_TYPE =
       SCHEMA.text("objectType", "");

@@ -20,9 +20,8 @@ import org.u2sa.messages.schema.ValueField;
  * y (left) axes.
  */
 public final class RangeScan extends U2SAData {
-  private static final int FORMAT = 3; // joined the wire format with it
   private static final Schema<RangeScan> SCHEMA =
-      Schema.of("RangeScan", RangeScan.class, RangeScan::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(RangeScan.class, RangeScan::new, U2SAData.TYPE).since(3);
   private static final ValueField<RangeScan, String> SENSOR_NAME =
       SCHEMA.requiredText("sensorName");
   private static final ValueField<RangeScan, ReferenceFrame> REFERENCE_FRAME =

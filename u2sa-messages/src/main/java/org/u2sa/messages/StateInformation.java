@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class StateInformation extends FluidState<StateInformation> {
   private static final Schema<StateInformation> SCHEMA =
-      Schema.of("StateInformation", StateInformation.class, StateInformation::new, U2SAData.TYPE);
+      Schema.of(StateInformation.class, StateInformation::new, U2SAData.TYPE);
   private static final ValueField<StateInformation, String> SENSOR_NAME =
       SCHEMA.text("sensorName", "");
   private static final ValueField<StateInformation, ReferenceFrame> REFERENCE_FRAME =

@@ -14,7 +14,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class Waypoint extends GoalInformation {
   private static final Schema<Waypoint> SCHEMA =
-      Schema.of("Waypoint", Waypoint.class, Waypoint::new, GoalInformation.TYPE);
+      Schema.of(Waypoint.class, Waypoint::new, GoalInformation.TYPE);
   private static final ValueField<Waypoint, ReferenceFrame> REFERENCE_FRAME =
       SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
   private static final NumberField<Waypoint> X = SCHEMA.optionalCoordinate("x");

@@ -71,7 +71,6 @@ public final class DependenciesCommand implements Callable<Integer> {
         age(known.lookedUp()),
         affecting.size(),
         reached);
-    out.flush();
     return reached == 0 ? ExitCode.DONE : ExitCode.FAILED;
   }
 

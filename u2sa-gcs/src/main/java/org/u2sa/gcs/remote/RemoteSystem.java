@@ -191,7 +191,6 @@ public final class RemoteSystem {
   private void tell(String trouble) {
     PrintWriter err = command.commandLine().getErr();
     err.println("u2sa: " + trouble);
-    err.flush();
   }
 
   /** Where the broker is, for messages: {@code host:port}. */

@@ -8,9 +8,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Supervises the health monitor: starts a health monitor's process again when it has ended badly, and kills
- * it when it has been silent for long, as nobody else would order that. One thread. A silence in
- * which the own launcher is not heard either is a broken link, and nobody's fault.
+ * Supervises the health monitor: starts a health monitor's process again when it has ended badly,
+ * and kills it when it has been silent for long, as nobody else would order that. One thread. A
+ * silence in which the own launcher is not heard either is a broken link, and nobody's fault.
  */
 final class MonitorGuard implements AutoCloseable {
   private static final long LOOKS_EVERY_MICROS = 500_000;

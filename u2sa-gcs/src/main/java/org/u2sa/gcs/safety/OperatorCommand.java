@@ -80,9 +80,10 @@ public final class OperatorCommand implements Callable<Integer> {
   /** Nobody took the heartbeats for an operator's. */
   private int nobody(RemoteLink link) throws InterruptedException {
     PrintWriter out = command.commandLine().getOut();
-    out.println(link.systemId() + ": no Safety Manager answers: the vehicle does not watch for an operator");
+    out.println(
+        link.systemId()
+            + ": no Safety Manager answers: the vehicle does not watch for an operator");
     remote.otherSystems(link).ifPresent(out::println);
-    out.flush();
     return ExitCode.FAILED;
   }
 
@@ -112,7 +113,6 @@ public final class OperatorCommand implements Callable<Integer> {
       if (!gist.equals(shown.put(subject, gist))) {
         PrintWriter out = command.commandLine().getOut();
         out.println(subject + ": " + line);
-        out.flush();
       }
     }
   }

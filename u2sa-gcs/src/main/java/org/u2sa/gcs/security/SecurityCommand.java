@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
       UserCommand.class,
       MosquittoCommand.class
     })
-final class SecurityCommand implements Runnable {
+public final class SecurityCommand implements Runnable {
   @Spec private CommandSpec command;
 
   @Override

@@ -65,7 +65,6 @@ public final class GraphCommand implements Callable<Integer> {
         tell(link);
       }
       lines(link.systemId(), graph).forEach(out::println);
-      out.flush();
       return ExitCode.DONE;
     }
   }
@@ -86,6 +85,5 @@ public final class GraphCommand implements Callable<Integer> {
             + "--timeout waits longer%n",
         link.systemId(),
         link.timeoutS());
-    err.flush();
   }
 }

@@ -46,7 +46,6 @@ final class OrderToLauncher {
         throw new RunFailedException(what + " was not done: " + result.reason());
       }
       out.println(done);
-      out.flush();
       return ExitCode.DONE;
     }
   }

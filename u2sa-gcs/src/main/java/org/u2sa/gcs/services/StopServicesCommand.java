@@ -4,20 +4,18 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
-import org.u2sa.messages.schema.U2SAData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -42,23 +40,6 @@ public final class StopServicesCommand implements Callable<Integer> {
       arity = "0..1",
       description = "The service to stop. Default: all of the system.")
   private String name;
-
-  /** Who ended, and how; filled by the transport's thread. */
-  private static final class Ends {
-    private final Map<String, ServiceStatus> statuses = new TreeMap<>();
-
-    synchronized void take(U2SAData message) {
-      if (message instanceof HealthReport report
-          && (report.status() == ServiceStatus.STOPPED
-              || report.status() == ServiceStatus.FAILED)) {
-        statuses.put(report.serviceName(), report.status());
-      }
-    }
-
-    synchronized Map<String, ServiceStatus> statuses() {
-      return new TreeMap<>(statuses);
-    }
-  }
 
   @Override
   public Integer call() throws InterruptedException {
@@ -90,23 +71,20 @@ public final class StopServicesCommand implements Callable<Integer> {
 
   private Map<String, ServiceStatus> stopped(RemoteLink link, Set<String> told)
       throws InterruptedException {
-    Ends ends = new Ends();
-    Clock clock = link.clock();
-    try (Clock.Waiter waiter = clock.newWaiter("ends")) {
-      link.listen(
-          Channels.HEALTH,
-          message -> {
-            ends.take(message);
-            waiter.signal();
-          });
-      StopCommand order = new StopCommand().stopAll(name == null);
-      link.publish(Channels.STOP, name == null ? order : order.serviceName(name));
-      long deadline = clock.micros() + Clock.micros(link.timeoutS());
-      while (!ends.statuses().keySet().containsAll(told) && clock.micros() < deadline) {
-        waiter.await(deadline);
-      }
-    }
-    return ends.statuses();
+    Map<String, ServiceStatus> ends = new ConcurrentHashMap<>();
+    link.listen(
+        Channels.HEALTH,
+        message -> {
+          if (message instanceof HealthReport report
+              && (report.status() == ServiceStatus.STOPPED
+                  || report.status() == ServiceStatus.FAILED)) {
+            ends.put(report.serviceName(), report.status());
+          }
+        });
+    StopCommand order = new StopCommand().stopAll(name == null);
+    link.publish(Channels.STOP, name == null ? order : order.serviceName(name));
+    link.await(() -> ends.keySet().containsAll(told), link.timeoutS());
+    return ends;
   }
 
   private int report(Set<String> told, Map<String, ServiceStatus> ends, RemoteLink link) {
@@ -124,7 +102,6 @@ public final class StopServicesCommand implements Callable<Integer> {
                   ? ": DID NOT CONFIRM its end within " + link.timeoutS() + " s"
                   : end == ServiceStatus.STOPPED ? ": stopped" : ": ended as failed"));
     }
-    out.flush();
     return all && !told.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }
 }

@@ -123,7 +123,7 @@ class SafetyCommandsTest {
             run(foreign.broker(), "baot", new OperatorCommand(), "--for", "1", "--timeout", "10"))
         .isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
-        .contains("baot: no Safety Manager is heard")
+        .contains("baot: no Safety Manager answers")
         .contains("did you mean \"boat\"?");
   }
 }

@@ -183,7 +183,7 @@ class ServiceCommandsTest {
     try (ForeignSystem mule =
         ForeignSystem.start(own, "mule", ESTIMATOR, Stubborn.class.getName())) {
       assertThat(run(mule, "stop", "--timeout", "6")).isEqualTo(ExitCode.FAILED);
-      assertThat(out.toString()).contains("StateEstimator: stopped", "Stubborn: NO WORD");
+      assertThat(out.toString()).contains("StateEstimator: stopped", "Stubborn: DID NOT CONFIRM");
     }
   }
 }

@@ -9,11 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 /** An actuator says what it can do (thesis 3.2.3.5, 5.1). */
 public final class ActuatorAnnouncement extends U2SAData {
   private static final Schema<ActuatorAnnouncement> SCHEMA =
-      Schema.of(
-          "ActuatorAnnouncement",
-          ActuatorAnnouncement.class,
-          ActuatorAnnouncement::new,
-          U2SAData.TYPE);
+      Schema.of(ActuatorAnnouncement.class, ActuatorAnnouncement::new, U2SAData.TYPE);
   private static final ValueField<ActuatorAnnouncement, String> ACTUATOR_NAME =
       SCHEMA.requiredText("actuatorName");
   private static final NumberField<ActuatorAnnouncement> MINIMUM =

@@ -7,9 +7,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Asks to let the vehicle move, or to let it no longer move. */
 public final class ArmCommand extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ArmCommand> SCHEMA =
-      Schema.of("ArmCommand", ArmCommand.class, ArmCommand::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(ArmCommand.class, ArmCommand::new, U2SAData.TYPE).since(2);
   private static final ValueField<ArmCommand, String> REQUEST_ID = SCHEMA.requiredText("requestId");
   private static final ValueField<ArmCommand, Boolean> ARM = SCHEMA.flag("arm");
   private static final ValueField<ArmCommand, String> OPERATOR = SCHEMA.text("operator", "");

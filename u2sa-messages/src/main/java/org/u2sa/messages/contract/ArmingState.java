@@ -9,9 +9,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Whether the vehicle may move, and if not, why not. */
 public final class ArmingState extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ArmingState> SCHEMA =
-      Schema.of("ArmingState", ArmingState.class, ArmingState::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(ArmingState.class, ArmingState::new, U2SAData.TYPE).since(2);
   private static final ValueField<ArmingState, Boolean> ARMED = SCHEMA.flag("armed");
   private static final ValueField<ArmingState, List<String>> REASONS = SCHEMA.texts("reasons");
   private static final ValueField<ArmingState, String> REQUEST_ID =

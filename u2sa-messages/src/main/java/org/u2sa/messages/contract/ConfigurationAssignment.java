@@ -8,14 +8,9 @@ import org.u2sa.messages.schema.ValueField;
 
 /** One variable and the value that it is to have or had. */
 public final class ConfigurationAssignment extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationAssignment> SCHEMA =
-      Schema.of(
-              "ConfigurationAssignment",
-              ConfigurationAssignment.class,
-              ConfigurationAssignment::new,
-              U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ConfigurationAssignment.class, ConfigurationAssignment::new, U2SAData.TYPE)
+          .since(2);
   private static final ValueField<ConfigurationAssignment, String> VARIABLE_NAME =
       SCHEMA.requiredText("variableName");
   private static final ValueField<ConfigurationAssignment, String> VALUE =

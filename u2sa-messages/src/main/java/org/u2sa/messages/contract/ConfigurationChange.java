@@ -8,11 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** Tells a service to change a variable (thesis 3.2.1.1). */
 public final class ConfigurationChange extends U2SAData {
   private static final Schema<ConfigurationChange> SCHEMA =
-      Schema.of(
-          "ConfigurationChange",
-          ConfigurationChange.class,
-          ConfigurationChange::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationChange.class, ConfigurationChange::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationChange, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ConfigurationChange, String> VARIABLE_NAME =

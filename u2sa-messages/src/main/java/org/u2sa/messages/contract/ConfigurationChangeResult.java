@@ -8,11 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** What became of a {@link ConfigurationChange}. */
 public final class ConfigurationChangeResult extends U2SAData {
   private static final Schema<ConfigurationChangeResult> SCHEMA =
-      Schema.of(
-          "ConfigurationChangeResult",
-          ConfigurationChangeResult.class,
-          ConfigurationChangeResult::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationChangeResult.class, ConfigurationChangeResult::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationChangeResult, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ConfigurationChangeResult, String> VARIABLE_NAME =

@@ -8,11 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** Asks a service for its configuration (thesis 3.2.1.1). */
 public final class ConfigurationRequest extends U2SAData {
   private static final Schema<ConfigurationRequest> SCHEMA =
-      Schema.of(
-          "ConfigurationRequest",
-          ConfigurationRequest.class,
-          ConfigurationRequest::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationRequest.class, ConfigurationRequest::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationRequest, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
 

@@ -10,11 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 /** A service's configuration. */
 public final class ConfigurationResponse extends U2SAData {
   private static final Schema<ConfigurationResponse> SCHEMA =
-      Schema.of(
-          "ConfigurationResponse",
-          ConfigurationResponse.class,
-          ConfigurationResponse::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationResponse.class, ConfigurationResponse::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationResponse, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ConfigurationResponse, List<ConfigurationVariable>> VARIABLES =

@@ -9,14 +9,9 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to change several variables at once: all of them or none (thesis 3.2.1.1). */
 public final class ConfigurationTransaction extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationTransaction> SCHEMA =
-      Schema.of(
-              "ConfigurationTransaction",
-              ConfigurationTransaction.class,
-              ConfigurationTransaction::new,
-              U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ConfigurationTransaction.class, ConfigurationTransaction::new, U2SAData.TYPE)
+          .since(2);
   private static final ValueField<ConfigurationTransaction, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ConfigurationTransaction, String> SERVICE_NAME =

@@ -8,14 +8,12 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What came of a {@link ConfigurationTransaction} or {@link ConfigurationUndo}. */
 public final class ConfigurationTransactionResult extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationTransactionResult> SCHEMA =
       Schema.of(
-              "ConfigurationTransactionResult",
               ConfigurationTransactionResult.class,
               ConfigurationTransactionResult::new,
               U2SAData.TYPE)
-          .since(FORMAT);
+          .since(2);
   private static final ValueField<ConfigurationTransactionResult, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ConfigurationTransactionResult, String> SERVICE_NAME =

@@ -7,10 +7,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to take its last configuration change back. */
 public final class ConfigurationUndo extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationUndo> SCHEMA =
-      Schema.of("ConfigurationUndo", ConfigurationUndo.class, ConfigurationUndo::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ConfigurationUndo.class, ConfigurationUndo::new, U2SAData.TYPE).since(2);
   private static final ValueField<ConfigurationUndo, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ConfigurationUndo, String> SERVICE_NAME =

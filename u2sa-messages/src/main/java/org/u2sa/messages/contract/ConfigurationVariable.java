@@ -11,11 +11,7 @@ import org.u2sa.messages.schema.ValueField;
 /** One variable of a service's configuration. */
 public final class ConfigurationVariable extends U2SAData {
   private static final Schema<ConfigurationVariable> SCHEMA =
-      Schema.of(
-          "ConfigurationVariable",
-          ConfigurationVariable.class,
-          ConfigurationVariable::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationVariable.class, ConfigurationVariable::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationVariable, String> NAME = SCHEMA.requiredText("name");
   private static final ValueField<ConfigurationVariable, String> VARIABLE_TYPE =
       SCHEMA.text("variableType", "string");

@@ -10,8 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 /** A service says that it is there (thesis 3.2.2.1). */
 public final class DiscoveryResponse extends U2SAData {
   private static final Schema<DiscoveryResponse> SCHEMA =
-      Schema.of(
-          "DiscoveryResponse", DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE);
+      Schema.of(DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE);
   private static final ValueField<DiscoveryResponse, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<DiscoveryResponse, String> SERVICE_TYPE =

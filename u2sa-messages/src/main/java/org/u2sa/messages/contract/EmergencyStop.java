@@ -14,18 +14,15 @@ import org.u2sa.messages.schema.ValueField;
  * lifts the stops that it names by {@code lifts}, or without names those up to {@code clears}.
  */
 public final class EmergencyStop extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
-  private static final int FORMAT_OF_NAMES = 3;
   private static final Schema<EmergencyStop> SCHEMA =
-      Schema.of("EmergencyStop", EmergencyStop.class, EmergencyStop::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(EmergencyStop.class, EmergencyStop::new, U2SAData.TYPE).since(2);
   private static final ValueField<EmergencyStop, Boolean> ACTIVE = SCHEMA.flag("active");
   private static final ValueField<EmergencyStop, String> OPERATOR = SCHEMA.text("operator", "");
   private static final ValueField<EmergencyStop, String> REASON = SCHEMA.text("reason", "");
   private static final ValueField<EmergencyStop, Long> CLEARS =
       SCHEMA.optionalCount("clears", "us");
   private static final ValueField<EmergencyStop, String> STOP_ID =
-      SCHEMA.since(FORMAT_OF_NAMES).optionalText("stopId");
+      SCHEMA.since(3).optionalText("stopId");
   private static final ValueField<EmergencyStop, List<String>> LIFTS =
       SCHEMA.optionalTexts("lifts");
 

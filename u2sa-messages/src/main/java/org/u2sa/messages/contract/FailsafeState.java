@@ -8,10 +8,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What the vehicle is to do because something is wrong; CONTINUE if nothing is. */
 public final class FailsafeState extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<FailsafeState> SCHEMA =
-      Schema.of("FailsafeState", FailsafeState.class, FailsafeState::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(FailsafeState.class, FailsafeState::new, U2SAData.TYPE).since(2);
   private static final ValueField<FailsafeState, FailsafeAction> ACTION =
       SCHEMA.requiredChoice("action", FailsafeAction.class);
   private static final ValueField<FailsafeState, List<String>> CAUSES = SCHEMA.texts("causes");

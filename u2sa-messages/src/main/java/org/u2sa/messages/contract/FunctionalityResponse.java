@@ -9,11 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 /** What a service publishes and subscribes to (thesis 3.2.2.1). */
 public final class FunctionalityResponse extends U2SAData {
   private static final Schema<FunctionalityResponse> SCHEMA =
-      Schema.of(
-          "FunctionalityResponse",
-          FunctionalityResponse.class,
-          FunctionalityResponse::new,
-          U2SAData.TYPE);
+      Schema.of(FunctionalityResponse.class, FunctionalityResponse::new, U2SAData.TYPE);
   private static final ValueField<FunctionalityResponse, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<FunctionalityResponse, List<String>> PUBLISHES =

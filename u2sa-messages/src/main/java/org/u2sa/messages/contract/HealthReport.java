@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.ValueField;
 /** A service's heartbeat (thesis 3.5.3). Counts are since the service started. */
 public class HealthReport extends U2SAData {
   private static final Schema<HealthReport> SCHEMA =
-      Schema.of("HealthReport", HealthReport.class, HealthReport::new, U2SAData.TYPE);
+      Schema.of(HealthReport.class, HealthReport::new, U2SAData.TYPE);
   private static final ValueField<HealthReport, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<HealthReport, ServiceStatus> STATUS =

@@ -12,10 +12,8 @@ import org.u2sa.messages.schema.ValueField;
  * done about it.
  */
 public final class ServiceCondition extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ServiceCondition> SCHEMA =
-      Schema.of("ServiceCondition", ServiceCondition.class, ServiceCondition::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ServiceCondition.class, ServiceCondition::new, U2SAData.TYPE).since(2);
   private static final ValueField<ServiceCondition, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ServiceCondition, Condition> CONDITION =

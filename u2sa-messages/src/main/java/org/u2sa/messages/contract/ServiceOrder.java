@@ -11,9 +11,8 @@ import org.u2sa.messages.schema.ValueField;
  * (user story 8, thesis 3.5.3).
  */
 public final class ServiceOrder extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ServiceOrder> SCHEMA =
-      Schema.of("ServiceOrder", ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE).since(2);
   private static final ValueField<ServiceOrder, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ServiceOrder, String> SERVICE_NAME =

@@ -7,14 +7,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What came of a {@link ServiceOrder}. */
 public final class ServiceOrderResult extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ServiceOrderResult> SCHEMA =
-      Schema.of(
-              "ServiceOrderResult",
-              ServiceOrderResult.class,
-              ServiceOrderResult::new,
-              U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ServiceOrderResult.class, ServiceOrderResult::new, U2SAData.TYPE).since(2);
   private static final ValueField<ServiceOrderResult, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ServiceOrderResult, String> SERVICE_NAME =

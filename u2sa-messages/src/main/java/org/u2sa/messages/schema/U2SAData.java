@@ -273,6 +273,14 @@ public abstract class U2SAData {
   /** "Waypoint{uid=1, x=10.0 deg}": what is set. */
   @Override
   public final String toString() {
-    return MessageText.of(this);
+    List<String> parts = new ArrayList<>();
+    for (FieldValue field : enumerateFields()) {
+      if (field.value().isPresent()) {
+        String unit = field.unit().isEmpty() ? "" : " " + field.unit();
+        parts.add(field.name() + "=" + field.value().get() + unit);
+      }
+    }
+    List<String> chain = typeChain();
+    return chain.get(chain.size() - 1) + "{" + String.join(", ", parts) + "}";
   }
 }

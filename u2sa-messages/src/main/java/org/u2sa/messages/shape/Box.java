@@ -8,8 +8,7 @@ import org.u2sa.messages.schema.Schema;
 
 /** A solid box around the centre, upright: its height is along z. */
 public class Box extends ShapeSetters<Box> {
-  private static final Schema<Box> SCHEMA =
-      Schema.of("Box", Box.class, Box::new, ShapeDescription.TYPE);
+  private static final Schema<Box> SCHEMA = Schema.of(Box.class, Box::new, ShapeDescription.TYPE);
   private static final NumberField<Box> LENGTH = SCHEMA.number("length", "m", 0.0, 0.0);
   private static final NumberField<Box> WIDTH = SCHEMA.number("width", "m", 0.0, 0.0);
   private static final NumberField<Box> HEIGHT = SCHEMA.number("height", "m", 0.0, 0.0);

@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.Schema;
 /** A disc in the x-y plane around the centre. */
 public class Circle extends ShapeSetters<Circle> {
   private static final Schema<Circle> SCHEMA =
-      Schema.of("Circle", Circle.class, Circle::new, ShapeDescription.TYPE);
+      Schema.of(Circle.class, Circle::new, ShapeDescription.TYPE);
   private static final NumberField<Circle> RADIUS = SCHEMA.number("radius", "m", 0.0, 0.0);
 
   /** The schema. */

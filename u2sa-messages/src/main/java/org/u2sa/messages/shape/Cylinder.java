@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.Schema;
 /** A solid cylinder around the centre, its axis along z. */
 public class Cylinder extends ShapeSetters<Cylinder> {
   private static final Schema<Cylinder> SCHEMA =
-      Schema.of("Cylinder", Cylinder.class, Cylinder::new, ShapeDescription.TYPE);
+      Schema.of(Cylinder.class, Cylinder::new, ShapeDescription.TYPE);
   private static final NumberField<Cylinder> RADIUS = SCHEMA.number("radius", "m", 0.0, 0.0);
   private static final NumberField<Cylinder> HEIGHT = SCHEMA.number("height", "m", 0.0, 0.0);
 

@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 /** A line through points in order, as a fence, a kerb or a shore. */
 public class Line extends ShapeSetters<Line> {
   private static final Schema<Line> SCHEMA =
-      Schema.of("Line", Line.class, Line::new, ShapeDescription.TYPE);
+      Schema.of(Line.class, Line::new, ShapeDescription.TYPE);
   private static final ValueField<Line, List<Point>> POINTS = SCHEMA.points("points", "m");
 
   /** The schema. */

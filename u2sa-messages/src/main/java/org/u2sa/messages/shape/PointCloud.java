@@ -14,7 +14,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class PointCloud extends ObjectDescription {
   private static final Schema<PointCloud> SCHEMA =
-      Schema.of("PointCloud", PointCloud.class, PointCloud::new, ObjectDescription.TYPE);
+      Schema.of(PointCloud.class, PointCloud::new, ObjectDescription.TYPE);
   private static final ValueField<PointCloud, List<Point>> POINTS = SCHEMA.points("points", "m");
 
   /** The schema. */

@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.Schema;
 /** A rectangle in the x-y plane around the centre. */
 public class Rectangle extends ShapeSetters<Rectangle> {
   private static final Schema<Rectangle> SCHEMA =
-      Schema.of("Rectangle", Rectangle.class, Rectangle::new, ShapeDescription.TYPE);
+      Schema.of(Rectangle.class, Rectangle::new, ShapeDescription.TYPE);
   private static final NumberField<Rectangle> LENGTH = SCHEMA.number("length", "m", 0.0, 0.0);
   private static final NumberField<Rectangle> WIDTH = SCHEMA.number("width", "m", 0.0, 0.0);
   private static final NumberField<Rectangle> PSI = SCHEMA.number("psi", "rad", 0.0);

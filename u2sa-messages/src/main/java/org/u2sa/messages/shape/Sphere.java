@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.Schema;
 /** A ball around the centre. */
 public class Sphere extends ShapeSetters<Sphere> {
   private static final Schema<Sphere> SCHEMA =
-      Schema.of("Sphere", Sphere.class, Sphere::new, ShapeDescription.TYPE);
+      Schema.of(Sphere.class, Sphere::new, ShapeDescription.TYPE);
   private static final NumberField<Sphere> RADIUS = SCHEMA.number("radius", "m", 0.0, 0.0);
 
   /** The schema. */

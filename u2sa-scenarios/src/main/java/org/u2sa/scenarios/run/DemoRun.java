@@ -76,7 +76,8 @@ record DemoRun(
         simulation,
         observer -> {
           Clock.Waiter waiter = clock.newWaiter("run");
-          ReadingsWatch link = new ReadingsWatch(clock, simulation.vehicle(), patience, this::say);
+          ReadingsWatch link =
+              new ReadingsWatch(clock, simulation.vehicle(), patience, terminal.out()::println);
           long limit = clock.micros() + Clock.micros(limitS());
           while (!isOver(observer)
               && clock.micros() < limit
@@ -96,11 +97,6 @@ record DemoRun(
 
   private boolean isOver(RunObserver observer) {
     return observer.isOver() || !observer.service().isRunning() || interruption.isAsked();
-  }
-
-  private void say(String line) {
-    terminal.out().println(line);
-    terminal.out().flush();
   }
 
   /** Waits until a run is over. */
@@ -159,7 +155,7 @@ record DemoRun(
         new SwapOperator(
             running.contextFor(XmlConfiguration.inMemory("SwapOperator", Map.of())),
             swaps,
-            this::say);
+            terminal.out()::println);
     operator.start();
     return Optional.of(operator);
   }

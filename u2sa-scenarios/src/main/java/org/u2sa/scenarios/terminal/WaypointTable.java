@@ -49,7 +49,6 @@ public final class WaypointTable {
         .outcome()
         .violations()
         .forEach(v -> terminal.out().println(terminal.bad(terminal.fitted("violation: " + v))));
-    terminal.out().flush();
   }
 
   private static String contacts(RunScore score) {

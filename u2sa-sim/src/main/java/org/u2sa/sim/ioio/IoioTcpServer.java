@@ -74,8 +74,8 @@ public final class IoioTcpServer implements AutoCloseable {
   }
 
   /**
-   * Freezes the board, or lets it go on: frozen, it neither takes nor sends bytes, and its pins keep
-   * their state.
+   * Freezes the board, or lets it go on: frozen, it neither takes nor sends bytes, and its pins
+   * keep their state.
    */
   public void hold(boolean on) {
     synchronized (lock) {

@@ -34,7 +34,7 @@ public final class UbloxReceiver {
   private final NmeaGpsMessages nmea;
   private final UbxGpsMessages ubx;
   private final UartTransmitter line;
-  private final UbxRequests requests = new UbxRequests(this::obey);
+  private final UbxMessage.Reader requests = new UbxMessage.Reader(this::obey);
   private final Set<GpsMessage> messages = EnumSet.noneOf(GpsMessage.class);
   private int protocols = UBX | NMEA; // that it sends
   private long periodUs;
