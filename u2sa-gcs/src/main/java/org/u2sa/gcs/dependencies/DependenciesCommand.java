@@ -18,14 +18,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa dependencies}: what U2SA is made with, how old it is, what is published on it. */
+/** {@code u2sa dependencies}: lists libraries, their age and published advisories. */
 @Command(
     name = "dependencies",
     description = {
       "List the libraries U2SA uses: version, age, licence and published advisories.",
       "",
       "Works offline: advisories are those known when they were last looked up. "
-          + "Exit code 1: a version is affected by one that our use of it reaches."
+          + "Exit code 1: an advisory affects a version in use, in code that U2SA reaches."
     })
 public final class DependenciesCommand implements Callable<Integer> {
   private static final double DAYS_A_YEAR = 365.25;

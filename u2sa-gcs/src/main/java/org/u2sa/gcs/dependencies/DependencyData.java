@@ -12,7 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the two files in the jar say.
+ * The contents of libraries.txt and advisories.txt.
  *
  * @param lookedUp when advisories were looked for last
  */
@@ -74,7 +74,7 @@ record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalD
   }
 
   /**
-   * A library of someone else's.
+   * A third-party library.
    *
    * @param name group:artifact
    * @param released when this version was built
@@ -87,8 +87,8 @@ record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalD
    *
    * @param library group:artifact, or group:* for all of a group
    * @param introduced first version that has it
-   * @param fixed first version that has it no more, or "never"
-   * @param reached whether our use of the library comes to it
+   * @param fixed first version without it, or "never"
+   * @param reached whether our use of the library reaches it
    */
   record Advisory(
       String id, String library, String introduced, String fixed, boolean reached, String what) {

@@ -36,8 +36,8 @@ import picocli.CommandLine.Spec;
  * }
  * }</pre>
  *
- * What goes wrong leaves the command as an exception that the command line tells in one line: no
- * broker, no system heard, several heard.
+ * Failures (no broker, no system, several systems) are exceptions that the command line prints in
+ * one line.
  */
 public final class RemoteSystem {
   private static final double LONGEST_S = 3_600.0;
@@ -53,7 +53,7 @@ public final class RemoteSystem {
       names = "--broker",
       paramLabel = "HOST[:PORT]",
       description =
-          "Where the system's broker listens; auto: where it announces itself by mDNS. Default: localhost:1883.")
+          "Address of the system's broker; auto: find it by mDNS. Default: localhost:1883.")
   private void broker(String value) {
     try {
       broker = value.equals(BrokerSearch.AUTO) ? null : BrokerAddress.parse(value);
@@ -65,7 +65,7 @@ public final class RemoteSystem {
   @Option(
       names = "--system",
       paramLabel = "ID",
-      description = "The system to join. Default: the only one heard.")
+      description = "The system to join. Default: the only one found.")
   private void systemId(String value) {
     try {
       systemId = Topic.checkSystemId(value);
@@ -104,8 +104,7 @@ public final class RemoteSystem {
       names = "--ca",
       paramLabel = "FILE",
       defaultValue = "",
-      description =
-          "Certificate (PEM) of the authority that a secured broker must be certified by.")
+      description = "Certificate (PEM) of the authority that certified the secured broker.")
   private String caFile;
 
   /**

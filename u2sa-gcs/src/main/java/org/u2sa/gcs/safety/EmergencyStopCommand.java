@@ -55,7 +55,7 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     }
   }
 
-  /** Says the stop first and asks then: nothing comes before it. */
+  /** Publishes the stop before anything else. */
   private int stop(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
       throws InterruptedException {
     String id = RemoteSystem.operator() + " " + UUID.randomUUID();
@@ -66,7 +66,7 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     return report(link, vehicle, holds);
   }
 
-  /** Lifts the stops of which anybody speaks, and no other. */
+  /** Lifts all stops that are reported, and no other. */
   private int clear(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
       throws InterruptedException {
     StopConfirmation vehicle = StopConfirmation.listen(link, waiter);

@@ -21,7 +21,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa operator}: is there for a vehicle, and shows how it is. */
+/** {@code u2sa operator}: sends operator heartbeats and shows the vehicle's safety state. */
 @Command(
     name = "operator",
     description = {
@@ -77,7 +77,6 @@ public final class OperatorCommand implements Callable<Integer> {
     }
   }
 
-  /** Nobody took the heartbeats for an operator's. */
   private int nobody(RemoteLink link) throws InterruptedException {
     PrintWriter out = command.commandLine().getOut();
     out.println(

@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "certificate",
     description =
-        "Make a new key and certificate for the broker, by the same authority; clients need nothing new.")
+        "Renew the broker's key and certificate under the same authority; clients need no change.")
 final class CertificateCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
   @Mixin private SecurityFolder folder;

@@ -60,7 +60,7 @@ final class UserCommand implements Runnable {
       @Option(
               names = "--password-file",
               paramLabel = "FILE",
-              description = "Take the password from the file's first line.")
+              description = "Read the password from the file's first line.")
           Path passwordFile,
       @Option(
               names = "--new-password-file",

@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa services}: who is there, how each is, and who has which data. */
+/** {@code u2sa services}: lists services, their health and their data. */
 @Command(
     name = "services",
     description = {

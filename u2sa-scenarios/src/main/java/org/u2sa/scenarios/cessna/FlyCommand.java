@@ -49,7 +49,7 @@ final class FlyCommand implements Callable<Integer>, Demo {
 
   @Option(
       names = "--no-start",
-      description = "Do not start FlightGear: it is started by hand on this machine.")
+      description = "Do not start FlightGear; start it by hand on this machine.")
   private boolean noStart;
 
   @Option(

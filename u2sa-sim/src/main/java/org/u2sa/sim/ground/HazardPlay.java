@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.world.World;
 
-/** Plays the hazards of a run upon a vehicle. */
+/** Applies the hazards of a run to a vehicle. */
 final class HazardPlay {
   private final GroundVehicle vehicle;
   private final List<DrivingHazard> all;

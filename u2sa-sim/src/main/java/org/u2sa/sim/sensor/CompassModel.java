@@ -46,7 +46,7 @@ public final class CompassModel {
   }
 
   /**
-   * What a compass feels beside the earth.
+   * What disturbs a compass besides the earth's field.
    *
    * @param eastUt field of something at this place, towards east [µT]
    * @param northUt towards north [µT]

@@ -3,7 +3,7 @@ package org.u2sa.sim.sensor;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * How good a satellite receiver is. Standard deviations are those of each axis.
+ * The errors of a satellite receiver. Standard deviations are those of each axis.
  *
  * @param rateHz positions in a second, at most
  * @param latencyS from the moment that a position is of to its first byte [s]
