@@ -56,7 +56,9 @@ public final class Drive {
 
   private static void print(LocalPlane plane, GroundState s, GpsModel survey, GpsModel phone,
       CompassModel compass, DrivingHazard.Magnetic magnet, int i, double first, double second) {
-    VehicleTruth truth = new VehicleTruth(0.0, Point.of(s.eastM(), s.northM(), 0), new Attitude(0.0, 0.0, s.headingRad()), Point.of(s.eastMps(), s.northMps(), 0), Point.ORIGIN, Point.ORIGIN);
+    VehicleTruth truth = new VehicleTruth(s.timeS(), Point.of(s.eastM(), s.northM(), 0),
+        new Attitude(0.0, 0.0, s.headingRad()), Point.of(s.eastMps(), s.northMps(), 0),
+        Point.ORIGIN, Point.ORIGIN);
     String fixes = i % 5 == 0 ? place(plane, survey.sample(s.timeS(), truth, false)) : ",";
     fixes += "," + (i % 50 == 0 ? place(plane, phone.sample(s.timeS(), truth, false)) : ",");
     double distance = Math.hypot(s.eastM() - magnet.eastM(), s.northM() - magnet.northM());
