@@ -1,19 +1,19 @@
 import java.util.Locale;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.DriveCommand;
-import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.DrivingHazard;
-import org.u2sa.sim.sensor.CompassField;
+import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsModel;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.GpsSample;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
@@ -56,14 +56,15 @@ public final class Drive {
 
   private static void print(LocalPlane plane, GroundState s, GpsModel survey, GpsModel phone,
       CompassModel compass, DrivingHazard.Magnetic magnet, int i, double first, double second) {
-    TrueMotion truth = new TrueMotion(
-        s.eastM(), s.northM(), 0, s.eastMps(), s.northMps(), 0, s.headingRad());
+    VehicleTruth truth = new VehicleTruth(s.timeS(), Point.of(s.eastM(), s.northM(), 0),
+        new Attitude(0.0, 0.0, s.headingRad()), Point.of(s.eastMps(), s.northMps(), 0),
+        Point.ORIGIN, Point.ORIGIN);
     String fixes = i % 5 == 0 ? place(plane, survey.sample(s.timeS(), truth, false)) : ",";
     fixes += "," + (i % 50 == 0 ? place(plane, phone.sample(s.timeS(), truth, false)) : ",");
     double distance = Math.hypot(s.eastM() - magnet.eastM(), s.northM() - magnet.northM());
     double share = 1.0 / (1.0 + Math.pow(distance / magnet.radiusM(), 3.0));
     double heading = compass.sample(truth,
-        new CompassField(share * magnet.eastUt(), share * magnet.northUt(), s.leftMotorA(), s.rightMotorA()));
+        new CompassModel.Disturbance(share * magnet.eastUt(), share * magnet.northUt(), s.leftMotorA(), s.rightMotorA()));
     double error = Math.toDegrees(Math.IEEEremainder(heading - s.headingRad(), 2 * Math.PI));
     System.out.printf(Locale.ROOT, "%.2f,%.3f,%.3f,%.4f,%.4f,%.4f,%.3f,%.3f,%.3f,%.3f,%s%n",
         s.timeS(), s.eastM(), s.northM(), s.forwardMps(), 0.1 * s.leftWheelRadPerS(),

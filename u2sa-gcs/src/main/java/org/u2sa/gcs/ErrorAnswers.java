@@ -1,13 +1,13 @@
 package org.u2sa.gcs;
 
 import java.io.PrintWriter;
-import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.gcs.command.ReportException;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.xml.NearestNames;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.IParameterExceptionHandler;
@@ -32,13 +32,9 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     PrintWriter err = command.getErr();
     err.println(PREFIX + message(e, command));
     if (e instanceof UnmatchedArgumentException unmatched) {
-      List<String> meant = Suggestions.of(unmatched);
-      if (!meant.isEmpty()) {
-        err.println("Did you mean " + String.join(" or ", meant) + "?");
-      }
+      meant(unmatched).ifPresent(name -> err.println("Did you mean " + name + "?"));
     }
     err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
-    err.flush();
     return ExitCode.BAD_INPUT;
   }
 
@@ -53,7 +49,6 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     boolean told =
         badInput
             || thrown instanceof RunFailedException
-            || thrown instanceof ReportException
             || thrown instanceof CommunicationException;
     if (told) {
       err.println(PREFIX + thrown.getMessage());
@@ -67,8 +62,18 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     if (debug.getAsBoolean()) {
       thrown.printStackTrace(err);
     }
-    err.flush();
     return badInput ? ExitCode.BAD_INPUT : ExitCode.FAILED;
+  }
+
+  /** The command or option that a mistyped one is nearest to. */
+  private static Optional<String> meant(UnmatchedArgumentException e) {
+    String typed = e.getUnmatched().get(0).replaceFirst("=.*", "");
+    CommandLine command = e.getCommandLine();
+    return NearestNames.nearest(
+        typed,
+        typed.startsWith("-")
+            ? command.getCommandSpec().optionsMap().keySet()
+            : command.getSubcommands().keySet());
   }
 
   private static String message(ParameterException e, CommandLine command) {

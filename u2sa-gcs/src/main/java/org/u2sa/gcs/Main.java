@@ -28,7 +28,8 @@ public final class Main {
    * Runs one command in this virtual machine, which goes on afterwards: for programs and tests that
    * use the command line.
    *
-   * @param out takes what the command prints, without colours
+   * @param out takes what the command prints, without colours; commands flush by the line if it
+   *     does
    * @param err takes errors
    * @return exit code, see {@link ExitCode}
    */
@@ -55,6 +56,7 @@ public final class Main {
       return new ErrorAnswers(root::debug).answer(e, err);
     } finally {
       out.flush();
+      err.flush();
     }
   }
 }

@@ -51,7 +51,7 @@ class MainTest {
   @Test
   void run_demoAlone_listsTheDemos() {
     assertThat(run("demo")).isEqualTo(ExitCode.DONE);
-    assertThat(out.toString()).contains("u2sa demo greet  Greets by the seed.");
+    assertThat(out.toString()).contains("DEMOS", "greet  Greets by the seed.");
   }
 
   @Test

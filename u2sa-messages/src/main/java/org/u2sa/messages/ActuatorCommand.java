@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 /** What one actuator is to do (thesis 3.2.3.9, figure 13); a subclass says what. */
 public class ActuatorCommand extends U2SAData {
   private static final Schema<ActuatorCommand> SCHEMA =
-      Schema.of("ActuatorCommand", ActuatorCommand.class, ActuatorCommand::new, U2SAData.TYPE);
+      Schema.of(ActuatorCommand.class, ActuatorCommand::new, U2SAData.TYPE);
   private static final ValueField<ActuatorCommand, String> ACTUATOR_NAME =
       SCHEMA.requiredText("actuatorName");
   private static final NumberField<ActuatorCommand> EXPIRY =
@@ -31,8 +31,7 @@ public class ActuatorCommand extends U2SAData {
 
   /** Sets {@link #actuatorName()}. */
   public ActuatorCommand actuatorName(String value) {
-    put(ACTUATOR_NAME, value);
-    return this;
+    return put(ACTUATOR_NAME, value);
   }
 
   /** How long the command holds from its timestamp [s]; empty: until the next. */
@@ -42,7 +41,6 @@ public class ActuatorCommand extends U2SAData {
 
   /** Sets {@link #expiry()}. */
   public ActuatorCommand expiry(double value) {
-    put(EXPIRY, value);
-    return this;
+    return put(EXPIRY, value);
   }
 }

@@ -9,9 +9,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What a battery has left. */
 public final class BatteryState extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<BatteryState> SCHEMA =
-      Schema.of("BatteryState", BatteryState.class, BatteryState::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(BatteryState.class, BatteryState::new, U2SAData.TYPE).since(2);
   private static final ValueField<BatteryState, String> SENSOR_NAME =
       SCHEMA.requiredText("sensorName");
   private static final NumberField<BatteryState> VOLTAGE =
@@ -35,8 +34,7 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #sensorName()}. */
   public BatteryState sensorName(String value) {
-    put(SENSOR_NAME, value);
-    return this;
+    return put(SENSOR_NAME, value);
   }
 
   /** Voltage at its terminals [V]. */
@@ -46,8 +44,7 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #voltage()}. */
   public BatteryState voltage(double value) {
-    put(VOLTAGE, value);
-    return this;
+    return put(VOLTAGE, value);
   }
 
   /** Current that it gives [A]; negative while it is charged. */
@@ -57,8 +54,7 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #current()}. */
   public BatteryState current(double value) {
-    put(CURRENT, value);
-    return this;
+    return put(CURRENT, value);
   }
 
   /** Charge left [%], 0…100. */
@@ -68,7 +64,6 @@ public final class BatteryState extends U2SAData {
 
   /** Sets {@link #remaining()}. */
   public BatteryState remaining(double value) {
-    put(REMAINING, value);
-    return this;
+    return put(REMAINING, value);
   }
 }

@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public abstract class GoalInformation extends U2SAData {
   private static final Schema<GoalInformation> SCHEMA =
-      Schema.ofAbstract("GoalInformation", GoalInformation.class, UnknownGoal::new, U2SAData.TYPE);
+      Schema.ofAbstract(GoalInformation.class, UnknownGoal::new, U2SAData.TYPE);
   private static final ValueField<GoalInformation, String> UID = SCHEMA.requiredText("uid");
   private static final ValueField<GoalInformation, Boolean> COMPLETED = SCHEMA.flag("completed");
   private static final ValueField<GoalInformation, List<String>> NEXT = SCHEMA.texts("next");
@@ -35,8 +35,7 @@ public abstract class GoalInformation extends U2SAData {
 
   /** Sets {@link #uid()}. */
   public GoalInformation uid(String uid) {
-    put(UID, uid);
-    return this;
+    return put(UID, uid);
   }
 
   /** True once the Path Planner found the goal reached. */
@@ -46,8 +45,7 @@ public abstract class GoalInformation extends U2SAData {
 
   /** Sets {@link #completed()}. */
   public GoalInformation completed(boolean completed) {
-    put(COMPLETED, completed);
-    return this;
+    return put(COMPLETED, completed);
   }
 
   /** UIDs of the goals that may come after this one; empty: whatever the mission's order says. */
@@ -57,8 +55,7 @@ public abstract class GoalInformation extends U2SAData {
 
   /** Sets {@link #next()}. */
   public GoalInformation next(List<String> uids) {
-    put(NEXT, uids);
-    return this;
+    return put(NEXT, uids);
   }
 
   /** What an operator reads; empty if there is none. */
@@ -68,8 +65,7 @@ public abstract class GoalInformation extends U2SAData {
 
   /** Sets {@link #description()}. */
   public GoalInformation description(String text) {
-    put(DESCRIPTION, text);
-    return this;
+    return put(DESCRIPTION, text);
   }
 
   /**
@@ -81,8 +77,7 @@ public abstract class GoalInformation extends U2SAData {
 
   /** Sets {@link #abandoned()}. */
   public GoalInformation abandoned(boolean abandoned) {
-    put(ABANDONED, abandoned);
-    return this;
+    return put(ABANDONED, abandoned);
   }
 
   @Override

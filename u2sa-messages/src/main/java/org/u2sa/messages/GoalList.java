@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public final class GoalList extends U2SAData {
   private static final Schema<GoalList> SCHEMA =
-      Schema.of("GoalList", GoalList.class, GoalList::new, U2SAData.TYPE);
+      Schema.of(GoalList.class, GoalList::new, U2SAData.TYPE);
   private static final ValueField<GoalList, List<GoalInformation>> GOALS =
       SCHEMA.messages("goals", GoalInformation.TYPE);
   private static final ValueField<GoalList, List<GoalInformation>> UPCOMING =
@@ -38,8 +38,7 @@ public final class GoalList extends U2SAData {
 
   /** Sets {@link #goals()}. */
   public GoalList goals(List<? extends GoalInformation> value) {
-    put(GOALS, List.copyOf(value));
-    return this;
+    return put(GOALS, List.copyOf(value));
   }
 
   /**
@@ -53,8 +52,7 @@ public final class GoalList extends U2SAData {
 
   /** Sets {@link #upcoming()}. */
   public GoalList upcoming(List<? extends GoalInformation> value) {
-    put(UPCOMING, List.copyOf(value));
-    return this;
+    return put(UPCOMING, List.copyOf(value));
   }
 
   /**
@@ -62,14 +60,12 @@ public final class GoalList extends U2SAData {
    * from senders that do not know the field.
    */
   public OptionalLong landGoals() {
-    Long value = get(LAND_GOALS);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return optionalCount(LAND_GOALS);
   }
 
   /** Sets {@link #landGoals()}. */
   public GoalList landGoals(long value) {
-    put(LAND_GOALS, value);
-    return this;
+    return put(LAND_GOALS, value);
   }
 
   /** What is wrong now with the files that missions were loaded from, a text each. */
@@ -80,7 +76,6 @@ public final class GoalList extends U2SAData {
 
   /** Sets {@link #fileFaults()}. */
   public GoalList fileFaults(List<String> value) {
-    put(FILE_FAULTS, List.copyOf(value));
-    return this;
+    return put(FILE_FAULTS, List.copyOf(value));
   }
 }

@@ -15,7 +15,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class NavigationPoint extends U2SAData {
   private static final Schema<NavigationPoint> SCHEMA =
-      Schema.of("NavigationPoint", NavigationPoint.class, NavigationPoint::new, U2SAData.TYPE);
+      Schema.of(NavigationPoint.class, NavigationPoint::new, U2SAData.TYPE);
   private static final ValueField<NavigationPoint, String> SUBSYSTEM =
       SCHEMA.text("subsystem", "VEHICLE");
   private static final ValueField<NavigationPoint, ReferenceFrame> REFERENCE_FRAME =
@@ -40,8 +40,7 @@ public class NavigationPoint extends U2SAData {
 
   /** Sets {@link #subsystem()}. */
   public NavigationPoint subsystem(String value) {
-    put(SUBSYSTEM, value);
-    return this;
+    return put(SUBSYSTEM, value);
   }
 
   /** The axes of the point; BODY until set. */
@@ -51,8 +50,7 @@ public class NavigationPoint extends U2SAData {
 
   /** Sets {@link #referenceFrame()}. */
   public NavigationPoint referenceFrame(ReferenceFrame value) {
-    put(REFERENCE_FRAME, value);
-    return this;
+    return put(REFERENCE_FRAME, value);
   }
 
   /** The point to reach, in the message's frame. */
@@ -62,8 +60,7 @@ public class NavigationPoint extends U2SAData {
 
   /** Sets {@link #point()}. */
   public NavigationPoint point(Point value) {
-    put(POINT, value);
-    return this;
+    return put(POINT, value);
   }
 
   /** Speed to go there, through the fluid [m/s]; empty if control is to choose. */
@@ -73,8 +70,7 @@ public class NavigationPoint extends U2SAData {
 
   /** Sets {@link #speed()}. */
   public NavigationPoint speed(double value) {
-    put(SPEED, value);
-    return this;
+    return put(SPEED, value);
   }
 
   /** The vehicle itself is to go to a point of BODY. */

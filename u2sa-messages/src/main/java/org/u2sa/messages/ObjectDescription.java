@@ -19,8 +19,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class ObjectDescription extends U2SAData {
   private static final Schema<ObjectDescription> SCHEMA =
-      Schema.of(
-          "ObjectDescription", ObjectDescription.class, ObjectDescription::new, U2SAData.TYPE);
+      Schema.of(ObjectDescription.class, ObjectDescription::new, U2SAData.TYPE);
   private static final ValueField<ObjectDescription, String> UID = SCHEMA.requiredText("uid");
   private static final ValueField<ObjectDescription, String> OBJECT_TYPE =
       SCHEMA.text("objectType", "");
@@ -52,8 +51,7 @@ public class ObjectDescription extends U2SAData {
 
   /** Sets {@link #uid()}. */
   public ObjectDescription uid(String uid) {
-    put(UID, uid);
-    return this;
+    return put(UID, uid);
   }
 
   /** What it is to the mission, "barrel", "gate"; empty if unknown. */
@@ -63,8 +61,7 @@ public class ObjectDescription extends U2SAData {
 
   /** Sets {@link #objectType()}. */
   public ObjectDescription objectType(String type) {
-    put(OBJECT_TYPE, type);
-    return this;
+    return put(OBJECT_TYPE, type);
   }
 
   /** The axes of the centre and of all points; GLOBAL until set. */
@@ -74,8 +71,7 @@ public class ObjectDescription extends U2SAData {
 
   /** Sets {@link #referenceFrame()}. */
   public ObjectDescription referenceFrame(ReferenceFrame frame) {
-    put(REFERENCE_FRAME, frame);
-    return this;
+    return put(REFERENCE_FRAME, frame);
   }
 
   /** The centre along x [m]; longitude [deg] in GLOBAL. */
@@ -85,8 +81,7 @@ public class ObjectDescription extends U2SAData {
 
   /** Sets {@link #x()}. */
   public ObjectDescription x(double value) {
-    put(X, value);
-    return this;
+    return put(X, value);
   }
 
   /** The centre along y [m]; latitude [deg] in GLOBAL. */
@@ -96,8 +91,7 @@ public class ObjectDescription extends U2SAData {
 
   /** Sets {@link #y()}. */
   public ObjectDescription y(double value) {
-    put(Y, value);
-    return this;
+    return put(Y, value);
   }
 
   /**
@@ -110,8 +104,7 @@ public class ObjectDescription extends U2SAData {
 
   /** Sets {@link #z()}. */
   public ObjectDescription z(double value) {
-    put(Z, value);
-    return this;
+    return put(Z, value);
   }
 
   /** How much to avoid it; empty if nobody said. */
@@ -121,8 +114,7 @@ public class ObjectDescription extends U2SAData {
 
   /** Sets {@link #level()}. */
   public ObjectDescription level(ObjectLevel level) {
-    put(LEVEL, level);
-    return this;
+    return put(LEVEL, level);
   }
 
   /** The centre. */

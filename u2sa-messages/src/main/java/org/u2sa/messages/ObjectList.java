@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 /** The objects that matter to the mission (thesis 3.2.3.3). */
 public final class ObjectList extends U2SAData {
   private static final Schema<ObjectList> SCHEMA =
-      Schema.of("ObjectList", ObjectList.class, ObjectList::new, U2SAData.TYPE);
+      Schema.of(ObjectList.class, ObjectList::new, U2SAData.TYPE);
   private static final ValueField<ObjectList, List<ObjectDescription>> OBJECTS =
       SCHEMA.messages("objects", ObjectDescription.TYPE);
 
@@ -28,7 +28,6 @@ public final class ObjectList extends U2SAData {
 
   /** Sets {@link #objects()}. */
   public ObjectList objects(List<? extends ObjectDescription> value) {
-    put(OBJECTS, List.copyOf(value));
-    return this;
+    return put(OBJECTS, List.copyOf(value));
   }
 }

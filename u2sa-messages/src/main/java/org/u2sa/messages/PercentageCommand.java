@@ -10,11 +10,7 @@ import org.u2sa.messages.schema.Schema;
  */
 public class PercentageCommand extends ActuatorCommand {
   private static final Schema<PercentageCommand> SCHEMA =
-      Schema.of(
-          "PercentageCommand",
-          PercentageCommand.class,
-          PercentageCommand::new,
-          ActuatorCommand.TYPE);
+      Schema.of(PercentageCommand.class, PercentageCommand::new, ActuatorCommand.TYPE);
   private static final NumberField<PercentageCommand> PERCENTAGE =
       SCHEMA.requiredNumber("percentage", "%", -100.0, 100.0);
 
@@ -33,8 +29,7 @@ public class PercentageCommand extends ActuatorCommand {
 
   /** Sets {@link #percentage()}. */
   public PercentageCommand percentage(double value) {
-    put(PERCENTAGE, value);
-    return this;
+    return put(PERCENTAGE, value);
   }
 
   /** A command that holds until the next. */

@@ -20,9 +20,8 @@ import org.u2sa.messages.schema.ValueField;
  * y (left) axes.
  */
 public final class RangeScan extends U2SAData {
-  private static final int FORMAT = 3; // joined the wire format with it
   private static final Schema<RangeScan> SCHEMA =
-      Schema.of("RangeScan", RangeScan.class, RangeScan::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(RangeScan.class, RangeScan::new, U2SAData.TYPE).since(3);
   private static final ValueField<RangeScan, String> SENSOR_NAME =
       SCHEMA.requiredText("sensorName");
   private static final ValueField<RangeScan, ReferenceFrame> REFERENCE_FRAME =
@@ -68,8 +67,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #sensorName()}. */
   public RangeScan sensorName(String value) {
-    put(SENSOR_NAME, value);
-    return this;
+    return put(SENSOR_NAME, value);
   }
 
   /** The axes of the sensor's place and of how it is turned; BODY until set. */
@@ -79,8 +77,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #referenceFrame()}. */
   public RangeScan referenceFrame(ReferenceFrame value) {
-    put(REFERENCE_FRAME, value);
-    return this;
+    return put(REFERENCE_FRAME, value);
   }
 
   /** Place of the sensor [m]; forward in BODY. */
@@ -90,8 +87,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #x()}. */
   public RangeScan x(double value) {
-    put(X, value);
-    return this;
+    return put(X, value);
   }
 
   /** Place of the sensor [m]; to the left in BODY. */
@@ -101,8 +97,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #y()}. */
   public RangeScan y(double value) {
-    put(Y, value);
-    return this;
+    return put(Y, value);
   }
 
   /** Place of the sensor [m]; down in BODY. */
@@ -112,8 +107,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #z()}. */
   public RangeScan z(double value) {
-    put(Z, value);
-    return this;
+    return put(Z, value);
   }
 
   /** How the sensor is turned about its x axis [rad]; left side down positive in BODY. */
@@ -123,8 +117,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #phi()}. */
   public RangeScan phi(double value) {
-    put(PHI, value);
-    return this;
+    return put(PHI, value);
   }
 
   /** How the sensor is tilted [rad]; front up positive in BODY. */
@@ -134,8 +127,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #theta()}. */
   public RangeScan theta(double value) {
-    put(THETA, value);
-    return this;
+    return put(THETA, value);
   }
 
   /** How the sensor is turned about the vertical [rad]; to the left positive in BODY. */
@@ -145,8 +137,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #psi()}. */
   public RangeScan psi(double value) {
-    put(PSI, value);
-    return this;
+    return put(PSI, value);
   }
 
   /** A return from nearer says nothing of the surroundings [m]: it is the vehicle itself. */
@@ -156,8 +147,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #minRange()}. */
   public RangeScan minRange(double value) {
-    put(MIN_RANGE, value);
-    return this;
+    return put(MIN_RANGE, value);
   }
 
   /** How far the sensor sees [m]: a beam without a return met nothing that it could have seen. */
@@ -167,8 +157,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #maxRange()}. */
   public RangeScan maxRange(double value) {
-    put(MAX_RANGE, value);
-    return this;
+    return put(MAX_RANGE, value);
   }
 
   /** Time from each beam to the next [s]; 0 if not known. */
@@ -178,8 +167,7 @@ public final class RangeScan extends U2SAData {
 
   /** Sets {@link #timeIncrement()}. */
   public RangeScan timeIncrement(double value) {
-    put(TIME_INCREMENT, value);
-    return this;
+    return put(TIME_INCREMENT, value);
   }
 
   /** Direction of the first beam [rad] from straight ahead, to the left positive in BODY. */
@@ -241,8 +229,7 @@ public final class RangeScan extends U2SAData {
       returns.add(range.isPresent());
     }
     put(RANGES, ranges);
-    put(RETURNS, returns);
-    return this;
+    return put(RETURNS, returns);
   }
 
   /** All beams, in the order in which they were measured. */

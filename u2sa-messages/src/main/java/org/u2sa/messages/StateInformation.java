@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class StateInformation extends FluidState<StateInformation> {
   private static final Schema<StateInformation> SCHEMA =
-      Schema.of("StateInformation", StateInformation.class, StateInformation::new, U2SAData.TYPE);
+      Schema.of(StateInformation.class, StateInformation::new, U2SAData.TYPE);
   private static final ValueField<StateInformation, String> SENSOR_NAME =
       SCHEMA.text("sensorName", "");
   private static final ValueField<StateInformation, ReferenceFrame> REFERENCE_FRAME =
@@ -55,8 +55,7 @@ public class StateInformation extends FluidState<StateInformation> {
 
   /** Sets {@link #sensorName()}. */
   public StateInformation sensorName(String name) {
-    put(SENSOR_NAME, name);
-    return this;
+    return put(SENSOR_NAME, name);
   }
 
   /** The axes of position, velocity, acceleration and attitude; GLOBAL until set. */
@@ -68,8 +67,7 @@ public class StateInformation extends FluidState<StateInformation> {
    * Sets {@link #referenceFrame()}; changes no number: for that see {@link #in(ReferenceFrame)}.
    */
   public StateInformation referenceFrame(ReferenceFrame frame) {
-    put(REFERENCE_FRAME, frame);
-    return this;
+    return put(REFERENCE_FRAME, frame);
   }
 
   /** One of the 48 numbers; empty if absent. */
@@ -85,8 +83,7 @@ public class StateInformation extends FluidState<StateInformation> {
    */
   @Override
   public StateInformation number(StateField field, double value) {
-    put(NUMBERS.get(field.ordinal()), value);
-    return this;
+    return put(NUMBERS.get(field.ordinal()), value);
   }
 
   /**

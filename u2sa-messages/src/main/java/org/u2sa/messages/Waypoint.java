@@ -14,7 +14,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class Waypoint extends GoalInformation {
   private static final Schema<Waypoint> SCHEMA =
-      Schema.of("Waypoint", Waypoint.class, Waypoint::new, GoalInformation.TYPE);
+      Schema.of(Waypoint.class, Waypoint::new, GoalInformation.TYPE);
   private static final ValueField<Waypoint, ReferenceFrame> REFERENCE_FRAME =
       SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
   private static final NumberField<Waypoint> X = SCHEMA.optionalCoordinate("x");
@@ -49,8 +49,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #referenceFrame()}. */
   public Waypoint referenceFrame(ReferenceFrame frame) {
-    put(REFERENCE_FRAME, frame);
-    return this;
+    return put(REFERENCE_FRAME, frame);
   }
 
   /** Position along x [m]; longitude [deg, east +] in GLOBAL; empty if it does not matter. */
@@ -60,8 +59,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #x()}. */
   public Waypoint x(double value) {
-    put(X, value);
-    return this;
+    return put(X, value);
   }
 
   /** Position along y [m]; latitude [deg, north +] in GLOBAL; empty if it does not matter. */
@@ -71,8 +69,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #y()}. */
   public Waypoint y(double value) {
-    put(Y, value);
-    return this;
+    return put(Y, value);
   }
 
   /** Position along z [m]; altitude above mean sea level in GLOBAL; empty if it does not matter. */
@@ -82,8 +79,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #z()}. */
   public Waypoint z(double value) {
-    put(Z, value);
-    return this;
+    return put(Z, value);
   }
 
   /** Roll on arrival [rad]; empty if it does not matter. */
@@ -93,8 +89,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #phi()}. */
   public Waypoint phi(double value) {
-    put(PHI, value);
-    return this;
+    return put(PHI, value);
   }
 
   /** Pitch on arrival [rad]; empty if it does not matter. */
@@ -104,8 +99,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #theta()}. */
   public Waypoint theta(double value) {
-    put(THETA, value);
-    return this;
+    return put(THETA, value);
   }
 
   /** Heading on arrival [rad]; empty if it does not matter. */
@@ -115,8 +109,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #psi()}. */
   public Waypoint psi(double value) {
-    put(PSI, value);
-    return this;
+    return put(PSI, value);
   }
 
   /** When to be there [s since the start of the mission]; empty if it does not matter. */
@@ -126,8 +119,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #time()}. */
   public Waypoint time(double value) {
-    put(TIME, value);
-    return this;
+    return put(TIME, value);
   }
 
   /** The waypoint is reached within this horizontal distance [m]. */
@@ -137,8 +129,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #horizontalThreshold()}. */
   public Waypoint horizontalThreshold(double metres) {
-    put(HORIZONTAL_THRESHOLD, metres);
-    return this;
+    return put(HORIZONTAL_THRESHOLD, metres);
   }
 
   /** The waypoint is reached within this difference of height [m]; empty if it does not matter. */
@@ -148,8 +139,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #verticalThreshold()}. */
   public Waypoint verticalThreshold(double value) {
-    put(VERTICAL_THRESHOLD, value);
-    return this;
+    return put(VERTICAL_THRESHOLD, value);
   }
 
   /** Speed to fly there, through the fluid [m/s]; empty if it does not matter. */
@@ -159,8 +149,7 @@ public class Waypoint extends GoalInformation {
 
   /** Sets {@link #speed()}. */
   public Waypoint speed(double value) {
-    put(SPEED, value);
-    return this;
+    return put(SPEED, value);
   }
 
   @Override

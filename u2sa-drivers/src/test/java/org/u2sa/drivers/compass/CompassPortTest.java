@@ -9,11 +9,13 @@ import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;
 import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.device.SimulatedCompass;
-import org.u2sa.sim.sensor.CompassField;
+import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.testkit.DeviceContract;
 
 /** Every compass, its front to the east. */
@@ -24,7 +26,14 @@ class CompassPortTest extends DeviceContract<Heading> {
     MemoryLink sparton = new MemoryLink();
     sparton.with(
         asked -> sparton.fromDevice((byte) 0xA4, (byte) 0x09, (byte) 4, (byte) 0, (byte) 0xA0));
-    TrueMotion truth = new TrueMotion(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Math.PI / 2.0);
+    VehicleTruth truth =
+        new VehicleTruth(
+            0.0,
+            Point.of(0.0, 0.0, 0.0),
+            new Attitude(0.0, 0.0, Math.PI / 2.0),
+            Point.of(0.0, 0.0, 0.0),
+            Point.ORIGIN,
+            Point.ORIGIN);
     return List.of(
         new LinkedBench<>(
             "NMEA",
@@ -39,7 +48,7 @@ class CompassPortTest extends DeviceContract<Heading> {
                 CompassParameters.calibrated(0.0),
                 new NoiseStreams(1),
                 () -> truth,
-                CompassField::none)));
+                CompassModel.Disturbance::none)));
   }
 
   @Override

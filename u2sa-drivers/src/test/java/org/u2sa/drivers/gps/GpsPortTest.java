@@ -11,14 +11,16 @@ import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;
 import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.sensor.UtcTime;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.testkit.DeviceContract;
 
@@ -32,7 +34,14 @@ class GpsPortTest extends DeviceContract<GpsFix> {
   protected List<Bench<GpsFix>> benches() {
     MemoryLink nmea = new MemoryLink();
     LocalPlane plane = new LocalPlane(new Geodetic(-80.42, 37.225, 634.2));
-    TrueMotion truth = new TrueMotion(0.0, 0.0, 0.0, 0.0, 5.0, 0.0, 0.0);
+    VehicleTruth truth =
+        new VehicleTruth(
+            0.0,
+            Point.of(0.0, 0.0, 0.0),
+            new Attitude(0.0, 0.0, 0.0),
+            Point.of(0.0, 5.0, 0.0),
+            Point.ORIGIN,
+            Point.ORIGIN);
     return List.of(
         new LinkedBench<>(
             "NMEA", nmea, LinkedGps.listening(nmea, new NmeaGps()), 200_000, this::sayNmea),
@@ -44,7 +53,7 @@ class GpsPortTest extends DeviceContract<GpsFix> {
   }
 
   /** Bytes and setup of a u-blox 8, as the simulation makes them. */
-  private static Bench<GpsFix> ublox(LocalPlane plane, TrueMotion truth) {
+  private static Bench<GpsFix> ublox(LocalPlane plane, VehicleTruth truth) {
     UbloxReceiver far =
         new UbloxReceiver(
             UbloxSettings.factory(),

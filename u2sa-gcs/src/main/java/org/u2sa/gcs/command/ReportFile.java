@@ -30,7 +30,9 @@ public final class ReportFile {
 
   private ReportFile() {}
 
-  /** Writes UTF-8. @throws ReportException if it cannot be written; nothing is left behind then */
+  /**
+   * Writes UTF-8. @throws RunFailedException if it cannot be written; nothing is left behind then
+   */
   public static void writeText(Path file, Text content) {
     write(
         file,
@@ -42,7 +44,7 @@ public final class ReportFile {
   }
 
   /**
-   * @throws ReportException if it cannot be written; nothing is left behind then
+   * @throws RunFailedException if it cannot be written; nothing is left behind then
    */
   public static void write(Path file, Bytes content) {
     Path temporary = file.resolveSibling("." + file.getFileName() + ".part");
@@ -53,7 +55,8 @@ public final class ReportFile {
       Files.move(
           temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
     } catch (IOException e) {
-      throw new ReportException("cannot write " + file + ": " + reason(e), discard(temporary, e));
+      throw new RunFailedException(
+          "cannot write " + file + ": " + reason(e), discard(temporary, e));
     }
   }
 

@@ -22,6 +22,5 @@ final class AnswerFormat {
     } else {
       asLines.get().forEach(out::println);
     }
-    out.flush();
   }
 }

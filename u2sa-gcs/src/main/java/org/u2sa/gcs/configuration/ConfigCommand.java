@@ -15,7 +15,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa config undo PathPlanner"
     },
     subcommands = {ListCommand.class, GetCommand.class, SetCommand.class, UndoCommand.class})
-final class ConfigCommand implements Runnable {
+public final class ConfigCommand implements Runnable {
   @Spec private CommandSpec command;
 
   @Override

@@ -36,7 +36,6 @@ final class GetCommand implements Callable<Integer> {
       ConfigurationVariable found = RemoteConfiguration.variable(response, variable);
       PrintWriter out = command.commandLine().getOut();
       out.println(json ? ConfigurationJson.text(found) : ConfigurationTable.value(found));
-      out.flush();
       return ExitCode.DONE;
     }
   }

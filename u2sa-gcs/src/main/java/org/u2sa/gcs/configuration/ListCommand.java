@@ -17,7 +17,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "List the variables with value, type, what is allowed, and meaning.",
       "",
-      "Ends when every service that was heard has answered, or after --timeout."
+      "Ends when every service found has answered, or after --timeout."
     })
 final class ListCommand implements Callable<Integer> {
   @Mixin private RemoteSystem remote;

@@ -154,7 +154,7 @@ final class RemoteConfiguration {
             + link.systemId()
             + "\" did not answer within "
             + link.timeoutS()
-            + " s; ./u2sa config list tells who does");
+            + " s; ./u2sa config list shows which services do");
   }
 
   /** What was changed, a line for each variable, and the revision. */

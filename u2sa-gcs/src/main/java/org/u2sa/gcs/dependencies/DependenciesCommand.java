@@ -18,14 +18,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa dependencies}: what U2SA is made with, how old it is, what is published on it. */
+/** {@code u2sa dependencies}: lists libraries, their age and published advisories. */
 @Command(
     name = "dependencies",
     description = {
       "List the libraries U2SA uses: version, age, licence and published advisories.",
       "",
-      "Nothing is asked over the network: advisories are those known when they were last looked up. "
-          + "Exit code 1: a version is affected by one that our use of it reaches."
+      "Works offline: advisories are those known when they were last looked up. "
+          + "Exit code 1: an advisory affects a version in use, in code that U2SA reaches."
     })
 public final class DependenciesCommand implements Callable<Integer> {
   private static final double DAYS_A_YEAR = 365.25;
@@ -59,9 +59,9 @@ public final class DependenciesCommand implements Callable<Integer> {
     DependencyData known = data == null ? DependencyData.inThisJar() : data;
     PrintWriter out = command.commandLine().getOut();
     (advisories ? looked(known) : listed(known)).lines().forEach(out::println);
-    List<Advisory> affecting =
+    List<DependencyData.Advisory> affecting =
         known.libraries().stream().flatMap(each -> known.affecting(each).stream()).toList();
-    long reached = affecting.stream().filter(Advisory::reached).count();
+    long reached = affecting.stream().filter(DependencyData.Advisory::reached).count();
     out.printf(
         Locale.ROOT,
         "%d libraries, %d advisories looked up on %s (%s ago): %d affect a version here, %d of them reached%n",
@@ -71,13 +71,12 @@ public final class DependenciesCommand implements Callable<Integer> {
         age(known.lookedUp()),
         affecting.size(),
         reached);
-    out.flush();
     return reached == 0 ? ExitCode.DONE : ExitCode.FAILED;
   }
 
   private TextTable listed(DependencyData known) {
     TextTable table = new TextTable("LIBRARY", "VERSION", "USE", "AGE", "LICENCE", "AFFECTED BY");
-    for (Library each : known.libraries()) {
+    for (DependencyData.Library each : known.libraries()) {
       table.add(
           each.name(),
           each.version(),
@@ -95,7 +94,7 @@ public final class DependenciesCommand implements Callable<Integer> {
 
   private static TextTable looked(DependencyData known) {
     TextTable table = new TextTable("ADVISORY", "LIBRARY", "FROM", "FIXED", "REACHED", "WHAT");
-    for (Advisory each : known.advisories()) {
+    for (DependencyData.Advisory each : known.advisories()) {
       table.add(
           each.id(),
           each.library(),

@@ -12,7 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the two files in the jar say.
+ * The contents of libraries.txt and advisories.txt.
  *
  * @param lookedUp when advisories were looked for last
  */
@@ -70,6 +70,58 @@ record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalD
       return new String(in.readAllBytes(), UTF_8);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
+   * A third-party library.
+   *
+   * @param name group:artifact
+   * @param released when this version was built
+   * @param use "run", "test" or "android"
+   */
+  record Library(String name, String version, LocalDate released, String use, String licence) {}
+
+  /**
+   * A published weakness.
+   *
+   * @param library group:artifact, or group:* for all of a group
+   * @param introduced first version that has it
+   * @param fixed first version without it, or "never"
+   * @param reached whether our use of the library reaches it
+   */
+  record Advisory(
+      String id, String library, String introduced, String fixed, boolean reached, String what) {
+    private static final String NEVER = "never";
+    private static final String ALL = ":*";
+
+    boolean affects(DependencyData.Library used) {
+      boolean same =
+          library.endsWith(ALL)
+              ? used.name().startsWith(library.substring(0, library.length() - ALL.length() + 1))
+              : used.name().equals(library);
+      return same
+          && compare(used.version(), introduced) >= 0
+          && (fixed.equals(NEVER) || compare(used.version(), fixed) < 0);
+    }
+
+    /** By numbers, part by part; words such as Final count for nothing. */
+    static int compare(String one, String other) {
+      String[] left = one.split("[.-]");
+      String[] right = other.split("[.-]");
+      for (int i = 0; i < Math.max(left.length, right.length); i++) {
+        int difference = Integer.compare(number(left, i), number(right, i));
+        if (difference != 0) {
+          return difference;
+        }
+      }
+      return 0;
+    }
+
+    private static int number(String[] parts, int index) {
+      return index < parts.length && parts[index].matches("\\d{1,9}")
+          ? Integer.parseInt(parts[index])
+          : 0;
     }
   }
 }

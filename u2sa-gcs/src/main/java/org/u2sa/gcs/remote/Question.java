@@ -1,6 +1,9 @@
 package org.u2sa.gcs.remote;
 
-import java.util.Collection;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
@@ -10,7 +13,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A request to the services of a running system, and which of the messages that follow on its
- * channel answer it. Put by {@link RemoteLink#ask}.
+ * channel answer it. Asked once, by {@link RemoteLink#ask}.
  *
  * <pre>{@code
  * link.ask(
@@ -25,9 +28,9 @@ public final class Question<T extends U2SAData> {
   private final Channel<?> channel;
   private final U2SAData request;
   private final Class<T> answerClass;
-  private final Predicate<? super T> counts;
-  private final Function<? super T, String> source; // null: each answer is one of its own
-  private final Predicate<Answers<T>> enough;
+  private Predicate<? super T> counts = answer -> true;
+  private Function<? super T, String> source; // null: each answer is one of its own
+  private Predicate<Answers<T>> enough = answers -> false;
 
   /**
    * A question to which every message of the class is an answer, for as long as the link's time
@@ -38,27 +41,15 @@ public final class Question<T extends U2SAData> {
    * @param answerClass what answers are; subclasses count
    */
   public Question(Channel<?> channel, U2SAData request, Class<T> answerClass) {
-    this(channel, request, answerClass, answer -> true, null, answers -> false);
-  }
-
-  private Question(
-      Channel<?> channel,
-      U2SAData request,
-      Class<T> answerClass,
-      Predicate<? super T> counts,
-      Function<? super T, String> source,
-      Predicate<Answers<T>> enough) {
     this.channel = Objects.requireNonNull(channel, "channel");
     this.request = Objects.requireNonNull(request, "request");
     this.answerClass = Objects.requireNonNull(answerClass, "answerClass");
-    this.counts = counts;
-    this.source = source;
-    this.enough = enough;
   }
 
   /** Only these are answers, for example those with the request's ID. */
   public Question<T> only(Predicate<? super T> wanted) {
-    return new Question<>(channel, request, answerClass, wanted, source, enough);
+    counts = wanted;
+    return this;
   }
 
   /**
@@ -67,19 +58,14 @@ public final class Question<T extends U2SAData> {
    * @param name tells the sources apart, for example the service's name
    */
   public Question<T> oneOfEach(Function<? super T, String> name) {
-    return new Question<>(channel, request, answerClass, counts, name, enough);
-  }
-
-  /** Waits no longer once this holds of the answers so far. */
-  public Question<T> until(Predicate<? super Collection<T>> complete) {
-    return new Question<>(
-        channel, request, answerClass, counts, source, got -> complete.test(got.list()));
+    source = name;
+    return this;
   }
 
   /** Waits no longer once each of these sources has answered; see {@link #oneOfEach}. */
   public Question<T> expecting(Set<String> sources) {
-    return new Question<>(
-        channel, request, answerClass, counts, source, got -> got.sources().containsAll(sources));
+    enough = got -> got.sources().containsAll(sources);
+    return this;
   }
 
   /**
@@ -87,20 +73,17 @@ public final class Question<T extends U2SAData> {
    * #oneOfEach}. An empty set stands for nobody in particular.
    */
   public Question<T> expectingAll(HeardServices heard, Set<String> orThese) {
-    return new Question<>(
-        channel,
-        request,
-        answerClass,
-        counts,
-        source,
+    enough =
         got ->
             !orThese.isEmpty() && got.sources().containsAll(orThese)
-                || heard.areAmong(got.sources()));
+                || heard.areAmong(got.sources());
+    return this;
   }
 
   /** Waits for one answer only. */
   public Question<T> first() {
-    return until(answers -> !answers.isEmpty());
+    enough = got -> !got.list().isEmpty();
+    return this;
   }
 
   Channel<?> channel() {
@@ -132,5 +115,39 @@ public final class Question<T extends U2SAData> {
 
   boolean isEnough(Answers<T> answers) {
     return enough.test(answers);
+  }
+
+  /**
+   * What came in on a question so far. Filled by the transport's thread, read by the asking one.
+   */
+  static final class Answers<T extends U2SAData> {
+    private final Question<T> question;
+    private final Map<String, T> bySource = new LinkedHashMap<>();
+
+    Answers(Question<T> question) {
+      this.question = question;
+    }
+
+    /** Takes a message; returns whether it is an answer. */
+    synchronized boolean take(U2SAData message) {
+      T answer = question.answer(message);
+      if (answer == null) {
+        return false;
+      }
+      bySource.put(question.sourceOf(answer, bySource.size()), answer);
+      return true;
+    }
+
+    synchronized boolean areEnough() {
+      return question.isEnough(this);
+    }
+
+    synchronized List<T> list() {
+      return new ArrayList<>(bySource.values());
+    }
+
+    synchronized Set<String> sources() {
+      return Set.copyOf(bySource.keySet());
+    }
   }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
@@ -18,8 +19,7 @@ import org.u2sa.messages.schema.U2SAData;
  * several threads.
  */
 public final class RemoteLink implements AutoCloseable {
-  /** Whether answers are enough may change with what is heard besides them. */
-  private static final long LOOK_MICROS = 50_000;
+  private static final long LOOK_MICROS = 20_000;
 
   private final String systemId;
   private final Clock clock;
@@ -113,26 +113,31 @@ public final class RemoteLink implements AutoCloseable {
    * @throws CommunicationException if the request was not taken
    */
   public <T extends U2SAData> List<T> ask(Question<T> question) throws InterruptedException {
-    Answers<T> answers = question.answers();
-    long deadline = clock.micros() + Clock.micros(timeoutS);
-    try (Clock.Waiter waiter = clock.newWaiter("answers")) {
-      Consumer<U2SAData> listener =
-          message -> {
-            if (answers.take(message)) {
-              waiter.signal();
-            }
-          };
-      listen(question.channel(), listener);
-      try {
-        publish(question.channel(), question.request());
-        while (!answers.areEnough() && clock.micros() < deadline) {
-          waiter.await(Math.min(deadline, clock.micros() + LOOK_MICROS));
-        }
-      } finally {
-        listenNoMore(question.channel(), listener);
-      }
+    Question.Answers<T> answers = question.answers();
+    Consumer<U2SAData> listener = answers::take;
+    listen(question.channel(), listener);
+    try {
+      publish(question.channel(), question.request());
+      await(answers::areEnough, timeoutS);
+    } finally {
+      listenNoMore(question.channel(), listener);
     }
     return answers.list();
+  }
+
+  /**
+   * Waits until something holds, at most for a time.
+   *
+   * @param holds is asked every 20 ms: answers, and who is heard at all, both count
+   * @param atMostS how long [s]
+   */
+  public void await(BooleanSupplier holds, double atMostS) throws InterruptedException {
+    long deadline = clock.micros() + Clock.micros(atMostS);
+    try (Clock.Waiter waiter = clock.newWaiter("link")) {
+      while (!holds.getAsBoolean() && clock.micros() < deadline) {
+        waiter.await(Math.min(deadline, clock.micros() + LOOK_MICROS));
+      }
+    }
   }
 
   @Override

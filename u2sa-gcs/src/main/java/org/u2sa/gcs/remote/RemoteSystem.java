@@ -1,13 +1,13 @@
 package org.u2sa.gcs.remote;
 
 import java.io.PrintWriter;
-import java.util.List;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SortedSet;
 import org.u2sa.core.communication.BrokerSearch;
 import org.u2sa.core.communication.FoundBroker;
-import org.u2sa.gcs.Suggestions;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.BrokerAccess;
@@ -15,6 +15,7 @@ import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import picocli.CommandLine.Model.CommandSpec;
@@ -35,8 +36,8 @@ import picocli.CommandLine.Spec;
  * }
  * }</pre>
  *
- * What goes wrong leaves the command as an exception that the command line tells in one line: no
- * broker, no system heard, several heard.
+ * Failures (no broker, no system, several systems) are exceptions that the command line prints in
+ * one line.
  */
 public final class RemoteSystem {
   private static final double LONGEST_S = 3_600.0;
@@ -52,7 +53,7 @@ public final class RemoteSystem {
       names = "--broker",
       paramLabel = "HOST[:PORT]",
       description =
-          "Where the system's broker listens; auto: where it announces itself by mDNS. Default: localhost:1883.")
+          "Address of the system's broker; auto: find it by mDNS. Default: localhost:1883.")
   private void broker(String value) {
     try {
       broker = value.equals(BrokerSearch.AUTO) ? null : BrokerAddress.parse(value);
@@ -64,7 +65,7 @@ public final class RemoteSystem {
   @Option(
       names = "--system",
       paramLabel = "ID",
-      description = "The system to join. Default: the only one heard.")
+      description = "The system to join. Default: the only one found.")
   private void systemId(String value) {
     try {
       systemId = Topic.checkSystemId(value);
@@ -103,8 +104,7 @@ public final class RemoteSystem {
       names = "--ca",
       paramLabel = "FILE",
       defaultValue = "",
-      description =
-          "Certificate (PEM) of the authority that a secured broker must be certified by.")
+      description = "Certificate (PEM) of the authority that certified the secured broker.")
   private String caFile;
 
   /**
@@ -165,13 +165,12 @@ public final class RemoteSystem {
         SystemSearch.heard(
             transport(Topic.ANY_SYSTEM), name() + "-search", link.clock(), link.timeoutS());
     heard.remove(systemId);
-    List<String> near = Suggestions.nearest(systemId, heard);
     return Optional.of(
         "  "
             + (heard.isEmpty()
                 ? "no other system is heard at " + broker
                 : "heard at " + broker + ": " + String.join(", ", heard))
-            + (near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?"));
+            + NearestNames.didYouMean(systemId, heard));
   }
 
   private MqttTransport transport(String id) {
@@ -191,7 +190,6 @@ public final class RemoteSystem {
   private void tell(String trouble) {
     PrintWriter err = command.commandLine().getErr();
     err.println("u2sa: " + trouble);
-    err.flush();
   }
 
   /** Where the broker is, for messages: {@code host:port}. */
@@ -201,6 +199,11 @@ public final class RemoteSystem {
 
   /** Who gives orders, for logs: {@code user@host}. */
   public static String operator() {
-    return OperatorName.get();
+    String user = System.getProperty("user.name", "unknown");
+    try {
+      return user + "@" + InetAddress.getLocalHost().getHostName();
+    } catch (UnknownHostException e) {
+      return user + "@localhost"; // the machine does not know its own name
+    }
   }
 }

@@ -8,9 +8,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Watches the watcher: starts a health monitor's process again when it has ended badly, and kills
- * it when it has been silent for long, as nobody else would order that. One thread. A silence in
- * which the own launcher is not heard either is a broken link, and nobody's fault.
+ * Supervises the health monitor: starts a health monitor's process again when it has ended badly,
+ * and kills it when it has been silent for long, as nobody else would order that. One thread. A
+ * silence in which the own launcher is not heard either is a broken link, and nobody's fault.
  */
 final class MonitorGuard implements AutoCloseable {
   private static final long LOOKS_EVERY_MICROS = 500_000;
@@ -98,7 +98,7 @@ final class MonitorGuard implements AutoCloseable {
     long now = clock.micros();
     Long before = starts.put(entry, now);
     if (before != null && now - before < AT_MOST_EVERY_MICROS) {
-      console.accept("Service " + entry + " ends at once each time: it is given up.");
+      console.accept("Service " + entry + " keeps ending at once; giving up.");
       return;
     }
     startAnew.accept(entry);

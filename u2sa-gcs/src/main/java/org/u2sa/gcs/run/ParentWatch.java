@@ -7,9 +7,9 @@ import java.util.function.IntConsumer;
 import org.u2sa.gcs.command.ExitCode;
 
 /**
- * Ends this process when the one that started it has ended, however that ended: it holds the other
- * end of this one's standard input, and writes nothing. Nobody else would end it, and it would keep
- * its service's name from the next run.
+ * Ends this process when its parent has ended. The parent holds the other end of standard input and
+ * writes nothing, so its end of file means that the parent is gone. An orphan would keep its
+ * service's name from the next run.
  */
 final class ParentWatch {
   private static final long ENDS_WITHIN_S = 5;

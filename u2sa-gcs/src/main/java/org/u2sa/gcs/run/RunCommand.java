@@ -111,14 +111,7 @@ public final class RunCommand implements Callable<Integer> {
     SystemFile system = SystemFile.read(file);
     Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
     LaunchOptions options =
-        new LaunchOptions()
-            .logDirectory(logs)
-            .seed(seed)
-            .console(
-                line -> {
-                  terminal.out().println(line);
-                  terminal.out().flush();
-                });
+        new LaunchOptions().logDirectory(logs).seed(seed).console(terminal.out()::println);
     if (broker != null) {
       settings = new ArrayList<>(settings);
       settings.addAll(settingsOfBroker());
@@ -205,13 +198,14 @@ public final class RunCommand implements Callable<Integer> {
     try (RunningSystem system = RunningSystem.start(file, options);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       parent.ifPresent(watch -> watch.endingBy(system::close));
-      say(
-          terminal,
-          "System "
-              + file.systemId()
-              + " runs: "
-              + (file.services().isEmpty() ? MANAGER : names(system.services()))
-              + ". Ctrl-C ends it.");
+      terminal
+          .out()
+          .println(
+              "System "
+                  + file.systemId()
+                  + " runs: "
+                  + (file.services().isEmpty() ? MANAGER : names(system.services()))
+                  + ". Ctrl-C ends it.");
       if (file.services().isEmpty()) {
         new CountDownLatch(1).await(); // the Communication Manager alone, until interrupted
       }
@@ -220,10 +214,11 @@ public final class RunCommand implements Callable<Integer> {
         ended
             .endReason()
             .ifPresent(
-                why -> say(terminal, "Service " + ended.getServiceName() + " ended: " + why));
+                why ->
+                    terminal.out().println("Service " + ended.getServiceName() + " ended: " + why));
       }
       for (U2SAService failed : system.failed()) {
-        say(terminal, "Service " + failed.getServiceName() + " failed; see its log file.");
+        terminal.out().println("Service " + failed.getServiceName() + " failed; see its log file.");
       }
       return system.failed().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
     }
@@ -235,22 +230,23 @@ public final class RunCommand implements Callable<Integer> {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
     ProcessCommand start = new ProcessCommand(file.file(), logs, seed, settings);
     try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
-        ServiceProcesses processes =
-            new ServiceProcesses(start, entries, line -> say(terminal, line));
-        Supervisor supervisor =
-            new Supervisor(file, manager, processes, line -> say(terminal, line));
+        ServiceProcesses processes = new ServiceProcesses(start, entries, terminal.out()::println);
+        Supervisor supervisor = new Supervisor(file, manager, processes, terminal.out()::println);
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
       processes.start();
-      say(
-          terminal,
-          "System "
-              + file.systemId()
-              + " runs in processes: "
-              + processes.names()
-              + ". Ctrl-C ends it.");
+      terminal
+          .out()
+          .println(
+              "System "
+                  + file.systemId()
+                  + " runs in processes: "
+                  + processes.names()
+                  + ". Ctrl-C ends it.");
       boolean endedWell = processes.awaitEnd().isEmpty();
       if (processes.isRefused()) {
-        say(terminal, "The system ends: a service refuses what it was started with (see above).");
+        terminal
+            .out()
+            .println("The system ends: a service refuses what it was started with (see above).");
         return ExitCode.BAD_INPUT;
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
@@ -259,10 +255,5 @@ public final class RunCommand implements Callable<Integer> {
 
   private static String names(List<U2SAService> services) {
     return String.join(", ", services.stream().map(U2SAService::getServiceName).toList());
-  }
-
-  private static void say(Terminal terminal, String line) {
-    terminal.out().println(line);
-    terminal.out().flush();
   }
 }

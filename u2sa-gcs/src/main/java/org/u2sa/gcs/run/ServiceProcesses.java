@@ -110,7 +110,7 @@ final class ServiceProcesses implements AutoCloseable {
     }
     boolean started = start(entry, true);
     if (started) {
-      console.accept("Service " + entry + " was started anew.");
+      console.accept("Service " + entry + " was restarted.");
     }
     return started;
   }

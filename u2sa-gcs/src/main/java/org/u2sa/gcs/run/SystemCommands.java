@@ -1,12 +1,43 @@
 package org.u2sa.gcs.run;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.u2sa.gcs.command.CommandProvider;
+import org.u2sa.gcs.configuration.ConfigCommand;
+import org.u2sa.gcs.dependencies.DependenciesCommand;
+import org.u2sa.gcs.safety.ArmVehicleCommand;
+import org.u2sa.gcs.safety.DisarmVehicleCommand;
+import org.u2sa.gcs.safety.EmergencyStopCommand;
+import org.u2sa.gcs.safety.OperatorCommand;
+import org.u2sa.gcs.security.SecurityCommand;
+import org.u2sa.gcs.services.GraphCommand;
+import org.u2sa.gcs.services.RestartCommand;
+import org.u2sa.gcs.services.ServicesCommand;
+import org.u2sa.gcs.services.StopServicesCommand;
+import org.u2sa.gcs.services.SwapCommand;
+import org.u2sa.gcs.template.NewCommand;
 
-/** Adds {@code u2sa run} to the command line. */
+/** Adds the commands that run systems and operate running ones. */
 public final class SystemCommands implements CommandProvider {
   @Override
   public List<Contribution> commands() {
-    return List.of(new Contribution(Group.TOP_LEVEL, new RunCommand()));
+    return Stream.of(
+            new RunCommand(),
+            new ConfigCommand(),
+            new ServicesCommand(),
+            new GraphCommand(),
+            new StopServicesCommand(),
+            new RestartCommand(),
+            new SwapCommand(),
+            new SecurityCommand(),
+            new EmergencyStopCommand(),
+            new ArmVehicleCommand(),
+            new DisarmVehicleCommand(),
+            new OperatorCommand(),
+            new DependenciesCommand(),
+            new NewCommand(Path.of("")))
+        .map(command -> new Contribution(Group.TOP_LEVEL, command))
+        .toList();
   }
 }

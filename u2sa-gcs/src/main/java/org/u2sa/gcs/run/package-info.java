@@ -1,5 +1,5 @@
 /**
- * The command that runs any system file, in one process or one process a service. How systems are
- * started belongs to the core module.
+ * The command that runs any system file, in one process or one process a service, and the list of
+ * all commands of this module. How systems are started belongs to the core module.
  */
 package org.u2sa.gcs.run;

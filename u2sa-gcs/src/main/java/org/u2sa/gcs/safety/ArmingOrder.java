@@ -8,7 +8,6 @@ import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.ArmingState;
 
@@ -24,7 +23,6 @@ final class ArmingOrder {
       if (answer.isEmpty()) {
         remote.otherSystems(link).ifPresent(out::println);
       }
-      out.flush();
       return code;
     }
   }
@@ -48,24 +46,17 @@ final class ArmingOrder {
       throws InterruptedException {
     String id = UUID.randomUUID().toString();
     AtomicReference<ArmingState> answer = new AtomicReference<>();
-    try (Clock.Waiter waiter = link.clock().newWaiter("arming")) {
-      link.listen(
-          Channels.ARMING_STATE,
-          message -> {
-            if (message instanceof ArmingState state
-                && state.requestId().filter(id::equals).isPresent()) {
-              answer.set(state);
-              waiter.signal();
-            }
-          });
-      link.publish(
-          Channels.ARMING,
-          new ArmCommand().requestId(id).arm(arm).operator(RemoteSystem.operator()));
-      long until = link.clock().micros() + Clock.micros(link.timeoutS());
-      while (answer.get() == null && link.clock().micros() < until) {
-        waiter.await(until);
-      }
-    }
+    link.listen(
+        Channels.ARMING_STATE,
+        message -> {
+          if (message instanceof ArmingState state
+              && state.requestId().filter(id::equals).isPresent()) {
+            answer.set(state);
+          }
+        });
+    link.publish(
+        Channels.ARMING, new ArmCommand().requestId(id).arm(arm).operator(RemoteSystem.operator()));
+    link.await(() -> answer.get() != null, link.timeoutS());
     return Optional.ofNullable(answer.get());
   }
 }

@@ -55,7 +55,7 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     }
   }
 
-  /** Says the stop first and asks then: nothing comes before it. */
+  /** Publishes the stop before anything else. */
   private int stop(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
       throws InterruptedException {
     String id = RemoteSystem.operator() + " " + UUID.randomUUID();
@@ -66,11 +66,11 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     return report(link, vehicle, holds);
   }
 
-  /** Lifts the stops of which anybody speaks, and no other. */
+  /** Lifts all stops that are reported, and no other. */
   private int clear(RemoteLink link, Clock.Waiter waiter, EmergencyStop message)
       throws InterruptedException {
     StopConfirmation vehicle = StopConfirmation.listen(link, waiter);
-    listen(link, waiter);
+    link.await(() -> false, Math.min(LISTEN_S, link.timeoutS()));
     Set<String> standing = vehicle.standing();
     long said = link.clock().micros();
     message.active(false).clears(Math.max(said, vehicle.newestMicros()));
@@ -81,13 +81,6 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     StopConfirmation.Outcome free = List::isEmpty;
     vehicle.await(free);
     return report(link, vehicle, free);
-  }
-
-  private static void listen(RemoteLink link, Clock.Waiter waiter) throws InterruptedException {
-    long until = link.clock().micros() + Clock.micros(Math.min(LISTEN_S, link.timeoutS()));
-    while (link.clock().micros() < until) {
-      waiter.await(until);
-    }
   }
 
   private int report(RemoteLink link, StopConfirmation vehicle, StopConfirmation.Outcome wanted)
@@ -105,10 +98,8 @@ public final class EmergencyStopCommand implements Callable<Integer> {
           link.systemId(), what, by.isEmpty() ? "" : " by all; " + confirmed);
       missing.forEach(reason -> out.println("  " + reason));
     }
-    out.flush();
     if (!vehicle.hearsAnybody()) {
       remote.otherSystems(link).ifPresent(out::println);
-      out.flush();
     }
     return missing.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }

@@ -21,7 +21,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa operator}: is there for a vehicle, and shows how it is. */
+/** {@code u2sa operator}: sends operator heartbeats and shows the vehicle's safety state. */
 @Command(
     name = "operator",
     description = {
@@ -77,12 +77,12 @@ public final class OperatorCommand implements Callable<Integer> {
     }
   }
 
-  /** Nobody took the heartbeats for an operator's. */
   private int nobody(RemoteLink link) throws InterruptedException {
     PrintWriter out = command.commandLine().getOut();
-    out.println(link.systemId() + ": no Safety Manager is heard: nobody heeds an operator");
+    out.println(
+        link.systemId()
+            + ": no Safety Manager answers: the vehicle does not watch for an operator");
     remote.otherSystems(link).ifPresent(out::println);
-    out.flush();
     return ExitCode.FAILED;
   }
 
@@ -112,7 +112,6 @@ public final class OperatorCommand implements Callable<Integer> {
       if (!gist.equals(shown.put(subject, gist))) {
         PrintWriter out = command.commandLine().getOut();
         out.println(subject + ": " + line);
-        out.flush();
       }
     }
   }

@@ -16,8 +16,8 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What the services of a vehicle say of emergency stops: who heeds them, and which hold where. A
- * stop counts when all who heed stops have said that it holds, and that they go on saying so.
+ * Which services confirm an emergency stop. A stop is confirmed once every service that obeys stops
+ * reports it as active.
  */
 final class StopConfirmation {
   /** In this time a service that reports as often as most do has reported twice. */

@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "certificate",
     description =
-        "Make a new key and certificate for the broker, by the same authority; clients need nothing new.")
+        "Renew the broker's key and certificate under the same authority; clients need no change.")
 final class CertificateCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
   @Mixin private SecurityFolder folder;
@@ -37,7 +37,7 @@ final class CertificateCommand implements Callable<Integer> {
         .commandLine()
         .getOut()
         .printf(
-            "%s: certificate for %s. A running broker takes it when it starts anew.%n",
+            "%s: certificate for %s. Restart the broker to use it.%n",
             certificate, String.join(", ", names));
     return ExitCode.DONE;
   }

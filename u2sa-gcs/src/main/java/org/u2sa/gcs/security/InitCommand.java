@@ -45,7 +45,7 @@ final class InitCommand implements Callable<Integer> {
       throw new BadInputException(
           folder + ": holds an authority or users already; they are not overwritten");
     }
-    OwnersFolder.make(folder);
+    SecurityFolder.makePrivate(folder);
     LocalAuthority authority = LocalAuthority.create(directory);
     List<String> names = HostNames.with(hosts);
     authority.certify(names);

@@ -53,7 +53,7 @@ final class MosquittoCommand implements Callable<Integer> {
     SecurityDirectory directory = folder.existing();
     directory.check();
     Collection<User> users = UserFile.read(directory.users()).values();
-    OwnersFolder.make(target);
+    SecurityFolder.makePrivate(target);
     Path at = target.toAbsolutePath().normalize();
     Files.copy(
         directory.certificate(), at.resolve("server.pem"), StandardCopyOption.REPLACE_EXISTING);

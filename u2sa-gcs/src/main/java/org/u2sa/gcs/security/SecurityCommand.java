@@ -10,7 +10,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Make certificates and users for a vehicle that is reached over a network.",
       "",
-      "What they make lies in one folder, which SECURITY DIRECTORY of CommunicationManager.xml names. docs/security.md has the steps."
+      "They write to one folder; SECURITY DIRECTORY in CommunicationManager.xml names it. docs/security.md has the steps."
     },
     subcommands = {
       InitCommand.class,
@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
       UserCommand.class,
       MosquittoCommand.class
     })
-final class SecurityCommand implements Runnable {
+public final class SecurityCommand implements Runnable {
   @Spec private CommandSpec command;
 
   @Override

@@ -1,12 +1,14 @@
 package org.u2sa.gcs.security;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import picocli.CommandLine.Option;
 
-/** The option that names the folder which {@code u2sa security init} made. */
+/** The folder that {@code u2sa security init} makes, and the option that names it. */
 final class SecurityFolder {
   @Option(
       names = "--dir",
@@ -23,5 +25,13 @@ final class SecurityFolder {
     }
     directory.requireClosed();
     return directory;
+  }
+
+  /** Makes a folder that only its owner may enter, or closes it to others if it is there. */
+  static void makePrivate(Path folder) throws IOException {
+    Files.createDirectories(folder);
+    if (folder.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+      Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwx------"));
+    }
   }
 }

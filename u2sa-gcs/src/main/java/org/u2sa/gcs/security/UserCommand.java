@@ -60,7 +60,7 @@ final class UserCommand implements Runnable {
       @Option(
               names = "--password-file",
               paramLabel = "FILE",
-              description = "Take the password from the file's first line.")
+              description = "Read the password from the file's first line.")
           Path passwordFile,
       @Option(
               names = "--new-password-file",
@@ -123,7 +123,7 @@ final class UserCommand implements Runnable {
 
   @Command(
       name = "remove",
-      description = "Remove a user; a running broker puts it out within two seconds.")
+      description = "Remove a user; a running broker disconnects it within two seconds.")
   Integer remove(
       @Parameters(paramLabel = "NAME", description = "Name of the user.") String name,
       @Mixin SecurityFolder folder) {
@@ -131,7 +131,7 @@ final class UserCommand implements Runnable {
     Map<String, User> users = new TreeMap<>(UserFile.read(directory.users()));
     if (users.remove(name) == null) {
       throw new BadInputException(
-          "user \"" + name + "\": there is none; expected one of " + users.keySet());
+          "user \"" + name + "\" does not exist; expected one of " + users.keySet());
     }
     UserFile.write(directory.users(), users.values());
     out().printf("Removed user %s.%n", name);

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.u2sa.gcs.Suggestions;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.directory.DataOffer;
@@ -43,11 +43,9 @@ final class DataType {
       }
     }
     throw new BadInputException(
-        "no data of type \"" + name + "\" is known here or to any service" + meant(name, names));
-  }
-
-  private static String meant(String name, SortedSet<String> names) {
-    List<String> near = Suggestions.nearest(name, names);
-    return near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?";
+        "no data of type \""
+            + name
+            + "\" is known here or to any service"
+            + NearestNames.didYouMean(name, names));
   }
 }

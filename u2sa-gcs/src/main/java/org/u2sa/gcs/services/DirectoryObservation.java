@@ -19,8 +19,6 @@ final class DirectoryObservation {
   /** In this time a service that reports as often as most do has reported twice. */
   private static final double LISTEN_S = 0.6;
 
-  private static final long LOOK_MICROS = 50_000;
-
   private final RemoteLink link;
   private final ServiceDirectory directory;
   private final Map<String, ServiceCondition> conditions = new TreeMap<>(); // guarded by itself
@@ -44,21 +42,17 @@ final class DirectoryObservation {
   /** {@link #begin}, and waits until all that were heard have answered, or for the link's time. */
   static DirectoryObservation made(RemoteLink link) throws InterruptedException {
     DirectoryObservation observation = begin(link);
-    Clock clock = link.clock();
-    long began = clock.micros();
-    try (Clock.Waiter waiter = clock.newWaiter("observation")) {
-      while (!observation.isComplete(Clock.seconds(clock.micros() - began))) {
-        waiter.await(clock.micros() + LOOK_MICROS);
-        observation.directory.refresh();
-      }
-    }
+    long began = link.clock().micros();
+    link.await(() -> observation.isComplete(began), link.timeoutS());
     return observation;
   }
 
-  private boolean isComplete(double sinceS) {
+  private boolean isComplete(long beganMicros) {
+    directory.refresh();
     List<KnownService> heard = directory.services();
-    boolean all = !heard.isEmpty() && heard.stream().allMatch(KnownService::isComplete);
-    return sinceS >= link.timeoutS() || all && sinceS >= LISTEN_S;
+    return !heard.isEmpty()
+        && heard.stream().allMatch(KnownService::isComplete)
+        && link.clock().micros() - beganMicros >= Clock.micros(LISTEN_S);
   }
 
   private void note(U2SAData message) {

@@ -19,9 +19,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "graph",
     description = {
-      "Show who feeds whom in a running system, and what nobody listens to or publishes.",
+      "Show which service feeds which in a running system, and data without a publisher or subscriber.",
       "",
-      "Left out: the channels on which every service talks with everybody (discovery, functionality, stop, configuration, "
+      "Left out: the channels that every service uses (discovery, functionality, stop, configuration, "
           + "health)."
     })
 public final class GraphCommand implements Callable<Integer> {
@@ -65,7 +65,6 @@ public final class GraphCommand implements Callable<Integer> {
         tell(link);
       }
       lines(link.systemId(), graph).forEach(out::println);
-      out.flush();
       return ExitCode.DONE;
     }
   }
@@ -86,6 +85,5 @@ public final class GraphCommand implements Callable<Integer> {
             + "--timeout waits longer%n",
         link.systemId(),
         link.timeoutS());
-    err.flush();
   }
 }

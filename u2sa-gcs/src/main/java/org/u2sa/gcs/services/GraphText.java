@@ -3,13 +3,15 @@ package org.u2sa.gcs.services;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
+import org.u2sa.gcs.services.ServiceGraph.Feed;
 import org.u2sa.gcs.terminal.TextTable;
 
 /** A {@link ServiceGraph} to read, and for programs that draw: Mermaid and Graphviz. */
 final class GraphText {
   private GraphText() {}
 
-  /** A line each feed, by publisher, what hangs loose, and who has not answered. */
+  /** A line each feed, by publisher, loose ends, and who has not answered. */
   static List<String> lines(ServiceGraph graph) {
     List<String> lines = new ArrayList<>();
     TextTable feeds = new TextTable("FROM", "TO", "CHANNEL", "TYPE");
@@ -18,8 +20,8 @@ final class GraphText {
         .forEach(feed -> feeds.add(feed.from(), "-> " + feed.to(), feed.channel(), feed.type()));
     lines.addAll(feeds.lines());
     String known = graph.unanswered().isEmpty() ? "" : " that has answered";
-    loose(lines, "Published to nobody" + known + ":", graph.unheard());
-    loose(lines, "Subscribed to, published by nobody" + known + ":", graph.unfed());
+    looseEnds(lines, "Published to nobody" + known + ":", graph.unheard());
+    looseEnds(lines, "Subscribed to, published by nobody" + known + ":", graph.unfed());
     if (!graph.unanswered().isEmpty()) {
       lines.add("");
       lines.add("Heard, but without an answer: " + String.join(", ", graph.unanswered()));
@@ -27,18 +29,18 @@ final class GraphText {
     return lines;
   }
 
-  private static void loose(List<String> lines, String title, List<Loose> ends) {
+  private static void looseEnds(List<String> lines, String title, List<Feed> ends) {
     if (ends.isEmpty()) {
       return;
     }
     lines.add("");
     lines.add(title);
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE");
-    ends.forEach(end -> table.add(end.service(), end.channel(), end.type()));
+    ends.forEach(end -> table.add(end.from() + end.to(), end.channel(), end.type()));
     table.lines().stream().skip(1).forEach(line -> lines.add("  " + line));
   }
 
-  /** The graph in Mermaid's language; what hangs loose ends in a dashed line. */
+  /** The graph in Mermaid's language; loose ends are dashed. */
   static List<String> mermaid(ServiceGraph graph) {
     List<String> lines = new ArrayList<>();
     lines.add("flowchart LR");
@@ -48,17 +50,26 @@ final class GraphText {
       String label = escaped(services.get(i)) + (role.isEmpty() ? "" : "<br/>" + escaped(role));
       lines.add("  s" + i + "[\"" + label + "\"]");
     }
-    for (Edge edge : edges(graph)) {
-      String from = edge.from().map(name -> "s" + services.indexOf(name)).orElse(edge.loose());
-      String to = edge.to().map(name -> "s" + services.indexOf(name)).orElse(edge.loose());
-      if (edge.isLoose()) {
-        lines.add("  " + edge.loose() + "(( ))");
-      }
-      String arrow = edge.isLoose() ? " -.->" : " -->";
-      String label = escaped(edge.channel()) + "<br/>" + escaped(edge.type());
-      lines.add("  " + from + arrow + "|\"" + label + "\"| " + to);
+    for (Feed arrow : arrows(graph)) {
+      Optional<String> point = point(graph, arrow);
+      point.ifPresent(name -> lines.add("  " + name + "(( ))"));
+      String line = point.isPresent() ? " -.->" : " -->";
+      String label = escaped(arrow.channel()) + "<br/>" + escaped(arrow.type());
+      lines.add(
+          "  "
+              + box(services, arrow.from())
+              + line
+              + "|\""
+              + label
+              + "\"| "
+              + box(services, arrow.to()));
     }
     return lines;
+  }
+
+  private static String box(List<String> services, String name) {
+    int index = services.indexOf(name);
+    return index < 0 ? name : "s" + index;
   }
 
   /** Mermaid's own characters as its entities. */
@@ -66,7 +77,7 @@ final class GraphText {
     return text.replace("#", "#35;").replace("\"", "#quot;").replace("<", "#lt;");
   }
 
-  /** The graph in Graphviz's language; what hangs loose ends in a dashed line. */
+  /** The graph in Graphviz's language; loose ends are dashed. */
   static List<String> dot(String systemId, ServiceGraph graph) {
     List<String> lines = new ArrayList<>();
     lines.add("digraph " + quoted(systemId) + " {");
@@ -78,57 +89,39 @@ final class GraphText {
       String label = quoted(role.isEmpty() ? service : service + "\\n" + role);
       lines.add("  " + quoted(service) + " [label=" + label + "];");
     }
-    for (Edge edge : edges(graph)) {
-      if (edge.isLoose()) {
-        lines.add("  " + edge.loose() + " [shape=point];");
-      }
+    for (Feed arrow : arrows(graph)) {
+      Optional<String> point = point(graph, arrow);
+      point.ifPresent(name -> lines.add("  " + name + " [shape=point];"));
       lines.add(
           String.format(
               "  %s -> %s [label=%s, style=%s];",
-              quoted(edge.from().orElse(edge.loose())),
-              quoted(edge.to().orElse(edge.loose())),
-              quoted(edge.channel() + "\\n" + edge.type()),
-              edge.isLoose() ? "dashed" : "solid"));
+              quoted(arrow.from()),
+              quoted(arrow.to()),
+              quoted(arrow.channel() + "\\n" + arrow.type()),
+              point.isPresent() ? "dashed" : "solid"));
     }
     lines.add("}");
     return lines;
   }
 
-  /** An arrow; where nobody is at one end, it hangs loose from a point of its own name. */
-  private record Edge(
-      Optional<String> from, Optional<String> to, String channel, String type, String loose) {
-    boolean isLoose() {
-      return from.isEmpty() || to.isEmpty();
+  /** All feeds; a loose end leads to or from a point of its own. */
+  private static List<Feed> arrows(ServiceGraph graph) {
+    List<Feed> arrows = new ArrayList<>(graph.feeds());
+    int number = 0;
+    for (Feed end : graph.unheard()) {
+      arrows.add(new Feed(end.from(), "nobody" + number++, end.channel(), end.type()));
     }
+    for (Feed end : graph.unfed()) {
+      arrows.add(new Feed("nobody" + number++, end.to(), end.channel(), end.type()));
+    }
+    return arrows;
   }
 
-  private static List<Edge> edges(ServiceGraph graph) {
-    List<Edge> edges = new ArrayList<>();
-    for (Feed feed : graph.feeds()) {
-      edges.add(
-          new Edge(
-              Optional.of(feed.from()), Optional.of(feed.to()), feed.channel(), feed.type(), ""));
-    }
-    int number = 0;
-    for (Loose end : graph.unheard()) {
-      edges.add(
-          new Edge(
-              Optional.of(end.service()),
-              Optional.empty(),
-              end.channel(),
-              end.type(),
-              "nobody" + number++));
-    }
-    for (Loose end : graph.unfed()) {
-      edges.add(
-          new Edge(
-              Optional.empty(),
-              Optional.of(end.service()),
-              end.channel(),
-              end.type(),
-              "nobody" + number++));
-    }
-    return edges;
+  /** The end of an arrow that is no service. */
+  private static Optional<String> point(ServiceGraph graph, Feed arrow) {
+    return Stream.of(arrow.from(), arrow.to())
+        .filter(name -> !graph.services().contains(name))
+        .findFirst();
   }
 
   /** {@code \n} stays a line break, other backslashes and quotes are the text's own. */

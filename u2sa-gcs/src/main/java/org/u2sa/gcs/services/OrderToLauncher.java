@@ -46,7 +46,6 @@ final class OrderToLauncher {
         throw new RunFailedException(what + " was not done: " + result.reason());
       }
       out.println(done);
-      out.flush();
       return ExitCode.DONE;
     }
   }
@@ -56,7 +55,7 @@ final class OrderToLauncher {
     List<String> there = DirectoryObservation.made(link).names();
     String within = what + ": no launcher answered within " + link.timeoutS() + " s";
     return there.contains(service)
-        ? within + "; it may still be at it (--timeout waits longer)"
+        ? within + "; it may still be working (--timeout waits longer)"
         : within + "; " + StopServicesCommand.unknown(service, there, link);
   }
 }

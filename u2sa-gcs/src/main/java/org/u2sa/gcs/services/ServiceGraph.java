@@ -30,8 +30,8 @@ record ServiceGraph(
     List<String> services,
     Map<String, String> roles,
     List<Feed> feeds,
-    List<Loose> unheard,
-    List<Loose> unfed,
+    List<Feed> unheard,
+    List<Feed> unfed,
     List<String> unanswered) {
   private static final Set<String> OF_EVERYBODY =
       Set.of(
@@ -45,17 +45,17 @@ record ServiceGraph(
     List<KnownService> ordered = new ArrayList<>(known);
     ordered.sort(Comparator.comparingInt(ServiceGraph::layer).thenComparing(KnownService::name));
     List<Feed> feeds = new ArrayList<>();
-    List<Loose> unheard = new ArrayList<>();
-    List<Loose> unfed = new ArrayList<>();
+    List<Feed> unheard = new ArrayList<>();
+    List<Feed> unfed = new ArrayList<>();
     for (KnownService one : ordered) {
       for (DataOffer offer : ofInterest(one.publishes())) {
         if (!feed(one, offer, ordered, feeds)) {
-          unheard.add(new Loose(one.name(), offer.channel(), offer.typeName()));
+          unheard.add(new Feed(one.name(), "", offer.channel(), offer.typeName()));
         }
       }
       for (DataOffer wanted : ofInterest(one.subscribes())) {
         if (nobody(ordered, one, other -> feeds(other, wanted))) {
-          unfed.add(new Loose(one.name(), wanted.channel(), wanted.typeName()));
+          unfed.add(new Feed("", one.name(), wanted.channel(), wanted.typeName()));
         }
       }
     }
@@ -123,4 +123,14 @@ record ServiceGraph(
   private static String narrower(DataOffer one, DataOffer other) {
     return one.typeChain().size() >= other.typeChain().size() ? one.typeName() : other.typeName();
   }
+
+  /**
+   * What one service feeds another with; a loose end has one service only.
+   *
+   * @param from who publishes; empty: nobody
+   * @param to who subscribes; empty: nobody
+   * @param channel the channel's name
+   * @param type the narrower of the two types that they named for it
+   */
+  record Feed(String from, String to, String channel, String type) {}
 }

@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa services}: who is there, how each is, and who has which data. */
+/** {@code u2sa services}: lists services, their health and their data. */
 @Command(
     name = "services",
     description = {
@@ -78,7 +78,6 @@ public final class ServicesCommand implements Callable<Integer> {
         out.println("System " + link.systemId() + " at " + remote.brokerAddress());
         ServiceTable.lines(observation.rows()).forEach(out::println);
       }
-      out.flush();
       return observation.names().isEmpty() ? ExitCode.FAILED : ExitCode.DONE;
     }
   }
@@ -86,7 +85,6 @@ public final class ServicesCommand implements Callable<Integer> {
   private static int print(PrintWriter out, List<Found> found, String does) {
     if (found.isEmpty()) {
       out.println("Nobody " + does + ".");
-      out.flush();
       return ExitCode.FAILED;
     }
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE", "");
@@ -98,7 +96,6 @@ public final class ServicesCommand implements Callable<Integer> {
           each.certain() ? "" : "among others of this type");
     }
     table.lines().forEach(out::println);
-    out.flush();
     return ExitCode.DONE;
   }
 
@@ -117,7 +114,6 @@ public final class ServicesCommand implements Callable<Integer> {
         for (String line : ServiceTable.lines(observation.rows())) {
           terminal.out().println(terminal.redraws() ? cut(line, terminal.columns()) : line);
         }
-        terminal.out().flush();
       }
     }
   }

@@ -24,7 +24,6 @@ final class SettledObservation {
   private static final double YOUNG_S = 2.0;
 
   private static final double ROUND_S = 0.6; // two health reports at the usual interval
-  private static final long LOOK_MICROS = 50_000;
 
   private final RemoteLink link;
   private final DirectoryObservation observation;
@@ -65,15 +64,13 @@ final class SettledObservation {
   private boolean askedAgain(long deadlineMicros) throws InterruptedException {
     answered.clear();
     observation.directory().ask();
-    long roundMicros = Math.min(deadlineMicros, link.clock().micros() + Clock.micros(ROUND_S));
-    try (Clock.Waiter waiter = link.clock().newWaiter("observation")) {
-      long now = link.clock().micros();
-      while (now < roundMicros || now < deadlineMicros && !haveAllAnswered()) {
-        waiter.await(now + LOOK_MICROS);
-        observation.directory().refresh();
-        now = link.clock().micros();
-      }
-    }
+    long began = link.clock().micros();
+    link.await(
+        () -> {
+          observation.directory().refresh();
+          return haveAllAnswered() && link.clock().micros() - began >= Clock.micros(ROUND_S);
+        },
+        Clock.seconds(deadlineMicros - began));
     return haveAllAnswered();
   }
 

@@ -4,20 +4,18 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.Callable;
-import org.u2sa.gcs.Suggestions;
+import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
-import org.u2sa.messages.schema.U2SAData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,23 +41,6 @@ public final class StopServicesCommand implements Callable<Integer> {
       description = "The service to stop. Default: all of the system.")
   private String name;
 
-  /** Who ended, and how; filled by the transport's thread. */
-  private static final class Ends {
-    private final Map<String, ServiceStatus> statuses = new TreeMap<>();
-
-    synchronized void take(U2SAData message) {
-      if (message instanceof HealthReport report
-          && (report.status() == ServiceStatus.STOPPED
-              || report.status() == ServiceStatus.FAILED)) {
-        statuses.put(report.serviceName(), report.status());
-      }
-    }
-
-    synchronized Map<String, ServiceStatus> statuses() {
-      return new TreeMap<>(statuses);
-    }
-  }
-
   @Override
   public Integer call() throws InterruptedException {
     try (RemoteLink link = remote.connect()) {
@@ -78,43 +59,39 @@ public final class StopServicesCommand implements Callable<Integer> {
 
   /** That nobody of the name is there, and who is. */
   static String unknown(String name, List<String> there, RemoteLink link) {
-    List<String> near = Suggestions.nearest(name, there);
     return "system \""
         + link.systemId()
         + "\" has no service \""
         + name
         + "\" that is heard"
-        + (near.isEmpty()
-            ? "; there are " + (there.isEmpty() ? "none" : String.join(", ", there))
-            : "; did you mean " + String.join(" or ", near) + "?");
+        + "; there are "
+        + (there.isEmpty() ? "none" : String.join(", ", there))
+        + NearestNames.didYouMean(name, there);
   }
 
   private Map<String, ServiceStatus> stopped(RemoteLink link, Set<String> told)
       throws InterruptedException {
-    Ends ends = new Ends();
-    Clock clock = link.clock();
-    try (Clock.Waiter waiter = clock.newWaiter("ends")) {
-      link.listen(
-          Channels.HEALTH,
-          message -> {
-            ends.take(message);
-            waiter.signal();
-          });
-      StopCommand order = new StopCommand().stopAll(name == null);
-      link.publish(Channels.STOP, name == null ? order : order.serviceName(name));
-      long deadline = clock.micros() + Clock.micros(link.timeoutS());
-      while (!ends.statuses().keySet().containsAll(told) && clock.micros() < deadline) {
-        waiter.await(deadline);
-      }
-    }
-    return ends.statuses();
+    Map<String, ServiceStatus> ends = new ConcurrentHashMap<>();
+    link.listen(
+        Channels.HEALTH,
+        message -> {
+          if (message instanceof HealthReport report
+              && (report.status() == ServiceStatus.STOPPED
+                  || report.status() == ServiceStatus.FAILED)) {
+            ends.put(report.serviceName(), report.status());
+          }
+        });
+    StopCommand order = new StopCommand().stopAll(name == null);
+    link.publish(Channels.STOP, name == null ? order : order.serviceName(name));
+    link.await(() -> ends.keySet().containsAll(told), link.timeoutS());
+    return ends;
   }
 
   private int report(Set<String> told, Map<String, ServiceStatus> ends, RemoteLink link) {
     PrintWriter out = command.commandLine().getOut();
     boolean all = true;
     if (told.isEmpty()) {
-      out.println("Nobody of system " + link.systemId() + " is heard; the stop was sent.");
+      out.println("No service of system " + link.systemId() + " answered; the stop was sent.");
     }
     for (String service : told) {
       ServiceStatus end = ends.get(service);
@@ -122,10 +99,9 @@ public final class StopServicesCommand implements Callable<Integer> {
       out.println(
           service
               + (end == null
-                  ? ": NO WORD of its end within " + link.timeoutS() + " s"
+                  ? ": DID NOT CONFIRM its end within " + link.timeoutS() + " s"
                   : end == ServiceStatus.STOPPED ? ": stopped" : ": ended as failed"));
     }
-    out.flush();
     return all && !told.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }
 }

@@ -30,7 +30,7 @@ import picocli.CommandLine.Spec;
       "What is made compiles, has a test and a configuration, and is yours to change. Run in the folder of a project that was made "
           + "so, or with --into, it adds to that project. Nothing is overwritten."
     })
-final class NewCommand implements Callable<Integer> {
+public final class NewCommand implements Callable<Integer> {
   private static final String HOME = "u2sa.home";
 
   private final Path here;
@@ -89,7 +89,7 @@ final class NewCommand implements Callable<Integer> {
   /**
    * @param here the folder that it is run in
    */
-  NewCommand(Path here) {
+  public NewCommand(Path here) {
     this.here = here;
   }
 

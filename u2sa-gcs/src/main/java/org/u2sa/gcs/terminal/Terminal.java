@@ -6,7 +6,7 @@ import java.util.Map;
 /**
  * What is known of the terminal that text goes to.
  *
- * @param out where to print
+ * @param out where to print; flushed by each line
  * @param redraws whether the cursor can go back, so that a live status can redraw in place; false
  *     for pipes, files and dumb terminals
  * @param colours whether colours and bold may be used

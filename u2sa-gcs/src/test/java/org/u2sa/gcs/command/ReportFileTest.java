@@ -24,7 +24,7 @@ class ReportFileTest {
                       out.write("half");
                       throw new IOException("No space left on device");
                     }))
-        .isInstanceOf(ReportException.class)
+        .isInstanceOf(RunFailedException.class)
         .hasMessage("cannot write " + file + ": No space left on device");
     assertThat(file).hasContent("old");
     assertThat(directory.toFile().list()).containsExactly("track.csv");

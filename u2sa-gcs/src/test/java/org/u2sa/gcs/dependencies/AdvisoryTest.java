@@ -7,8 +7,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class AdvisoryTest {
-  private static Library netty(String version) {
-    return new Library("io.netty:netty-codec", version, LocalDate.EPOCH, "run", "Apache-2.0");
+  private static DependencyData.Library netty(String version) {
+    return new DependencyData.Library(
+        "io.netty:netty-codec", version, LocalDate.EPOCH, "run", "Apache-2.0");
   }
 
   @ParameterizedTest
@@ -26,7 +27,8 @@ class AdvisoryTest {
   })
   void affects_versionAndRange_asRangesSay(
       String library, String introduced, String fixed, String version, boolean expected) {
-    Advisory advisory = new Advisory("CVE-1", library, introduced, fixed, true, "what");
+    DependencyData.Advisory advisory =
+        new DependencyData.Advisory("CVE-1", library, introduced, fixed, true, "what");
 
     assertThat(advisory.affects(netty(version))).isEqualTo(expected);
   }

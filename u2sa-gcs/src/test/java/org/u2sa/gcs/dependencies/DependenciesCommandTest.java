@@ -19,8 +19,9 @@ class DependenciesCommandTest {
     LocalDate released = LocalDate.of(2024, 1, 1);
     DependencyData data =
         new DependencyData(
-            List.of(new Library("a.b:c", version, released, "run", "MIT")),
-            List.of(new Advisory("CVE-7", "a.b:c", "1.0", "1.5", reached, "too much")),
+            List.of(new DependencyData.Library("a.b:c", version, released, "run", "MIT")),
+            List.of(
+                new DependencyData.Advisory("CVE-7", "a.b:c", "1.0", "1.5", reached, "too much")),
             LocalDate.of(2025, 12, 22));
     long now = LocalDate.of(2026, 1, 1).toEpochDay() * DAY_MICROS;
     return new CommandLine(new DependenciesCommand(data, () -> now))

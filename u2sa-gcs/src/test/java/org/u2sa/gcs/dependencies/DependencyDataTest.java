@@ -25,7 +25,9 @@ class DependencyDataTest {
   @Test
   void libraries_classPathOfThisModule_isListedVersionByVersion() {
     List<String> listed =
-        data.libraries().stream().map(each -> each.artifact() + "-" + each.version()).toList();
+        data.libraries().stream()
+            .map(each -> each.name().replaceFirst(".*:", "") + "-" + each.version())
+            .toList();
     List<String> used =
         Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
             .map(path -> Path.of(path).getFileName().toString())
@@ -60,7 +62,7 @@ class DependencyDataTest {
   private String version(String name) {
     return data.libraries().stream()
         .filter(each -> each.name().equals(name))
-        .map(Library::version)
+        .map(DependencyData.Library::version)
         .findFirst()
         .orElseThrow(() -> new AssertionError("libraries.txt has no " + name));
   }
@@ -77,10 +79,12 @@ class DependencyDataTest {
 
   @Test
   void advisories_versionsOfBefore_areFound() {
-    Library old =
-        new Library(
+    DependencyData.Library old =
+        new DependencyData.Library(
             "io.netty:netty-codec-mqtt", "4.1.93.Final", data.lookedUp(), "run", "Apache-2.0");
 
-    assertThat(data.affecting(old)).extracting(Advisory::id).contains("CVE-2026-44248");
+    assertThat(data.affecting(old))
+        .extracting(DependencyData.Advisory::id)
+        .contains("CVE-2026-44248");
   }
 }

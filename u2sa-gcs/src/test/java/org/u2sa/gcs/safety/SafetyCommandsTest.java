@@ -89,13 +89,13 @@ class SafetyCommandsTest {
     assertThat(out.toString())
         .contains("baot: Emergency stop was sent, but NOT CONFIRMED")
         .contains("no service of system \"baot\" is heard")
-        .contains("did you mean boat?");
+        .contains("did you mean \"boat\"?");
     out.getBuffer().setLength(0);
     assertThat(run(foreign.broker(), "baot", new ArmVehicleCommand(), "--timeout", "10"))
         .isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .contains("no Safety Manager answered")
-        .contains("did you mean boat?");
+        .contains("did you mean \"boat\"?");
   }
 
   @Test
@@ -123,7 +123,7 @@ class SafetyCommandsTest {
             run(foreign.broker(), "baot", new OperatorCommand(), "--for", "1", "--timeout", "10"))
         .isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
-        .contains("baot: no Safety Manager is heard")
-        .contains("did you mean boat?");
+        .contains("baot: no Safety Manager answers")
+        .contains("did you mean \"boat\"?");
   }
 }

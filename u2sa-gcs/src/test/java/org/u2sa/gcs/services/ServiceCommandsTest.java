@@ -99,7 +99,8 @@ class ServiceCommandsTest {
   @Test
   void services_publishingMisspeltType_suggests() {
     assertThat(run("services", "--publishing", "StateInformaton")).isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("\"StateInformaton\"", "did you mean StateInformation?");
+    assertThat(err.toString())
+        .contains("\"StateInformaton\"", "did you mean \"StateInformation\"?");
   }
 
   @Test
@@ -137,7 +138,7 @@ class ServiceCommandsTest {
   @Test
   void stop_unknownName_suggestsAndStopsNobody() {
     assertThat(run("stop", "Lider")).isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("no service \"Lider\"", "did you mean Lidar?");
+    assertThat(err.toString()).contains("no service \"Lider\"", "did you mean \"Lidar\"?");
     assertThat(run("services")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("Lidar");
   }
@@ -151,7 +152,7 @@ class ServiceCommandsTest {
   @Test
   void restart_unknownName_saysThatNobodyAnswered() {
     assertThat(run("restart", "Lider", "--timeout", "0.5")).isEqualTo(ExitCode.FAILED);
-    assertThat(err.toString()).contains("no launcher answered", "did you mean Lidar?");
+    assertThat(err.toString()).contains("no launcher answered", "did you mean \"Lidar\"?");
   }
 
   @Test
@@ -182,7 +183,7 @@ class ServiceCommandsTest {
     try (ForeignSystem mule =
         ForeignSystem.start(own, "mule", ESTIMATOR, Stubborn.class.getName())) {
       assertThat(run(mule, "stop", "--timeout", "6")).isEqualTo(ExitCode.FAILED);
-      assertThat(out.toString()).contains("StateEstimator: stopped", "Stubborn: NO WORD");
+      assertThat(out.toString()).contains("StateEstimator: stopped", "Stubborn: DID NOT CONFIRM");
     }
   }
 }

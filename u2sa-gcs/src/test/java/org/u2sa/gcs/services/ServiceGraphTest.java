@@ -44,19 +44,19 @@ class ServiceGraphTest {
     add("From", ServiceRole.OBSERVER, List.of("a/Base/Sub"), List.of());
     add("To", ServiceRole.OBSERVER, List.of(), List.of("a/Base"));
 
-    assertThat(graph().feeds()).containsExactly(new Feed("From", "To", "a", "Sub"));
+    assertThat(graph().feeds()).containsExactly(new ServiceGraph.Feed("From", "To", "a", "Sub"));
     assertThat(graph().unheard()).isEmpty();
     assertThat(graph().unfed()).isEmpty();
   }
 
   @Test
-  void of_typesOfOneChannelThatDoNotMeet_hangLoose() {
+  void of_typesOfOneChannelThatDoNotMeet_areLooseEnds() {
     add("From", ServiceRole.OBSERVER, List.of("a/Base/Sub"), List.of());
     add("To", ServiceRole.OBSERVER, List.of(), List.of("a/Base/Other"));
 
     assertThat(graph().feeds()).isEmpty();
-    assertThat(graph().unheard()).containsExactly(new Loose("From", "a", "Sub"));
-    assertThat(graph().unfed()).containsExactly(new Loose("To", "a", "Other"));
+    assertThat(graph().unheard()).containsExactly(new ServiceGraph.Feed("From", "", "a", "Sub"));
+    assertThat(graph().unfed()).containsExactly(new ServiceGraph.Feed("", "To", "a", "Other"));
   }
 
   @Test

@@ -98,7 +98,8 @@ class SettledObservationTest {
     ServiceGraph graph = ServiceGraph.of(made.observation().directory().services());
     assertThat(made.hasSettled()).isTrue();
     assertThat(graph.unheard()).isEmpty();
-    assertThat(graph.feeds()).containsExactly(new Feed("Sensor", "Late", "power", "BatteryState"));
+    assertThat(graph.feeds())
+        .containsExactly(new ServiceGraph.Feed("Sensor", "Late", "power", "BatteryState"));
   }
 
   @Test

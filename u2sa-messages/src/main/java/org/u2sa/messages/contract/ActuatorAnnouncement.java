@@ -9,11 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 /** An actuator says what it can do (thesis 3.2.3.5, 5.1). */
 public final class ActuatorAnnouncement extends U2SAData {
   private static final Schema<ActuatorAnnouncement> SCHEMA =
-      Schema.of(
-          "ActuatorAnnouncement",
-          ActuatorAnnouncement.class,
-          ActuatorAnnouncement::new,
-          U2SAData.TYPE);
+      Schema.of(ActuatorAnnouncement.class, ActuatorAnnouncement::new, U2SAData.TYPE);
   private static final ValueField<ActuatorAnnouncement, String> ACTUATOR_NAME =
       SCHEMA.requiredText("actuatorName");
   private static final NumberField<ActuatorAnnouncement> MINIMUM =
@@ -39,8 +35,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #actuatorName()}. */
   public ActuatorAnnouncement actuatorName(String value) {
-    put(ACTUATOR_NAME, value);
-    return this;
+    return put(ACTUATOR_NAME, value);
   }
 
   /** Smallest percentage it takes [%]. */
@@ -50,8 +45,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #minimum()}. */
   public ActuatorAnnouncement minimum(double value) {
-    put(MINIMUM, value);
-    return this;
+    return put(MINIMUM, value);
   }
 
   /** Largest percentage it takes [%]. */
@@ -61,8 +55,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #maximum()}. */
   public ActuatorAnnouncement maximum(double value) {
-    put(MAXIMUM, value);
-    return this;
+    return put(MAXIMUM, value);
   }
 
   /** What moving it does to the vehicle, in words. */
@@ -72,8 +65,7 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #effect()}. */
   public ActuatorAnnouncement effect(String value) {
-    put(EFFECT, value);
-    return this;
+    return put(EFFECT, value);
   }
 
   /** The part of the vehicle that it moves; "VEHICLE" until set. */
@@ -83,7 +75,6 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   /** Sets {@link #subsystem()}. */
   public ActuatorAnnouncement subsystem(String value) {
-    put(SUBSYSTEM, value);
-    return this;
+    return put(SUBSYSTEM, value);
   }
 }

@@ -7,9 +7,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Asks to let the vehicle move, or to let it no longer move. */
 public final class ArmCommand extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ArmCommand> SCHEMA =
-      Schema.of("ArmCommand", ArmCommand.class, ArmCommand::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(ArmCommand.class, ArmCommand::new, U2SAData.TYPE).since(2);
   private static final ValueField<ArmCommand, String> REQUEST_ID = SCHEMA.requiredText("requestId");
   private static final ValueField<ArmCommand, Boolean> ARM = SCHEMA.flag("arm");
   private static final ValueField<ArmCommand, String> OPERATOR = SCHEMA.text("operator", "");
@@ -29,8 +28,7 @@ public final class ArmCommand extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ArmCommand requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** True: let it move if all checks pass. False: let it no longer move. */
@@ -40,8 +38,7 @@ public final class ArmCommand extends U2SAData {
 
   /** Sets {@link #arm()}. */
   public ArmCommand arm(boolean value) {
-    put(ARM, value);
-    return this;
+    return put(ARM, value);
   }
 
   /** Who asks. */
@@ -51,7 +48,6 @@ public final class ArmCommand extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public ArmCommand operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 }

@@ -9,9 +9,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Whether the vehicle may move, and if not, why not. */
 public final class ArmingState extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ArmingState> SCHEMA =
-      Schema.of("ArmingState", ArmingState.class, ArmingState::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(ArmingState.class, ArmingState::new, U2SAData.TYPE).since(2);
   private static final ValueField<ArmingState, Boolean> ARMED = SCHEMA.flag("armed");
   private static final ValueField<ArmingState, List<String>> REASONS = SCHEMA.texts("reasons");
   private static final ValueField<ArmingState, String> REQUEST_ID =
@@ -32,8 +31,7 @@ public final class ArmingState extends U2SAData {
 
   /** Sets {@link #armed()}. */
   public ArmingState armed(boolean value) {
-    put(ARMED, value);
-    return this;
+    return put(ARMED, value);
   }
 
   /** What speaks against arming, a text a check that failed; empty if nothing does. */
@@ -43,8 +41,7 @@ public final class ArmingState extends U2SAData {
 
   /** Sets {@link #reasons()}. */
   public ArmingState reasons(List<String> value) {
-    put(REASONS, List.copyOf(value));
-    return this;
+    return put(REASONS, List.copyOf(value));
   }
 
   /** The {@link ArmCommand} that this answers; empty if the state changed by itself. */
@@ -54,7 +51,6 @@ public final class ArmingState extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ArmingState requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 }

@@ -8,14 +8,9 @@ import org.u2sa.messages.schema.ValueField;
 
 /** One variable and the value that it is to have or had. */
 public final class ConfigurationAssignment extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationAssignment> SCHEMA =
-      Schema.of(
-              "ConfigurationAssignment",
-              ConfigurationAssignment.class,
-              ConfigurationAssignment::new,
-              U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ConfigurationAssignment.class, ConfigurationAssignment::new, U2SAData.TYPE)
+          .since(2);
   private static final ValueField<ConfigurationAssignment, String> VARIABLE_NAME =
       SCHEMA.requiredText("variableName");
   private static final ValueField<ConfigurationAssignment, String> VALUE =
@@ -38,8 +33,7 @@ public final class ConfigurationAssignment extends U2SAData {
 
   /** Sets {@link #variableName()}. */
   public ConfigurationAssignment variableName(String value) {
-    put(VARIABLE_NAME, value);
-    return this;
+    return put(VARIABLE_NAME, value);
   }
 
   /** The value as text, in the declared unit. */
@@ -49,8 +43,7 @@ public final class ConfigurationAssignment extends U2SAData {
 
   /** Sets {@link #value()}. */
   public ConfigurationAssignment value(String value) {
-    put(VALUE, value);
-    return this;
+    return put(VALUE, value);
   }
 
   /** The value before, in results. */
@@ -60,7 +53,6 @@ public final class ConfigurationAssignment extends U2SAData {
 
   /** Sets {@link #previous()}. */
   public ConfigurationAssignment previous(String value) {
-    put(PREVIOUS, value);
-    return this;
+    return put(PREVIOUS, value);
   }
 }

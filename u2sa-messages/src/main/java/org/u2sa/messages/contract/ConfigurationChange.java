@@ -8,11 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** Tells a service to change a variable (thesis 3.2.1.1). */
 public final class ConfigurationChange extends U2SAData {
   private static final Schema<ConfigurationChange> SCHEMA =
-      Schema.of(
-          "ConfigurationChange",
-          ConfigurationChange.class,
-          ConfigurationChange::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationChange.class, ConfigurationChange::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationChange, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ConfigurationChange, String> VARIABLE_NAME =
@@ -34,8 +30,7 @@ public final class ConfigurationChange extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationChange serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** The variable. */
@@ -45,8 +40,7 @@ public final class ConfigurationChange extends U2SAData {
 
   /** Sets {@link #variableName()}. */
   public ConfigurationChange variableName(String value) {
-    put(VARIABLE_NAME, value);
-    return this;
+    return put(VARIABLE_NAME, value);
   }
 
   /** The new value as text. */
@@ -56,7 +50,6 @@ public final class ConfigurationChange extends U2SAData {
 
   /** Sets {@link #value()}. */
   public ConfigurationChange value(String value) {
-    put(VALUE, value);
-    return this;
+    return put(VALUE, value);
   }
 }

@@ -8,11 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** What became of a {@link ConfigurationChange}. */
 public final class ConfigurationChangeResult extends U2SAData {
   private static final Schema<ConfigurationChangeResult> SCHEMA =
-      Schema.of(
-          "ConfigurationChangeResult",
-          ConfigurationChangeResult.class,
-          ConfigurationChangeResult::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationChangeResult.class, ConfigurationChangeResult::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationChangeResult, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ConfigurationChangeResult, String> VARIABLE_NAME =
@@ -39,8 +35,7 @@ public final class ConfigurationChangeResult extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationChangeResult serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** The variable. */
@@ -50,8 +45,7 @@ public final class ConfigurationChangeResult extends U2SAData {
 
   /** Sets {@link #variableName()}. */
   public ConfigurationChangeResult variableName(String value) {
-    put(VARIABLE_NAME, value);
-    return this;
+    return put(VARIABLE_NAME, value);
   }
 
   /** True if the variable has the new value now. */
@@ -61,8 +55,7 @@ public final class ConfigurationChangeResult extends U2SAData {
 
   /** Sets {@link #accepted()}. */
   public ConfigurationChangeResult accepted(boolean value) {
-    put(ACCEPTED, value);
-    return this;
+    return put(ACCEPTED, value);
   }
 
   /** Its value now, as text. */
@@ -72,8 +65,7 @@ public final class ConfigurationChangeResult extends U2SAData {
 
   /** Sets {@link #value()}. */
   public ConfigurationChangeResult value(String value) {
-    put(VALUE, value);
-    return this;
+    return put(VALUE, value);
   }
 
   /** Why it was refused; empty if accepted. */
@@ -83,7 +75,6 @@ public final class ConfigurationChangeResult extends U2SAData {
 
   /** Sets {@link #reason()}. */
   public ConfigurationChangeResult reason(String value) {
-    put(REASON, value);
-    return this;
+    return put(REASON, value);
   }
 }

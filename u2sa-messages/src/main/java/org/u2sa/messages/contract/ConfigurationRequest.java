@@ -8,11 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** Asks a service for its configuration (thesis 3.2.1.1). */
 public final class ConfigurationRequest extends U2SAData {
   private static final Schema<ConfigurationRequest> SCHEMA =
-      Schema.of(
-          "ConfigurationRequest",
-          ConfigurationRequest.class,
-          ConfigurationRequest::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationRequest.class, ConfigurationRequest::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationRequest, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
 
@@ -31,7 +27,6 @@ public final class ConfigurationRequest extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationRequest serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 }

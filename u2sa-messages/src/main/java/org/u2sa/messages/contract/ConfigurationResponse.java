@@ -10,11 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 /** A service's configuration. */
 public final class ConfigurationResponse extends U2SAData {
   private static final Schema<ConfigurationResponse> SCHEMA =
-      Schema.of(
-          "ConfigurationResponse",
-          ConfigurationResponse.class,
-          ConfigurationResponse::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationResponse.class, ConfigurationResponse::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationResponse, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ConfigurationResponse, List<ConfigurationVariable>> VARIABLES =
@@ -37,8 +33,7 @@ public final class ConfigurationResponse extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationResponse serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** All its variables. */
@@ -48,8 +43,7 @@ public final class ConfigurationResponse extends U2SAData {
 
   /** Sets {@link #variables()}. */
   public ConfigurationResponse variables(List<? extends ConfigurationVariable> value) {
-    put(VARIABLES, List.copyOf(value));
-    return this;
+    return put(VARIABLES, List.copyOf(value));
   }
 
   /**
@@ -57,13 +51,11 @@ public final class ConfigurationResponse extends U2SAData {
    * keeps two writers apart.
    */
   public OptionalLong revision() {
-    Long value = get(REVISION);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return optionalCount(REVISION);
   }
 
   /** Sets {@link #revision()}. */
   public ConfigurationResponse revision(long value) {
-    put(REVISION, value);
-    return this;
+    return put(REVISION, value);
   }
 }

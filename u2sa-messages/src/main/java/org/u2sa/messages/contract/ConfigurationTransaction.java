@@ -9,14 +9,9 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to change several variables at once: all of them or none (thesis 3.2.1.1). */
 public final class ConfigurationTransaction extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationTransaction> SCHEMA =
-      Schema.of(
-              "ConfigurationTransaction",
-              ConfigurationTransaction.class,
-              ConfigurationTransaction::new,
-              U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ConfigurationTransaction.class, ConfigurationTransaction::new, U2SAData.TYPE)
+          .since(2);
   private static final ValueField<ConfigurationTransaction, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ConfigurationTransaction, String> SERVICE_NAME =
@@ -43,8 +38,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ConfigurationTransaction requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -54,8 +48,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationTransaction serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** The variables and their new values. */
@@ -65,8 +58,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #assignments()}. */
   public ConfigurationTransaction assignments(List<ConfigurationAssignment> value) {
-    put(ASSIGNMENTS, List.copyOf(value));
-    return this;
+    return put(ASSIGNMENTS, List.copyOf(value));
   }
 
   /** Who changes them, for the audit log. */
@@ -76,8 +68,7 @@ public final class ConfigurationTransaction extends U2SAData {
 
   /** Sets {@link #author()}. */
   public ConfigurationTransaction author(String value) {
-    put(AUTHOR, value);
-    return this;
+    return put(AUTHOR, value);
   }
 
   /**
@@ -85,13 +76,11 @@ public final class ConfigurationTransaction extends U2SAData {
    * changed. Empty: whatever it is.
    */
   public OptionalLong revision() {
-    Long value = get(REVISION);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return optionalCount(REVISION);
   }
 
   /** Sets {@link #revision()}. */
   public ConfigurationTransaction revision(long value) {
-    put(REVISION, value);
-    return this;
+    return put(REVISION, value);
   }
 }

@@ -8,14 +8,12 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What came of a {@link ConfigurationTransaction} or {@link ConfigurationUndo}. */
 public final class ConfigurationTransactionResult extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationTransactionResult> SCHEMA =
       Schema.of(
-              "ConfigurationTransactionResult",
               ConfigurationTransactionResult.class,
               ConfigurationTransactionResult::new,
               U2SAData.TYPE)
-          .since(FORMAT);
+          .since(2);
   private static final ValueField<ConfigurationTransactionResult, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ConfigurationTransactionResult, String> SERVICE_NAME =
@@ -46,8 +44,7 @@ public final class ConfigurationTransactionResult extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ConfigurationTransactionResult requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -57,8 +54,7 @@ public final class ConfigurationTransactionResult extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationTransactionResult serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Whether all variables have their new values. */
@@ -68,8 +64,7 @@ public final class ConfigurationTransactionResult extends U2SAData {
 
   /** Sets {@link #accepted()}. */
   public ConfigurationTransactionResult accepted(boolean value) {
-    put(ACCEPTED, value);
-    return this;
+    return put(ACCEPTED, value);
   }
 
   /** Why nothing was changed; empty if it was. */
@@ -79,8 +74,7 @@ public final class ConfigurationTransactionResult extends U2SAData {
 
   /** Sets {@link #reason()}. */
   public ConfigurationTransactionResult reason(String value) {
-    put(REASON, value);
-    return this;
+    return put(REASON, value);
   }
 
   /**
@@ -92,8 +86,7 @@ public final class ConfigurationTransactionResult extends U2SAData {
 
   /** Sets {@link #assignments()}. */
   public ConfigurationTransactionResult assignments(List<ConfigurationAssignment> value) {
-    put(ASSIGNMENTS, List.copyOf(value));
-    return this;
+    return put(ASSIGNMENTS, List.copyOf(value));
   }
 
   /** The configuration's revision now. */
@@ -103,8 +96,7 @@ public final class ConfigurationTransactionResult extends U2SAData {
 
   /** Sets {@link #revision()}. */
   public ConfigurationTransactionResult revision(long value) {
-    put(REVISION, value);
-    return this;
+    return put(REVISION, value);
   }
 
   /** Who asked for it. */
@@ -114,7 +106,6 @@ public final class ConfigurationTransactionResult extends U2SAData {
 
   /** Sets {@link #author()}. */
   public ConfigurationTransactionResult author(String value) {
-    put(AUTHOR, value);
-    return this;
+    return put(AUTHOR, value);
   }
 }

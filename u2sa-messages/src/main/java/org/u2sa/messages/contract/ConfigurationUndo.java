@@ -7,10 +7,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to take its last configuration change back. */
 public final class ConfigurationUndo extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConfigurationUndo> SCHEMA =
-      Schema.of("ConfigurationUndo", ConfigurationUndo.class, ConfigurationUndo::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ConfigurationUndo.class, ConfigurationUndo::new, U2SAData.TYPE).since(2);
   private static final ValueField<ConfigurationUndo, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ConfigurationUndo, String> SERVICE_NAME =
@@ -32,8 +30,7 @@ public final class ConfigurationUndo extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ConfigurationUndo requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -43,8 +40,7 @@ public final class ConfigurationUndo extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ConfigurationUndo serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Who takes it back, for the audit log. */
@@ -54,7 +50,6 @@ public final class ConfigurationUndo extends U2SAData {
 
   /** Sets {@link #author()}. */
   public ConfigurationUndo author(String value) {
-    put(AUTHOR, value);
-    return this;
+    return put(AUTHOR, value);
   }
 }

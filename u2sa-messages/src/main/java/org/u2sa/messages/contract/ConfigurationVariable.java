@@ -11,11 +11,7 @@ import org.u2sa.messages.schema.ValueField;
 /** One variable of a service's configuration. */
 public final class ConfigurationVariable extends U2SAData {
   private static final Schema<ConfigurationVariable> SCHEMA =
-      Schema.of(
-          "ConfigurationVariable",
-          ConfigurationVariable.class,
-          ConfigurationVariable::new,
-          U2SAData.TYPE);
+      Schema.of(ConfigurationVariable.class, ConfigurationVariable::new, U2SAData.TYPE);
   private static final ValueField<ConfigurationVariable, String> NAME = SCHEMA.requiredText("name");
   private static final ValueField<ConfigurationVariable, String> VARIABLE_TYPE =
       SCHEMA.text("variableType", "string");
@@ -43,8 +39,7 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #name()}. */
   public ConfigurationVariable name(String value) {
-    put(NAME, value);
-    return this;
+    return put(NAME, value);
   }
 
   /** "string", "double", "int" or "boolean". */
@@ -54,8 +49,7 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #variableType()}. */
   public ConfigurationVariable variableType(String value) {
-    put(VARIABLE_TYPE, value);
-    return this;
+    return put(VARIABLE_TYPE, value);
   }
 
   /** Its value as text. */
@@ -65,8 +59,7 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #value()}. */
   public ConfigurationVariable value(String value) {
-    put(VALUE, value);
-    return this;
+    return put(VALUE, value);
   }
 
   /** Its unit; empty if none. */
@@ -76,8 +69,7 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #unit()}. */
   public ConfigurationVariable unit(String value) {
-    put(UNIT, value);
-    return this;
+    return put(UNIT, value);
   }
 
   /** Smallest value allowed; empty if unbounded. */
@@ -87,8 +79,7 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #min()}. */
   public ConfigurationVariable min(double value) {
-    put(MIN, value);
-    return this;
+    return put(MIN, value);
   }
 
   /** Largest value allowed; empty if unbounded. */
@@ -98,8 +89,7 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #max()}. */
   public ConfigurationVariable max(double value) {
-    put(MAX, value);
-    return this;
+    return put(MAX, value);
   }
 
   /** What it does; empty if nobody said. */
@@ -109,8 +99,7 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #description()}. */
   public ConfigurationVariable description(String value) {
-    put(DESCRIPTION, value);
-    return this;
+    return put(DESCRIPTION, value);
   }
 
   /** The values that are allowed; empty if not only some are. */
@@ -121,7 +110,6 @@ public final class ConfigurationVariable extends U2SAData {
 
   /** Sets {@link #choices()}. */
   public ConfigurationVariable choices(List<String> value) {
-    put(CHOICES, List.copyOf(value));
-    return this;
+    return put(CHOICES, List.copyOf(value));
   }
 }

@@ -9,10 +9,8 @@ import org.u2sa.messages.schema.Schema;
  * such a health report.
  */
 public final class ConnectionLost extends HealthReport {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ConnectionLost> SCHEMA =
-      Schema.of("ConnectionLost", ConnectionLost.class, ConnectionLost::new, HealthReport.TYPE)
-          .since(FORMAT);
+      Schema.of(ConnectionLost.class, ConnectionLost::new, HealthReport.TYPE).since(2);
 
   /** The schema. */
   public static final MessageType<ConnectionLost> TYPE = SCHEMA.build();

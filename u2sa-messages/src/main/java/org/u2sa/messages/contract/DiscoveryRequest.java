@@ -8,8 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 public final class DiscoveryRequest extends U2SAData {
   /** The schema. */
   public static final MessageType<DiscoveryRequest> TYPE =
-      Schema.of("DiscoveryRequest", DiscoveryRequest.class, DiscoveryRequest::new, U2SAData.TYPE)
-          .build();
+      Schema.of(DiscoveryRequest.class, DiscoveryRequest::new, U2SAData.TYPE).build();
 
   @Override
   public MessageType<DiscoveryRequest> type() {

@@ -10,8 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 /** A service says that it is there (thesis 3.2.2.1). */
 public final class DiscoveryResponse extends U2SAData {
   private static final Schema<DiscoveryResponse> SCHEMA =
-      Schema.of(
-          "DiscoveryResponse", DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE);
+      Schema.of(DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE);
   private static final ValueField<DiscoveryResponse, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<DiscoveryResponse, String> SERVICE_TYPE =
@@ -42,8 +41,7 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public DiscoveryResponse serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Its role; empty if none. */
@@ -53,8 +51,7 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #serviceType()}. */
   public DiscoveryResponse serviceType(String value) {
-    put(SERVICE_TYPE, value);
-    return this;
+    return put(SERVICE_TYPE, value);
   }
 
   /** Where it is in its life. */
@@ -64,8 +61,7 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #status()}. */
   public DiscoveryResponse status(ServiceStatus value) {
-    put(STATUS, value);
-    return this;
+    return put(STATUS, value);
   }
 
   /** Host it runs on; empty if unknown. */
@@ -75,8 +71,7 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #host()}. */
   public DiscoveryResponse host(String value) {
-    put(HOST, value);
-    return this;
+    return put(HOST, value);
   }
 
   /** Time since it started [s]. */
@@ -86,8 +81,7 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #uptime()}. */
   public DiscoveryResponse uptime(double value) {
-    put(UPTIME, value);
-    return this;
+    return put(UPTIME, value);
   }
 
   /** Version of its software; empty if unknown. */
@@ -97,8 +91,7 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #version()}. */
   public DiscoveryResponse version(String value) {
-    put(VERSION, value);
-    return this;
+    return put(VERSION, value);
   }
 
   /** Which start of the service this is, as in its health reports. */
@@ -108,8 +101,7 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #instance()}. */
   public DiscoveryResponse instance(String value) {
-    put(INSTANCE, value);
-    return this;
+    return put(INSTANCE, value);
   }
 
   /** The full name of the class that runs; empty if it has none to name. */
@@ -119,7 +111,6 @@ public final class DiscoveryResponse extends U2SAData {
 
   /** Sets {@link #className()}. */
   public DiscoveryResponse className(String value) {
-    put(CLASS_NAME, value);
-    return this;
+    return put(CLASS_NAME, value);
   }
 }

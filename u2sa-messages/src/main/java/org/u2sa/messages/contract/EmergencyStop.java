@@ -14,18 +14,15 @@ import org.u2sa.messages.schema.ValueField;
  * lifts the stops that it names by {@code lifts}, or without names those up to {@code clears}.
  */
 public final class EmergencyStop extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
-  private static final int FORMAT_OF_NAMES = 3;
   private static final Schema<EmergencyStop> SCHEMA =
-      Schema.of("EmergencyStop", EmergencyStop.class, EmergencyStop::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(EmergencyStop.class, EmergencyStop::new, U2SAData.TYPE).since(2);
   private static final ValueField<EmergencyStop, Boolean> ACTIVE = SCHEMA.flag("active");
   private static final ValueField<EmergencyStop, String> OPERATOR = SCHEMA.text("operator", "");
   private static final ValueField<EmergencyStop, String> REASON = SCHEMA.text("reason", "");
   private static final ValueField<EmergencyStop, Long> CLEARS =
       SCHEMA.optionalCount("clears", "us");
   private static final ValueField<EmergencyStop, String> STOP_ID =
-      SCHEMA.since(FORMAT_OF_NAMES).optionalText("stopId");
+      SCHEMA.since(3).optionalText("stopId");
   private static final ValueField<EmergencyStop, List<String>> LIFTS =
       SCHEMA.optionalTexts("lifts");
 
@@ -47,8 +44,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #active()}. */
   public EmergencyStop active(boolean value) {
-    put(ACTIVE, value);
-    return this;
+    return put(ACTIVE, value);
   }
 
   /** Who stopped or cleared; empty if unknown. */
@@ -58,8 +54,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public EmergencyStop operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 
   /** Why, in words. */
@@ -69,20 +64,17 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #reason()}. */
   public EmergencyStop reason(String value) {
-    put(REASON, value);
-    return this;
+    return put(REASON, value);
   }
 
   /** The timestamp of the newest stop that this message lifts [µs]; empty in a stop. */
   public OptionalLong clears() {
-    Long value = get(CLEARS);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return optionalCount(CLEARS);
   }
 
   /** Sets {@link #clears()}. */
   public EmergencyStop clears(long value) {
-    put(CLEARS, value);
-    return this;
+    return put(CLEARS, value);
   }
 
   /**
@@ -95,8 +87,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #stopId()}. */
   public EmergencyStop stopId(String value) {
-    put(STOP_ID, value);
-    return this;
+    return put(STOP_ID, value);
   }
 
   /**
@@ -109,8 +100,7 @@ public final class EmergencyStop extends U2SAData {
 
   /** Sets {@link #lifts()}. */
   public EmergencyStop lifts(List<String> value) {
-    put(LIFTS, List.copyOf(value));
-    return this;
+    return put(LIFTS, List.copyOf(value));
   }
 
   /**

@@ -8,10 +8,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What the vehicle is to do because something is wrong; CONTINUE if nothing is. */
 public final class FailsafeState extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<FailsafeState> SCHEMA =
-      Schema.of("FailsafeState", FailsafeState.class, FailsafeState::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(FailsafeState.class, FailsafeState::new, U2SAData.TYPE).since(2);
   private static final ValueField<FailsafeState, FailsafeAction> ACTION =
       SCHEMA.requiredChoice("action", FailsafeAction.class);
   private static final ValueField<FailsafeState, List<String>> CAUSES = SCHEMA.texts("causes");
@@ -31,8 +29,7 @@ public final class FailsafeState extends U2SAData {
 
   /** Sets {@link #action()}. */
   public FailsafeState action(FailsafeAction value) {
-    put(ACTION, value);
-    return this;
+    return put(ACTION, value);
   }
 
   /** What is wrong, a text each; the most severe first. */
@@ -42,7 +39,6 @@ public final class FailsafeState extends U2SAData {
 
   /** Sets {@link #causes()}. */
   public FailsafeState causes(List<String> value) {
-    put(CAUSES, List.copyOf(value));
-    return this;
+    return put(CAUSES, List.copyOf(value));
   }
 }

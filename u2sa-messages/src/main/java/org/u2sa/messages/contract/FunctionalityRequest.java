@@ -8,11 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** Asks a service what it publishes and subscribes to (thesis 3.2.2.1). */
 public final class FunctionalityRequest extends U2SAData {
   private static final Schema<FunctionalityRequest> SCHEMA =
-      Schema.of(
-          "FunctionalityRequest",
-          FunctionalityRequest.class,
-          FunctionalityRequest::new,
-          U2SAData.TYPE);
+      Schema.of(FunctionalityRequest.class, FunctionalityRequest::new, U2SAData.TYPE);
   private static final ValueField<FunctionalityRequest, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
 
@@ -31,7 +27,6 @@ public final class FunctionalityRequest extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public FunctionalityRequest serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 }

@@ -9,11 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 /** What a service publishes and subscribes to (thesis 3.2.2.1). */
 public final class FunctionalityResponse extends U2SAData {
   private static final Schema<FunctionalityResponse> SCHEMA =
-      Schema.of(
-          "FunctionalityResponse",
-          FunctionalityResponse.class,
-          FunctionalityResponse::new,
-          U2SAData.TYPE);
+      Schema.of(FunctionalityResponse.class, FunctionalityResponse::new, U2SAData.TYPE);
   private static final ValueField<FunctionalityResponse, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<FunctionalityResponse, List<String>> PUBLISHES =
@@ -36,8 +32,7 @@ public final class FunctionalityResponse extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public FunctionalityResponse serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Each "channel/TypeChain". */
@@ -47,8 +42,7 @@ public final class FunctionalityResponse extends U2SAData {
 
   /** Sets {@link #publishes()}. */
   public FunctionalityResponse publishes(List<String> value) {
-    put(PUBLISHES, value);
-    return this;
+    return put(PUBLISHES, value);
   }
 
   /** Each "channel/TypeChain". */
@@ -58,7 +52,6 @@ public final class FunctionalityResponse extends U2SAData {
 
   /** Sets {@link #subscribes()}. */
   public FunctionalityResponse subscribes(List<String> value) {
-    put(SUBSCRIBES, value);
-    return this;
+    return put(SUBSCRIBES, value);
   }
 }

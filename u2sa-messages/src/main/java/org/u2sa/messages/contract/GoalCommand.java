@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.ValueField;
 /** Tells the Mission Manager to change to a goal now (thesis 3.2.3.2). */
 public final class GoalCommand extends U2SAData {
   private static final Schema<GoalCommand> SCHEMA =
-      Schema.of("GoalCommand", GoalCommand.class, GoalCommand::new, U2SAData.TYPE);
+      Schema.of(GoalCommand.class, GoalCommand::new, U2SAData.TYPE);
   private static final ValueField<GoalCommand, String> UID = SCHEMA.requiredText("uid");
 
   /** The schema. */
@@ -26,7 +26,6 @@ public final class GoalCommand extends U2SAData {
 
   /** Sets {@link #uid()}. */
   public GoalCommand uid(String value) {
-    put(UID, value);
-    return this;
+    return put(UID, value);
   }
 }

@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.ValueField;
 /** A service's heartbeat (thesis 3.5.3). Counts are since the service started. */
 public class HealthReport extends U2SAData {
   private static final Schema<HealthReport> SCHEMA =
-      Schema.of("HealthReport", HealthReport.class, HealthReport::new, U2SAData.TYPE);
+      Schema.of(HealthReport.class, HealthReport::new, U2SAData.TYPE);
   private static final ValueField<HealthReport, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<HealthReport, ServiceStatus> STATUS =
@@ -69,8 +69,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public HealthReport serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Where it is in its life. */
@@ -80,8 +79,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #status()}. */
   public HealthReport status(ServiceStatus value) {
-    put(STATUS, value);
-    return this;
+    return put(STATUS, value);
   }
 
   /** The newest error; empty if there was none. */
@@ -91,8 +89,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #lastError()}. */
   public HealthReport lastError(String value) {
-    put(LAST_ERROR, value);
-    return this;
+    return put(LAST_ERROR, value);
   }
 
   /** Messages that wait now. */
@@ -102,8 +99,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #inboxDepth()}. */
   public HealthReport inboxDepth(long value) {
-    put(INBOX_DEPTH, value);
-    return this;
+    return put(INBOX_DEPTH, value);
   }
 
   /**
@@ -116,8 +112,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #dropped()}. */
   public HealthReport dropped(long value) {
-    put(DROPPED, value);
-    return this;
+    return put(DROPPED, value);
   }
 
   /** Messages that could not be read or were not expected. */
@@ -127,8 +122,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #refused()}. */
   public HealthReport refused(long value) {
-    put(REFUSED, value);
-    return this;
+    return put(REFUSED, value);
   }
 
   /** Steps that took longer than their period. */
@@ -138,8 +132,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #overruns()}. */
   public HealthReport overruns(long value) {
-    put(OVERRUNS, value);
-    return this;
+    return put(OVERRUNS, value);
   }
 
   /** Exceptions that were survived. */
@@ -149,8 +142,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #exceptions()}. */
   public HealthReport exceptions(long value) {
-    put(EXCEPTIONS, value);
-    return this;
+    return put(EXCEPTIONS, value);
   }
 
   /** Median duration of a callback [s]; empty before the first. */
@@ -160,8 +152,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #callbackP50()}. */
   public HealthReport callbackP50(double value) {
-    put(CALLBACK_P50, value);
-    return this;
+    return put(CALLBACK_P50, value);
   }
 
   /** 99th percentile of the duration of a callback [s]; empty before the first. */
@@ -171,8 +162,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #callbackP99()}. */
   public HealthReport callbackP99(double value) {
-    put(CALLBACK_P99, value);
-    return this;
+    return put(CALLBACK_P99, value);
   }
 
   /**
@@ -185,13 +175,11 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #instance()}. */
   public HealthReport instance(String value) {
-    put(INSTANCE, value);
-    return this;
+    return put(INSTANCE, value);
   }
 
   /**
-   * Time until the next report [s]; who hears none for much longer may think of the service as
-   * silent.
+   * Time until the next report [s]; a service without a report for much longer counts as silent.
    */
   public OptionalDouble interval() {
     return get(INTERVAL);
@@ -199,8 +187,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #interval()}. */
   public HealthReport interval(double value) {
-    put(INTERVAL, value);
-    return this;
+    return put(INTERVAL, value);
   }
 
   /**
@@ -213,8 +200,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #threadAlive()}. */
   public HealthReport threadAlive(boolean value) {
-    put(THREAD_ALIVE, value);
-    return this;
+    return put(THREAD_ALIVE, value);
   }
 
   /**
@@ -227,8 +213,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #callbackRunning()}. */
   public HealthReport callbackRunning(double value) {
-    put(CALLBACK_RUNNING, value);
-    return this;
+    return put(CALLBACK_RUNNING, value);
   }
 
   /**
@@ -241,41 +226,37 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #dataAge()}. */
   public HealthReport dataAge(double value) {
-    put(DATA_AGE, value);
-    return this;
+    return put(DATA_AGE, value);
   }
 
   /** Messages published, reports of the contract left out. */
   public OptionalLong published() {
-    return optional(PUBLISHED);
+    return optionalCount(PUBLISHED);
   }
 
   /** Sets {@link #published()}. */
   public HealthReport published(long value) {
-    put(PUBLISHED, value);
-    return this;
+    return put(PUBLISHED, value);
   }
 
   /** Messages that came later than their deadline and were treated as absent. */
   public OptionalLong expired() {
-    return optional(EXPIRED);
+    return optionalCount(EXPIRED);
   }
 
   /** Sets {@link #expired()}. */
   public HealthReport expired(long value) {
-    put(EXPIRED, value);
-    return this;
+    return put(EXPIRED, value);
   }
 
   /** Messages that others sent to it over MQTT and that were lost on the way. */
   public OptionalLong missed() {
-    return optional(MISSED);
+    return optionalCount(MISSED);
   }
 
   /** Sets {@link #missed()}. */
   public HealthReport missed(long value) {
-    put(MISSED, value);
-    return this;
+    return put(MISSED, value);
   }
 
   /**
@@ -288,13 +269,7 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #emergencyStops()}. */
   public HealthReport emergencyStops(List<String> value) {
-    put(EMERGENCY_STOPS, List.copyOf(value));
-    return this;
-  }
-
-  private OptionalLong optional(ValueField<HealthReport, Long> field) {
-    Long value = get(field);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return put(EMERGENCY_STOPS, List.copyOf(value));
   }
 
   /**
@@ -302,24 +277,22 @@ public class HealthReport extends U2SAData {
    * newest counts: no loss. Empty if the service does not count them.
    */
   public OptionalLong replaced() {
-    return optional(REPLACED);
+    return optionalCount(REPLACED);
   }
 
   /** Sets {@link #replaced()}. */
   public HealthReport replaced(long value) {
-    put(REPLACED, value);
-    return this;
+    return put(REPLACED, value);
   }
 
   /** Commands that its actuators obeyed; empty if it has no actuators. */
   public OptionalLong commandsObeyed() {
-    return optional(COMMANDS_OBEYED);
+    return optionalCount(COMMANDS_OBEYED);
   }
 
   /** Sets {@link #commandsObeyed()}. */
   public HealthReport commandsObeyed(long value) {
-    put(COMMANDS_OBEYED, value);
-    return this;
+    return put(COMMANDS_OBEYED, value);
   }
 
   /**
@@ -327,13 +300,12 @@ public class HealthReport extends U2SAData {
    * has no actuators.
    */
   public OptionalLong commandsRefused() {
-    return optional(COMMANDS_REFUSED);
+    return optionalCount(COMMANDS_REFUSED);
   }
 
   /** Sets {@link #commandsRefused()}. */
   public HealthReport commandsRefused(long value) {
-    put(COMMANDS_REFUSED, value);
-    return this;
+    return put(COMMANDS_REFUSED, value);
   }
 
   /** Names of the channels that the broker does not let it hear, with commas between; or empty. */
@@ -343,7 +315,6 @@ public class HealthReport extends U2SAData {
 
   /** Sets {@link #refusedSubscriptions()}. */
   public HealthReport refusedSubscriptions(String value) {
-    put(REFUSED_SUBSCRIPTIONS, value);
-    return this;
+    return put(REFUSED_SUBSCRIPTIONS, value);
   }
 }

@@ -9,10 +9,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Says that an operator watches. When it stops coming the operator's link is lost. */
 public final class OperatorHeartbeat extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<OperatorHeartbeat> SCHEMA =
-      Schema.of("OperatorHeartbeat", OperatorHeartbeat.class, OperatorHeartbeat::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(OperatorHeartbeat.class, OperatorHeartbeat::new, U2SAData.TYPE).since(2);
   private static final ValueField<OperatorHeartbeat, String> OPERATOR =
       SCHEMA.requiredText("operator");
   private static final NumberField<OperatorHeartbeat> INTERVAL =
@@ -33,8 +31,7 @@ public final class OperatorHeartbeat extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public OperatorHeartbeat operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 
   /** Time until the next one [s]. */
@@ -44,7 +41,6 @@ public final class OperatorHeartbeat extends U2SAData {
 
   /** Sets {@link #interval()}. */
   public OperatorHeartbeat interval(double value) {
-    put(INTERVAL, value);
-    return this;
+    return put(INTERVAL, value);
   }
 }

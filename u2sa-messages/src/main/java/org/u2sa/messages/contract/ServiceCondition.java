@@ -12,10 +12,8 @@ import org.u2sa.messages.schema.ValueField;
  * done about it.
  */
 public final class ServiceCondition extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ServiceCondition> SCHEMA =
-      Schema.of("ServiceCondition", ServiceCondition.class, ServiceCondition::new, U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ServiceCondition.class, ServiceCondition::new, U2SAData.TYPE).since(2);
   private static final ValueField<ServiceCondition, String> SERVICE_NAME =
       SCHEMA.requiredText("serviceName");
   private static final ValueField<ServiceCondition, Condition> CONDITION =
@@ -43,8 +41,7 @@ public final class ServiceCondition extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ServiceCondition serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** What the monitor found. */
@@ -54,20 +51,17 @@ public final class ServiceCondition extends U2SAData {
 
   /** Sets {@link #condition()}. */
   public ServiceCondition condition(Condition value) {
-    put(CONDITION, value);
-    return this;
+    return put(CONDITION, value);
   }
 
   /** When it came to be so [µs of the run's clock]. */
   public OptionalLong since() {
-    Long value = get(SINCE);
-    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    return optionalCount(SINCE);
   }
 
   /** Sets {@link #since()}. */
   public ServiceCondition since(long value) {
-    put(SINCE, value);
-    return this;
+    return put(SINCE, value);
   }
 
   /** What the monitor concludes it from. */
@@ -77,8 +71,7 @@ public final class ServiceCondition extends U2SAData {
 
   /** Sets {@link #reason()}. */
   public ServiceCondition reason(String value) {
-    put(REASON, value);
-    return this;
+    return put(REASON, value);
   }
 
   /** What is done about it, such as "restart 2 of 3"; empty: nothing. */
@@ -88,8 +81,7 @@ public final class ServiceCondition extends U2SAData {
 
   /** Sets {@link #action()}. */
   public ServiceCondition action(String value) {
-    put(ACTION, value);
-    return this;
+    return put(ACTION, value);
   }
 
   /** Restarts so far. */
@@ -99,8 +91,7 @@ public final class ServiceCondition extends U2SAData {
 
   /** Sets {@link #restarts()}. */
   public ServiceCondition restarts(long value) {
-    put(RESTARTS, value);
-    return this;
+    return put(RESTARTS, value);
   }
 
   /** The instance of the service that was seen last. */
@@ -110,7 +101,6 @@ public final class ServiceCondition extends U2SAData {
 
   /** Sets {@link #instance()}. */
   public ServiceCondition instance(String value) {
-    put(INSTANCE, value);
-    return this;
+    return put(INSTANCE, value);
   }
 }

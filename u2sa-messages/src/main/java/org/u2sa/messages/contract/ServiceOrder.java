@@ -11,9 +11,8 @@ import org.u2sa.messages.schema.ValueField;
  * (user story 8, thesis 3.5.3).
  */
 public final class ServiceOrder extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ServiceOrder> SCHEMA =
-      Schema.of("ServiceOrder", ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE).since(FORMAT);
+      Schema.of(ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE).since(2);
   private static final ValueField<ServiceOrder, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ServiceOrder, String> SERVICE_NAME =
@@ -39,8 +38,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ServiceOrder requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -50,8 +48,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ServiceOrder serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** What to do with it. */
@@ -61,8 +58,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #action()}. */
   public ServiceOrder action(ServiceAction value) {
-    put(ACTION, value);
-    return this;
+    return put(ACTION, value);
   }
 
   /** The full name of the class to put in its place; with SWAP only. */
@@ -72,8 +68,7 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #className()}. */
   public ServiceOrder className(String value) {
-    put(CLASS_NAME, value);
-    return this;
+    return put(CLASS_NAME, value);
   }
 
   /** Who orders it: a user or a service. */
@@ -83,7 +78,6 @@ public final class ServiceOrder extends U2SAData {
 
   /** Sets {@link #operator()}. */
   public ServiceOrder operator(String value) {
-    put(OPERATOR, value);
-    return this;
+    return put(OPERATOR, value);
   }
 }

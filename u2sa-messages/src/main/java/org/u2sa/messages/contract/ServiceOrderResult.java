@@ -7,14 +7,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /** What came of a {@link ServiceOrder}. */
 public final class ServiceOrderResult extends U2SAData {
-  private static final int FORMAT = 2; // joined the wire format with it
   private static final Schema<ServiceOrderResult> SCHEMA =
-      Schema.of(
-              "ServiceOrderResult",
-              ServiceOrderResult.class,
-              ServiceOrderResult::new,
-              U2SAData.TYPE)
-          .since(FORMAT);
+      Schema.of(ServiceOrderResult.class, ServiceOrderResult::new, U2SAData.TYPE).since(2);
   private static final ValueField<ServiceOrderResult, String> REQUEST_ID =
       SCHEMA.requiredText("requestId");
   private static final ValueField<ServiceOrderResult, String> SERVICE_NAME =
@@ -37,8 +31,7 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #requestId()}. */
   public ServiceOrderResult requestId(String value) {
-    put(REQUEST_ID, value);
-    return this;
+    return put(REQUEST_ID, value);
   }
 
   /** The service. */
@@ -48,8 +41,7 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public ServiceOrderResult serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 
   /** Whether it was done. */
@@ -59,8 +51,7 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #accepted()}. */
   public ServiceOrderResult accepted(boolean value) {
-    put(ACCEPTED, value);
-    return this;
+    return put(ACCEPTED, value);
   }
 
   /** Why not; empty if it was done. */
@@ -70,7 +61,6 @@ public final class ServiceOrderResult extends U2SAData {
 
   /** Sets {@link #reason()}. */
   public ServiceOrderResult reason(String value) {
-    put(REASON, value);
-    return this;
+    return put(REASON, value);
   }
 }

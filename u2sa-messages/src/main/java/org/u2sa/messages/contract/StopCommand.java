@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.ValueField;
 /** Tells one service or all to stop (thesis 3.2.2.1). */
 public final class StopCommand extends U2SAData {
   private static final Schema<StopCommand> SCHEMA =
-      Schema.of("StopCommand", StopCommand.class, StopCommand::new, U2SAData.TYPE);
+      Schema.of(StopCommand.class, StopCommand::new, U2SAData.TYPE);
   private static final ValueField<StopCommand, Boolean> STOP_ALL = SCHEMA.flag("stopAll");
   private static final ValueField<StopCommand, String> SERVICE_NAME =
       SCHEMA.optionalText("serviceName");
@@ -29,8 +29,7 @@ public final class StopCommand extends U2SAData {
 
   /** Sets {@link #stopAll()}. */
   public StopCommand stopAll(boolean value) {
-    put(STOP_ALL, value);
-    return this;
+    return put(STOP_ALL, value);
   }
 
   /** The one to stop; empty with {@link #stopAll()}. */
@@ -40,7 +39,6 @@ public final class StopCommand extends U2SAData {
 
   /** Sets {@link #serviceName()}. */
   public StopCommand serviceName(String value) {
-    put(SERVICE_NAME, value);
-    return this;
+    return put(SERVICE_NAME, value);
   }
 }

@@ -6,18 +6,47 @@ import java.util.Collection;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
-/** Kinds of points and lists. */
+/** Kinds of lists: their elements are checked, parsed, written and read as single values are. */
 final class ListKinds {
-  static final ValueKind<Point> POINT = new PointKind();
-  static final ValueKind<List<String>> TEXTS = new Texts();
-  static final ValueKind<List<Point>> POINTS = new Points();
-  static final ValueKind<List<Double>> NUMBERS = new Numbers();
-  static final ValueKind<List<Boolean>> FLAGS = new Flags();
+  static final ValueKind<List<String>> TEXTS =
+      new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT);
+  static final ValueKind<List<Point>> POINTS =
+      new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT);
+  static final ValueKind<List<Double>> NUMBERS =
+      new ListKind<>(
+          Kind.DOUBLE_LIST,
+          Double.class,
+          "numbers",
+          ",",
+          new SingleKind<>(
+              Kind.DOUBLE,
+              ListKinds::finite,
+              ListKinds::parseNumber,
+              CborWriter::number,
+              CborReader::number));
+  static final ValueKind<List<Boolean>> FLAGS =
+      new ListKind<>(Kind.BOOLEAN_LIST, Boolean.class, "true or false", ",", ScalarKinds.FLAG);
 
   private ListKinds() {}
 
   static <M extends U2SAData> ValueKind<List<M>> messages(MessageType<M> element) {
     return new Messages<>(element);
+  }
+
+  private static Double finite(Object value) {
+    double number = (Double) value;
+    if (!Double.isFinite(number)) {
+      throw ScalarKinds.expected("finite numbers, not " + number);
+    }
+    return number;
+  }
+
+  private static Double parseNumber(String text) {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException("expected numbers, not " + text, e);
+    }
   }
 
   private static <V> List<V> elements(Object value, Class<V> type, String what) {
@@ -37,204 +66,41 @@ final class ListKinds {
     return List.copyOf(copy);
   }
 
-  private record PointKind() implements ValueKind<Point> {
+  private record ListKind<V>(
+      Kind kind, Class<V> type, String what, String separator, ValueKind<V> element)
+      implements ValueKind<List<V>> {
     @Override
-    public Kind kind() {
-      return Kind.POINT;
+    public List<V> checked(Object value) {
+      List<V> values = elements(value, type, what);
+      values.forEach(element::checked);
+      return values;
     }
 
     @Override
-    public Point checked(Object value) {
-      if (value instanceof Point point) {
-        return point;
-      }
-      throw ScalarKinds.expected("a point");
-    }
-
-    @Override
-    public Point parsed(List<String> texts) {
-      String[] parts = ValueKind.only(texts).trim().split("[\\s,]+");
-      if (parts.length < 2 || parts.length > 3) {
-        throw ScalarKinds.expected("a point: two or three numbers");
-      }
-      try {
-        return Point.of(
-            Double.parseDouble(parts[0]),
-            Double.parseDouble(parts[1]),
-            parts.length == 3 ? Double.parseDouble(parts[2]) : 0.0);
-      } catch (NumberFormatException e) {
-        throw new IllegalArgumentException("expected a point: two or three numbers", e);
-      }
-    }
-
-    @Override
-    public void write(CborWriter out, Point value) throws IOException {
-      out.point(value);
-    }
-
-    @Override
-    public Point read(CborReader in) throws IOException, MalformedMessageException {
-      return in.point();
-    }
-  }
-
-  private record Texts() implements ValueKind<List<String>> {
-    @Override
-    public Kind kind() {
-      return Kind.STRING_LIST;
-    }
-
-    @Override
-    public List<String> checked(Object value) {
-      List<String> texts = elements(value, String.class, "texts");
-      texts.forEach(ScalarKinds.TEXT::checked);
-      return texts;
-    }
-
-    @Override
-    public List<String> parsed(List<String> texts) {
-      List<String> parts = new ArrayList<>();
+    public List<V> parsed(List<String> texts) {
+      List<V> values = new ArrayList<>();
       for (String text : texts) {
-        for (String part : text.split(",")) {
+        for (String part : text.split(separator)) {
           if (!part.trim().isEmpty()) {
-            parts.add(part.trim());
+            values.add(element.parsed(List.of(part.trim())));
           }
         }
       }
-      return parts;
+      return values;
     }
 
     @Override
-    public void write(CborWriter out, List<String> value) throws IOException {
-      out.beginList(value.size());
-      for (String text : value) {
-        out.text(text);
+    public void write(CborWriter out, List<V> values) throws IOException {
+      out.beginList(values.size());
+      for (V value : values) {
+        element.write(out, value);
       }
       out.endList();
     }
 
     @Override
-    public List<String> read(CborReader in) throws IOException, MalformedMessageException {
-      return in.list(in::text);
-    }
-  }
-
-  private record Points() implements ValueKind<List<Point>> {
-    @Override
-    public Kind kind() {
-      return Kind.POINT_LIST;
-    }
-
-    @Override
-    public List<Point> checked(Object value) {
-      return elements(value, Point.class, "points");
-    }
-
-    @Override
-    public List<Point> parsed(List<String> texts) {
-      List<Point> points = new ArrayList<>();
-      for (String text : texts) {
-        for (String part : text.split(";")) {
-          if (!part.trim().isEmpty()) {
-            points.add(POINT.parsed(List.of(part)));
-          }
-        }
-      }
-      return points;
-    }
-
-    @Override
-    public void write(CborWriter out, List<Point> value) throws IOException {
-      out.beginList(value.size());
-      for (Point point : value) {
-        out.point(point);
-      }
-      out.endList();
-    }
-
-    @Override
-    public List<Point> read(CborReader in) throws IOException, MalformedMessageException {
-      return in.list(in::point);
-    }
-  }
-
-  private record Numbers() implements ValueKind<List<Double>> {
-    @Override
-    public Kind kind() {
-      return Kind.DOUBLE_LIST;
-    }
-
-    @Override
-    public List<Double> checked(Object value) {
-      List<Double> numbers = elements(value, Double.class, "numbers");
-      for (double number : numbers) {
-        if (!Double.isFinite(number)) {
-          throw ScalarKinds.expected("finite numbers, not " + number);
-        }
-      }
-      return numbers;
-    }
-
-    @Override
-    public List<Double> parsed(List<String> texts) {
-      List<Double> numbers = new ArrayList<>();
-      for (String part : TEXTS.parsed(texts)) {
-        try {
-          numbers.add(Double.parseDouble(part));
-        } catch (NumberFormatException e) {
-          throw new IllegalArgumentException("expected numbers, not " + part, e);
-        }
-      }
-      return numbers;
-    }
-
-    @Override
-    public void write(CborWriter out, List<Double> value) throws IOException {
-      out.beginList(value.size());
-      for (double number : value) {
-        out.number(number);
-      }
-      out.endList();
-    }
-
-    @Override
-    public List<Double> read(CborReader in) throws IOException, MalformedMessageException {
-      return in.list(in::number);
-    }
-  }
-
-  private record Flags() implements ValueKind<List<Boolean>> {
-    @Override
-    public Kind kind() {
-      return Kind.BOOLEAN_LIST;
-    }
-
-    @Override
-    public List<Boolean> checked(Object value) {
-      return elements(value, Boolean.class, "true or false");
-    }
-
-    @Override
-    public List<Boolean> parsed(List<String> texts) {
-      List<Boolean> flags = new ArrayList<>();
-      for (String part : TEXTS.parsed(texts)) {
-        flags.add(ScalarKinds.FLAG.parsed(List.of(part)));
-      }
-      return flags;
-    }
-
-    @Override
-    public void write(CborWriter out, List<Boolean> value) throws IOException {
-      out.beginList(value.size());
-      for (boolean flag : value) {
-        out.flag(flag);
-      }
-      out.endList();
-    }
-
-    @Override
-    public List<Boolean> read(CborReader in) throws IOException, MalformedMessageException {
-      return in.list(in::flag);
+    public List<V> read(CborReader in) throws IOException, MalformedMessageException {
+      return in.list(() -> element.read(in));
     }
   }
 
@@ -277,9 +143,7 @@ final class ListKinds {
     @Override
     public List<M> copied(List<M> value) {
       List<M> copies = new ArrayList<>(value.size());
-      for (M message : value) {
-        copies.add(element.messageClass().cast(message.copy()));
-      }
+      value.forEach(message -> copies.add(element.messageClass().cast(message.copy())));
       return List.copyOf(copies);
     }
   }

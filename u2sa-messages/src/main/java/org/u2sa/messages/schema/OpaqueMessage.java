@@ -9,7 +9,7 @@ import java.util.List;
 public final class OpaqueMessage extends U2SAData {
   /** Opaque messages share this schema; their own type's names are in {@link #typeChain()}. */
   public static final MessageType<OpaqueMessage> TYPE =
-      Schema.of("OpaqueMessage", OpaqueMessage.class, OpaqueMessage::new, U2SAData.TYPE).build();
+      Schema.of(OpaqueMessage.class, OpaqueMessage::new, U2SAData.TYPE).build();
 
   OpaqueMessage() {}
 

@@ -5,14 +5,42 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /** Kinds of single values. */
 final class ScalarKinds {
-  static final ValueKind<String> TEXT = new Text();
-  static final ValueKind<Long> COUNT = new Count();
-  static final ValueKind<Boolean> FLAG = new Flag();
-  static final ValueKind<ReferenceFrame> FRAME = new Frame();
+  static final ValueKind<String> TEXT =
+      new SingleKind<>(
+          Kind.STRING, ScalarKinds::text, text -> text, CborWriter::text, CborReader::text);
+  static final ValueKind<Long> COUNT =
+      new SingleKind<>(
+          Kind.LONG,
+          ScalarKinds::count,
+          ScalarKinds::parseCount,
+          CborWriter::count,
+          CborReader::count);
+  static final ValueKind<Boolean> FLAG =
+      new SingleKind<>(
+          Kind.BOOLEAN,
+          value -> instance(value, Boolean.class, "true or false"),
+          ScalarKinds::parseFlag,
+          CborWriter::flag,
+          CborReader::flag);
+  static final ValueKind<ReferenceFrame> FRAME =
+      new SingleKind<>(
+          Kind.FRAME,
+          value -> instance(value, ReferenceFrame.class, "a reference frame"),
+          ReferenceFrame::parse,
+          (out, frame) -> out.text(frame.name()),
+          in -> ReferenceFrame.parse(in.text()));
+  static final ValueKind<Point> POINT =
+      new SingleKind<>(
+          Kind.POINT,
+          value -> instance(value, Point.class, "a point"),
+          ScalarKinds::parsePoint,
+          CborWriter::point,
+          CborReader::point);
 
   private ScalarKinds() {}
 
@@ -24,39 +52,21 @@ final class ScalarKinds {
     return new IllegalArgumentException("expected " + what);
   }
 
-  private record Text() implements ValueKind<String> {
-    @Override
-    public Kind kind() {
-      return Kind.STRING;
+  private static <V> V instance(Object value, Class<V> type, String what) {
+    if (type.isInstance(value)) {
+      return type.cast(value);
     }
+    throw expected(what);
+  }
 
-    @Override
-    public String checked(Object value) {
-      if (!(value instanceof String text)) {
-        throw expected("text");
-      }
-      if (text.length() > Limits.TEXT_BYTES / 3 // UTF-8 takes at most three bytes a char
-          && text.getBytes(StandardCharsets.UTF_8).length > Limits.TEXT_BYTES) {
-        throw expected("at most " + Limits.TEXT_BYTES + " bytes of text");
-      }
-      requireUnicode(text);
-      return text;
+  private static String text(Object value) {
+    String text = instance(value, String.class, "text");
+    if (text.length() > Limits.TEXT_BYTES / 3 // UTF-8 takes at most three bytes a char
+        && text.getBytes(StandardCharsets.UTF_8).length > Limits.TEXT_BYTES) {
+      throw expected("at most " + Limits.TEXT_BYTES + " bytes of text");
     }
-
-    @Override
-    public String parsed(List<String> texts) {
-      return ValueKind.only(texts);
-    }
-
-    @Override
-    public void write(CborWriter out, String value) throws IOException {
-      out.text(value);
-    }
-
-    @Override
-    public String read(CborReader in) throws IOException, MalformedMessageException {
-      return in.text();
-    }
+    requireUnicode(text);
+    return text;
   }
 
   /** Half a surrogate pair is no character, and UTF-8 cannot carry it. */
@@ -73,104 +83,41 @@ final class ScalarKinds {
     }
   }
 
-  private record Count() implements ValueKind<Long> {
-    @Override
-    public Kind kind() {
-      return Kind.LONG;
+  private static Long count(Object value) {
+    if (value instanceof Long || value instanceof Integer || value instanceof Short) {
+      return ((Number) value).longValue();
     }
+    throw expected("a whole number");
+  }
 
-    @Override
-    public Long checked(Object value) {
-      if (value instanceof Long || value instanceof Integer || value instanceof Short) {
-        return ((Number) value).longValue();
-      }
-      throw expected("a whole number");
-    }
-
-    @Override
-    public Long parsed(List<String> texts) {
-      try {
-        return Long.parseLong(ValueKind.only(texts).trim());
-      } catch (NumberFormatException e) {
-        throw new IllegalArgumentException("expected a whole number", e);
-      }
-    }
-
-    @Override
-    public void write(CborWriter out, Long value) throws IOException {
-      out.count(value);
-    }
-
-    @Override
-    public Long read(CborReader in) throws IOException, MalformedMessageException {
-      return in.count();
+  private static Long parseCount(String text) {
+    try {
+      return Long.parseLong(text.trim());
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException("expected a whole number", e);
     }
   }
 
-  private record Flag() implements ValueKind<Boolean> {
-    @Override
-    public Kind kind() {
-      return Kind.BOOLEAN;
-    }
-
-    @Override
-    public Boolean checked(Object value) {
-      if (value instanceof Boolean flag) {
-        return flag;
-      }
-      throw expected("true or false");
-    }
-
-    @Override
-    public Boolean parsed(List<String> texts) {
-      switch (ValueKind.only(texts).trim().toLowerCase(Locale.ROOT)) {
-        case "true":
-          return true;
-        case "false":
-          return false;
-        default:
-          throw expected("true or false");
-      }
-    }
-
-    @Override
-    public void write(CborWriter out, Boolean value) throws IOException {
-      out.flag(value);
-    }
-
-    @Override
-    public Boolean read(CborReader in) throws IOException, MalformedMessageException {
-      return in.flag();
-    }
+  private static Boolean parseFlag(String text) {
+    return switch (text.trim().toLowerCase(Locale.ROOT)) {
+      case "true" -> true;
+      case "false" -> false;
+      default -> throw expected("true or false");
+    };
   }
 
-  private record Frame() implements ValueKind<ReferenceFrame> {
-    @Override
-    public Kind kind() {
-      return Kind.FRAME;
+  private static Point parsePoint(String text) {
+    String[] parts = text.trim().split("[\\s,]+");
+    if (parts.length < 2 || parts.length > 3) {
+      throw expected("a point: two or three numbers");
     }
-
-    @Override
-    public ReferenceFrame checked(Object value) {
-      if (value instanceof ReferenceFrame frame) {
-        return frame;
-      }
-      throw expected("a reference frame");
-    }
-
-    @Override
-    public ReferenceFrame parsed(List<String> texts) {
-      return ReferenceFrame.parse(ValueKind.only(texts));
-    }
-
-    @Override
-    public void write(CborWriter out, ReferenceFrame value) throws IOException {
-      out.text(value.name());
-    }
-
-    @Override
-    public ReferenceFrame read(CborReader in) throws IOException, MalformedMessageException {
-      return ReferenceFrame.parse(in.text());
+    try {
+      return Point.of(
+          Double.parseDouble(parts[0]),
+          Double.parseDouble(parts[1]),
+          parts.length == 3 ? Double.parseDouble(parts[2]) : 0.0);
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException("expected a point: two or three numbers", e);
     }
   }
 
@@ -182,10 +129,7 @@ final class ScalarKinds {
 
     @Override
     public E checked(Object value) {
-      if (type.isInstance(value)) {
-        return type.cast(value);
-      }
-      throw expected("one of " + Arrays.toString(type.getEnumConstants()));
+      return instance(value, type, "one of " + Arrays.toString(type.getEnumConstants()));
     }
 
     @Override

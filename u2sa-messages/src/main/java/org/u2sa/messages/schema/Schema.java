@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * initialiser and nowhere else. Append new fields at the end, after a call of {@link #since}.
  *
  * <pre>{@code
- * private static final Schema<Beacon> SCHEMA = Schema.of("Beacon", Beacon.class, Beacon::new, ObjectDescription.TYPE);
+ * private static final Schema<Beacon> SCHEMA = Schema.of(Beacon.class, Beacon::new, ObjectDescription.TYPE);
  * private static final NumberField<Beacon> RANGE = SCHEMA.optionalNumber("range", "m");
  * public static final MessageType<Beacon> TYPE = SCHEMA.build();
  * }</pre>
@@ -51,11 +51,16 @@ public final class Schema<T extends U2SAData> {
   }
 
   /**
-   * The schema of a class that can be made.
+   * The schema of a class that can be made; topics and XML call it by its simple name.
    *
-   * @param name as in topics and XML; the class's simple name
    * @param empty makes a message with nothing set
    */
+  public static <T extends U2SAData> Schema<T> of(
+      Class<T> messageClass, Supplier<T> empty, MessageType<? super T> parent) {
+    return of(messageClass.getSimpleName(), messageClass, empty, parent);
+  }
+
+  /** The same under another name, as of a class that stands for one of another program. */
   public static <T extends U2SAData> Schema<T> of(
       String name, Class<T> messageClass, Supplier<T> empty, MessageType<? super T> parent) {
     return new Schema<>(new MessageType.Identity<>(name, messageClass, empty, false, parent));
@@ -68,10 +73,8 @@ public final class Schema<T extends U2SAData> {
    *     reader does not know
    */
   public static <T extends U2SAData> Schema<T> ofAbstract(
-      String name,
-      Class<T> messageClass,
-      Supplier<? extends T> carrier,
-      MessageType<? super T> parent) {
+      Class<T> messageClass, Supplier<? extends T> carrier, MessageType<? super T> parent) {
+    String name = messageClass.getSimpleName();
     return new Schema<>(new MessageType.Identity<>(name, messageClass, carrier, true, parent));
   }
 
@@ -194,7 +197,7 @@ public final class Schema<T extends U2SAData> {
 
   /** A point without which no message is published. */
   public ValueField<T, Point> requiredPoint(String field, String unit) {
-    return value(field, unit, ListKinds.POINT, FieldPresence.REQUIRED, null, false);
+    return value(field, unit, ScalarKinds.POINT, FieldPresence.REQUIRED, null, false);
   }
 
   /** A list of points, empty from the start. */

@@ -60,8 +60,7 @@ public abstract class U2SAData {
 
   /** When what the message tells was measured [µs of the run's clock]; empty until set. */
   public final OptionalLong timestamp() {
-    Long micros = get(TIMESTAMP);
-    return micros == null ? OptionalLong.empty() : OptionalLong.of(micros);
+    return optionalCount(TIMESTAMP);
   }
 
   /** Sets {@link #timestamp()}. */
@@ -168,6 +167,12 @@ public abstract class U2SAData {
     return value;
   }
 
+  /** The value of a whole number; empty if it is absent and has no default. */
+  protected final OptionalLong optionalCount(ValueField<?, Long> field) {
+    Long value = storage.get(field);
+    return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+  }
+
   /** The value, or its default; null if it has neither. */
   protected final <V> V get(ValueField<?, V> field) {
     return storage.get(field);
@@ -187,23 +192,30 @@ public abstract class U2SAData {
   }
 
   /**
-   * Sets a number.
+   * Sets a number; returns this message.
    *
    * @throws IllegalArgumentException if not finite or out of range
    * @throws IllegalStateException if frozen
    */
-  protected final void put(NumberField<?> field, double value) {
+  protected final <T extends U2SAData> T put(NumberField<T> field, double value) {
     storage.put(field, field.checked(value));
+    return self();
   }
 
   /**
-   * Sets a value.
+   * Sets a value; returns this message.
    *
    * @throws IllegalArgumentException if null, too long or otherwise out of bounds
    * @throws IllegalStateException if frozen
    */
-  protected final <V> void put(ValueField<?, V> field, V value) {
+  protected final <T extends U2SAData, V> T put(ValueField<T, V> field, V value) {
     storage.put(field, field.checked(value));
+    return self();
+  }
+
+  @SuppressWarnings("unchecked") // fields are set on messages of the class that declares them
+  private <T extends U2SAData> T self() {
+    return (T) this;
   }
 
   private static IllegalStateException missing(MessageField<?> field) {
@@ -261,6 +273,14 @@ public abstract class U2SAData {
   /** "Waypoint{uid=1, x=10.0 deg}": what is set. */
   @Override
   public final String toString() {
-    return MessageText.of(this);
+    List<String> parts = new ArrayList<>();
+    for (FieldValue field : enumerateFields()) {
+      if (field.value().isPresent()) {
+        String unit = field.unit().isEmpty() ? "" : " " + field.unit();
+        parts.add(field.name() + "=" + field.value().get() + unit);
+      }
+    }
+    List<String> chain = typeChain();
+    return chain.get(chain.size() - 1) + "{" + String.join(", ", parts) + "}";
   }
 }

@@ -1,17 +1,14 @@
 package org.u2sa.messages.shape;
 
-import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.PointConversion;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /** A solid box around the centre, upright: its height is along z. */
-public class Box extends ShapeDescription {
-  private static final Schema<Box> SCHEMA =
-      Schema.of("Box", Box.class, Box::new, ShapeDescription.TYPE);
+public class Box extends ShapeSetters<Box> {
+  private static final Schema<Box> SCHEMA = Schema.of(Box.class, Box::new, ShapeDescription.TYPE);
   private static final NumberField<Box> LENGTH = SCHEMA.number("length", "m", 0.0, 0.0);
   private static final NumberField<Box> WIDTH = SCHEMA.number("width", "m", 0.0, 0.0);
   private static final NumberField<Box> HEIGHT = SCHEMA.number("height", "m", 0.0, 0.0);
@@ -32,8 +29,7 @@ public class Box extends ShapeDescription {
 
   /** Sets {@link #length()}. */
   public Box length(double value) {
-    put(LENGTH, value);
-    return this;
+    return put(LENGTH, value);
   }
 
   /** Width, across the direction of psi [m]. */
@@ -43,8 +39,7 @@ public class Box extends ShapeDescription {
 
   /** Sets {@link #width()}. */
   public Box width(double value) {
-    put(WIDTH, value);
-    return this;
+    return put(WIDTH, value);
   }
 
   /** Height [m], half of it to each side of the centre. */
@@ -54,8 +49,7 @@ public class Box extends ShapeDescription {
 
   /** Sets {@link #height()}. */
   public Box height(double value) {
-    put(HEIGHT, value);
-    return this;
+    return put(HEIGHT, value);
   }
 
   /** Turn of the length axis from the frame's own zero [rad]: in the frame's sense of psi. */
@@ -65,8 +59,7 @@ public class Box extends ShapeDescription {
 
   /** Sets {@link #psi()}. */
   public Box psi(double value) {
-    put(PSI, value);
-    return this;
+    return put(PSI, value);
   }
 
   @Override
@@ -79,47 +72,5 @@ public class Box extends ShapeDescription {
   public double distanceTo(Point from) {
     return Shapes.toBox(
         referenceFrame(), metres(from), psi(), Point.of(length(), width(), height()));
-  }
-
-  @Override
-  public Box uid(String uid) {
-    super.uid(uid);
-    return this;
-  }
-
-  @Override
-  public Box objectType(String type) {
-    super.objectType(type);
-    return this;
-  }
-
-  @Override
-  public Box referenceFrame(ReferenceFrame frame) {
-    super.referenceFrame(frame);
-    return this;
-  }
-
-  @Override
-  public Box x(double x) {
-    super.x(x);
-    return this;
-  }
-
-  @Override
-  public Box y(double y) {
-    super.y(y);
-    return this;
-  }
-
-  @Override
-  public Box z(double z) {
-    super.z(z);
-    return this;
-  }
-
-  @Override
-  public Box level(ObjectLevel level) {
-    super.level(level);
-    return this;
   }
 }

@@ -1,16 +1,14 @@
 package org.u2sa.messages.shape;
 
-import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /** A disc in the x-y plane around the centre. */
-public class Circle extends ShapeDescription {
+public class Circle extends ShapeSetters<Circle> {
   private static final Schema<Circle> SCHEMA =
-      Schema.of("Circle", Circle.class, Circle::new, ShapeDescription.TYPE);
+      Schema.of(Circle.class, Circle::new, ShapeDescription.TYPE);
   private static final NumberField<Circle> RADIUS = SCHEMA.number("radius", "m", 0.0, 0.0);
 
   /** The schema. */
@@ -28,54 +26,11 @@ public class Circle extends ShapeDescription {
 
   /** Sets {@link #radius()}. */
   public Circle radius(double value) {
-    put(RADIUS, value);
-    return this;
+    return put(RADIUS, value);
   }
 
   @Override
   public double distanceTo(Point from) {
     return Shapes.toDisc(metres(from), radius(), 0.0);
-  }
-
-  @Override
-  public Circle uid(String uid) {
-    super.uid(uid);
-    return this;
-  }
-
-  @Override
-  public Circle objectType(String type) {
-    super.objectType(type);
-    return this;
-  }
-
-  @Override
-  public Circle referenceFrame(ReferenceFrame frame) {
-    super.referenceFrame(frame);
-    return this;
-  }
-
-  @Override
-  public Circle x(double x) {
-    super.x(x);
-    return this;
-  }
-
-  @Override
-  public Circle y(double y) {
-    super.y(y);
-    return this;
-  }
-
-  @Override
-  public Circle z(double z) {
-    super.z(z);
-    return this;
-  }
-
-  @Override
-  public Circle level(ObjectLevel level) {
-    super.level(level);
-    return this;
   }
 }

@@ -14,7 +14,7 @@ import org.u2sa.messages.schema.ValueField;
  */
 public class PointCloud extends ObjectDescription {
   private static final Schema<PointCloud> SCHEMA =
-      Schema.of("PointCloud", PointCloud.class, PointCloud::new, ObjectDescription.TYPE);
+      Schema.of(PointCloud.class, PointCloud::new, ObjectDescription.TYPE);
   private static final ValueField<PointCloud, List<Point>> POINTS = SCHEMA.points("points", "m");
 
   /** The schema. */
@@ -32,8 +32,7 @@ public class PointCloud extends ObjectDescription {
 
   /** Sets {@link #points()}. */
   public PointCloud points(List<Point> value) {
-    put(POINTS, value);
-    return this;
+    return put(POINTS, value);
   }
 
   @Override

@@ -1,17 +1,15 @@
 package org.u2sa.messages.shape;
 
-import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.PointConversion;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /** A rectangle in the x-y plane around the centre. */
-public class Rectangle extends ShapeDescription {
+public class Rectangle extends ShapeSetters<Rectangle> {
   private static final Schema<Rectangle> SCHEMA =
-      Schema.of("Rectangle", Rectangle.class, Rectangle::new, ShapeDescription.TYPE);
+      Schema.of(Rectangle.class, Rectangle::new, ShapeDescription.TYPE);
   private static final NumberField<Rectangle> LENGTH = SCHEMA.number("length", "m", 0.0, 0.0);
   private static final NumberField<Rectangle> WIDTH = SCHEMA.number("width", "m", 0.0, 0.0);
   private static final NumberField<Rectangle> PSI = SCHEMA.number("psi", "rad", 0.0);
@@ -31,8 +29,7 @@ public class Rectangle extends ShapeDescription {
 
   /** Sets {@link #length()}. */
   public Rectangle length(double value) {
-    put(LENGTH, value);
-    return this;
+    return put(LENGTH, value);
   }
 
   /** Width, across the direction of psi [m]. */
@@ -42,8 +39,7 @@ public class Rectangle extends ShapeDescription {
 
   /** Sets {@link #width()}. */
   public Rectangle width(double value) {
-    put(WIDTH, value);
-    return this;
+    return put(WIDTH, value);
   }
 
   /** Turn of the length axis from the frame's own zero [rad]: in the frame's sense of psi. */
@@ -53,8 +49,7 @@ public class Rectangle extends ShapeDescription {
 
   /** Sets {@link #psi()}. */
   public Rectangle psi(double value) {
-    put(PSI, value);
-    return this;
+    return put(PSI, value);
   }
 
   @Override
@@ -66,47 +61,5 @@ public class Rectangle extends ShapeDescription {
   @Override
   public double distanceTo(Point from) {
     return Shapes.toBox(referenceFrame(), metres(from), psi(), Point.of(length(), width(), 0.0));
-  }
-
-  @Override
-  public Rectangle uid(String uid) {
-    super.uid(uid);
-    return this;
-  }
-
-  @Override
-  public Rectangle objectType(String type) {
-    super.objectType(type);
-    return this;
-  }
-
-  @Override
-  public Rectangle referenceFrame(ReferenceFrame frame) {
-    super.referenceFrame(frame);
-    return this;
-  }
-
-  @Override
-  public Rectangle x(double x) {
-    super.x(x);
-    return this;
-  }
-
-  @Override
-  public Rectangle y(double y) {
-    super.y(y);
-    return this;
-  }
-
-  @Override
-  public Rectangle z(double z) {
-    super.z(z);
-    return this;
-  }
-
-  @Override
-  public Rectangle level(ObjectLevel level) {
-    super.level(level);
-    return this;
   }
 }

@@ -11,9 +11,7 @@ import org.u2sa.messages.schema.Schema;
 public abstract class ShapeDescription extends ObjectDescription {
   /** The schema. */
   public static final MessageType<ShapeDescription> TYPE =
-      Schema.ofAbstract(
-              "ShapeDescription", ShapeDescription.class, UnknownShape::new, ObjectDescription.TYPE)
-          .build();
+      Schema.ofAbstract(ShapeDescription.class, UnknownShape::new, ObjectDescription.TYPE).build();
 
   @Override
   public MessageType<? extends ShapeDescription> type() {

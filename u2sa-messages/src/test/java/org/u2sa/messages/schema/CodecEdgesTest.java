@@ -85,6 +85,6 @@ class CodecEdgesTest {
     assertThat(Waypoint.TYPE.field("uid").orElseThrow().kind()).isEqualTo(Kind.STRING);
     assertThat(Waypoint.TYPE.field("completed").orElseThrow().kind()).isEqualTo(Kind.BOOLEAN);
     assertThat(GoalList.TYPE.field("goals").orElseThrow().kind()).isEqualTo(Kind.MESSAGE_LIST);
-    assertThat(ListKinds.POINT.kind()).isEqualTo(Kind.POINT);
+    assertThat(ScalarKinds.POINT.kind()).isEqualTo(Kind.POINT);
   }
 }

@@ -3,13 +3,11 @@ package org.u2sa.scenarios.cessna;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.StartPlace;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Simulation;
@@ -41,13 +39,13 @@ final class CessnaDemo implements Callable<Integer>, Demo {
       names = "--wind",
       paramLabel = "WIND",
       description =
-          "calm, or m/s@degrees it blows from, such as 5@270. Default: by the seed, up to 8 m/s.")
+          "calm, or SPEED@DIRECTION in m/s and degrees true, such as 5@270 for a west wind. Default: by the seed, up to 8 m/s.")
   private String wind;
 
   @Option(
       names = "--shear",
       description =
-          "Wind grows with height: --wind is 6 m above ground, 1.8 times as much blows at 300 m. Default: alike at every height.")
+          "Wind increases with height: --wind is the wind 6 m above ground; at 300 m it is 1.8 times as strong. Default: constant with height.")
   private boolean shear;
 
   @Override
@@ -66,19 +64,15 @@ final class CessnaDemo implements Callable<Integer>, Demo {
   }
 
   @Override
-  public StartPlace start(Mission mission) {
+  public RunPlan.Start start(Mission mission) {
     return onRunway(mission);
   }
 
   /** Where the aircraft stands on the runway. */
-  static StartPlace onRunway(Mission mission) {
+  static RunPlan.Start onRunway(Mission mission) {
     RunwayStart start = EmbeddedStart.of(mission);
-    return new StartPlace(
-        start.longitudeDeg(),
-        start.latitudeDeg(),
-        start.elevationM(),
-        start.headingRad(),
-        OptionalDouble.empty());
+    return new RunPlan.Start(
+        start.longitudeDeg(), start.latitudeDeg(), start.elevationM(), start.headingRad());
   }
 
   @Override

@@ -9,14 +9,15 @@ final class FlightGearPorts {
       names = "--out-port",
       paramLabel = "PORT",
       defaultValue = "5501",
-      description = "Here FlightGear's readings are awaited. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Port on which U2SA listens for FlightGear's readings. Default: ${DEFAULT-VALUE}.")
   private int out;
 
   @Option(
       names = "--in-port",
       paramLabel = "PORT",
       defaultValue = "5502",
-      description = "There FlightGear awaits controls. Default: ${DEFAULT-VALUE}.")
+      description = "Port on which FlightGear listens for controls. Default: ${DEFAULT-VALUE}.")
   private int in;
 
   @Option(
@@ -24,7 +25,7 @@ final class FlightGearPorts {
       paramLabel = "PORT",
       defaultValue = "5503",
       description =
-          "FlightGear's property server, which repairs a cut link; 0: none. Default: ${DEFAULT-VALUE}.")
+          "Port of FlightGear's property server, used to restore a lost link; 0: none. Default: ${DEFAULT-VALUE}.")
   private int property;
 
   int out() {

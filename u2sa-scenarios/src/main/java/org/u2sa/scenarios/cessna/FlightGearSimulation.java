@@ -85,7 +85,6 @@ final class FlightGearSimulation implements Simulation {
         ports.out(),
         ports.in(),
         ports.property() == 0 ? "" : " --props=socket,bi,20,," + ports.property() + ",tcp");
-    out.flush();
   }
 
   private static String number(double value) {

@@ -10,7 +10,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.scenarios.report.StartPlace;
+import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Simulation;
@@ -49,7 +49,7 @@ final class FlyCommand implements Callable<Integer>, Demo {
 
   @Option(
       names = "--no-start",
-      description = "Do not start FlightGear: it is started by hand on this machine.")
+      description = "Do not start FlightGear; start it by hand on this machine.")
   private boolean noStart;
 
   @Option(
@@ -63,7 +63,7 @@ final class FlyCommand implements Callable<Integer>, Demo {
       names = "--wait",
       paramLabel = "SECONDS",
       description =
-          "Give up when nothing was heard of FlightGear for so long. Default: 300 before the flight, 60 in flight.")
+          "Give up after this long without readings from FlightGear. Default: 300 before the flight, 60 in flight.")
   private Double waitS;
 
   @Override
@@ -81,7 +81,7 @@ final class FlyCommand implements Callable<Integer>, Demo {
   }
 
   @Override
-  public StartPlace start(Mission mission) {
+  public RunPlan.Start start(Mission mission) {
     return CessnaDemo.onRunway(mission);
   }
 

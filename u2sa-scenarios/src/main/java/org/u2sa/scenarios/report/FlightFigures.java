@@ -23,9 +23,16 @@ public record FlightFigures(
     boolean tookOff) {
   private static final double LEVEL_WITHIN_M = 1.0; // altitudes of a level leg's ends
 
+  /** {@link #maxBankRad} in degrees. */
+  public OptionalDouble maxBankDeg() {
+    return maxBankRad.isPresent()
+        ? OptionalDouble.of(Math.toDegrees(maxBankRad.getAsDouble()))
+        : maxBankRad;
+  }
+
   /** Of the run {@code track} of {@code plan}. */
   static FlightFigures of(RunPlan plan, List<TrackSample> track) {
-    RootMeanSquare altitude = new RootMeanSquare();
+    RunScorer.RootMeanSquare altitude = new RunScorer.RootMeanSquare();
     for (int leg = 1; leg < plan.waypoints().size(); leg++) {
       scoreAltitude(plan.waypoints().get(leg - 1), plan.waypoints().get(leg), leg, track, altitude);
     }
@@ -39,11 +46,11 @@ public record FlightFigures(
   }
 
   private static void scoreAltitude(
-      PlannedWaypoint from,
-      PlannedWaypoint to,
+      RunPlan.Waypoint from,
+      RunPlan.Waypoint to,
       int leg,
       List<TrackSample> track,
-      RootMeanSquare altitude) {
+      RunScorer.RootMeanSquare altitude) {
     if (!isLevel(from, to)) {
       return;
     }
@@ -57,7 +64,7 @@ public record FlightFigures(
     }
   }
 
-  private static boolean isLevel(PlannedWaypoint from, PlannedWaypoint to) {
+  private static boolean isLevel(RunPlan.Waypoint from, RunPlan.Waypoint to) {
     OptionalDouble a = from.altitudeM();
     OptionalDouble b = to.altitudeM();
     return a.isPresent()
@@ -72,7 +79,7 @@ public record FlightFigures(
       if (track.isEmpty()) {
         return new Airborne(false, OptionalDouble.empty(), OptionalDouble.empty());
       }
-      double ground = plan.home().map(StartPlace::altitudeM).orElse(track.get(0).altitudeM());
+      double ground = plan.home().map(RunPlan.Start::altitudeM).orElse(track.get(0).altitudeM());
       boolean tookOff = false;
       double bank = 0.0;
       double airspeed = Double.POSITIVE_INFINITY;

@@ -25,7 +25,7 @@ final class Ink {
   static final Color CAPTURED_AREA = new Color(0x00, 0x9e, 0x73, 0x24);
   static final Color MISSED = new Color(0xd55e00);
   static final Color MISSED_AREA = new Color(0xd5, 0x5e, 0x00, 0x24);
-  static final Color RUNWAY = new Color(0x3a4250);
+  static final Color HOME = new Color(0x3a4250);
   static final Color FLOWN_AREA = new Color(0x31, 0x68, 0x8e, 0x20);
 
   static final Pen GRID = Pen.solid(FAINT, 1.0);

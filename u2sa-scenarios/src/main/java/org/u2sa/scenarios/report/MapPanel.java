@@ -8,14 +8,13 @@ import org.u2sa.scenarios.report.Drawing.Anchor;
 import org.u2sa.scenarios.report.Drawing.Pen;
 
 /**
- * Draws the map: grid, runway, fence, planned line, track, waypoints with their capture circles and
+ * Draws the map: grid, home, fence, planned line, track, waypoints with their capture circles and
  * names.
  */
 final class MapPanel {
 
   private static final double M_PER_KM = 1000.0;
   private static final double KM_FROM_M = 1000.0; // smaller maps are labelled in metres
-  private static final double LEAST_RUNWAY_WIDTH = 11.0; // px
   private static final double LINE_WIDTH = 3.4;
   private static final double LEADER_FROM =
       14.0; // a label farther from its waypoint gets a leader line [px]
@@ -59,7 +58,7 @@ final class MapPanel {
           captureCircles();
           drawing.polyline(fence(), new Pen(Ink.MISSED, 2.0, 5.0));
           drawing.polyline(planned(), new Pen(Ink.PLANNED, 2.0, 7.0));
-          plan.home().ifPresent(this::runway);
+          plan.home().ifPresent(this::home);
           line.draw(drawing, LINE_WIDTH);
           signs.forEach(
               sign -> WaypointSign.draw(drawing, view.pixel(sign.waypoint()), sign.captured()));
@@ -124,23 +123,11 @@ final class MapPanel {
     return line;
   }
 
-  private void runway(StartPlace home) {
-    PlotPlane.Place start = view.plane().place(home.longitudeDeg(), home.latitudeDeg());
-    Point2D.Double from = view.pixel(start);
-    if (home.runwayLengthM().isPresent()) {
-      double length = home.runwayLengthM().getAsDouble();
-      Point2D.Double to =
-          view.pixel(
-              new PlotPlane.Place(
-                  start.eastM() + length * Math.sin(home.headingRad()),
-                  start.northM() + length * Math.cos(home.headingRad())));
-      double width = Math.max(LEAST_RUNWAY_WIDTH, 30.0 * view.pixelsPerMetre());
-      drawing.line(from.x, from.y, to.x, to.y, Pen.solid(Ink.RUNWAY, width));
-      drawing.line(from.x, from.y, to.x, to.y, new Pen(Ink.PAPER, 1.2, 6.0));
-    }
+  private void home(RunPlan.Start home) {
+    Point2D.Double at = view.pixel(view.plane().place(home.longitudeDeg(), home.latitudeDeg()));
     drawing.draw(
-        new Rectangle2D.Double(from.x - 6.0, from.y - 6.0, 12.0, 12.0),
-        Ink.RUNWAY,
+        new Rectangle2D.Double(at.x - 6.0, at.y - 6.0, 12.0, 12.0),
+        Ink.HOME,
         Pen.solid(Ink.PAPER, 1.5));
   }
 

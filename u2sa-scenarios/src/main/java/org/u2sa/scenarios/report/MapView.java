@@ -35,7 +35,7 @@ record MapView(
   }
 
   private static PlotPlane plane(RunPlan plan, List<TrackSample> track) {
-    Optional<StartPlace> home = plan.home();
+    Optional<RunPlan.Start> home = plan.home();
     if (home.isPresent()) {
       return new PlotPlane(home.get().longitudeDeg(), home.get().latitudeDeg());
     }
@@ -51,7 +51,7 @@ record MapView(
     return new Point2D.Double(x(place.eastM()), y(place.northM()));
   }
 
-  Point2D.Double pixel(PlannedWaypoint waypoint) {
+  Point2D.Double pixel(RunPlan.Waypoint waypoint) {
     return pixel(plane.place(waypoint));
   }
 

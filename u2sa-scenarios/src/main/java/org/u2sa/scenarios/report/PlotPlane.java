@@ -24,7 +24,7 @@ record PlotPlane(double longitudeDeg, double latitudeDeg) {
     }
   }
 
-  PlotPlane(PlannedWaypoint waypoint) {
+  PlotPlane(RunPlan.Waypoint waypoint) {
     this(waypoint.longitudeDeg(), waypoint.latitudeDeg());
   }
 
@@ -44,7 +44,7 @@ record PlotPlane(double longitudeDeg, double latitudeDeg) {
     return place(sample.longitudeDeg(), sample.latitudeDeg());
   }
 
-  Place place(PlannedWaypoint waypoint) {
+  Place place(RunPlan.Waypoint waypoint) {
     return place(waypoint.longitudeDeg(), waypoint.latitudeDeg());
   }
 }

@@ -30,7 +30,7 @@ record Quantity(
     double base,
     ToDoubleFunction<TrackSample> of,
     String plannedName,
-    Function<PlannedWaypoint, OptionalDouble> planned) {
+    Function<RunPlan.Waypoint, OptionalDouble> planned) {
 
   private static final double LEAST_ALTITUDE_SPAN_M = 100.0;
   private static final double LEAST_SPEED_SPAN_MPS = 0.5;
@@ -56,7 +56,7 @@ record Quantity(
   private static Quantity altitude(RunPlan plan, List<TrackSample> track) {
     DoubleStream planned =
         Stream.concat(
-                plan.home().stream().map(StartPlace::altitudeM),
+                plan.home().stream().map(RunPlan.Start::altitudeM),
                 plan.waypoints().stream()
                     .filter(w -> w.altitudeM().isPresent())
                     .map(w -> w.altitudeM().getAsDouble()))
@@ -76,7 +76,7 @@ record Quantity(
         Double.NEGATIVE_INFINITY,
         TrackSample::altitudeM,
         "of the waypoint flown to",
-        PlannedWaypoint::altitudeM);
+        RunPlan.Waypoint::altitudeM);
   }
 
   private static Quantity speed(List<TrackSample> track) {

@@ -6,8 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.gcs.command.ReportException;
+import java.util.OptionalInt;
 import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 
 /**
@@ -22,7 +23,7 @@ import org.u2sa.interfaces.BadInputException;
  * @param track where the vehicle was, truth, oldest first
  * @param score how well, see {@link RunScorer}
  */
-public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, RunScore score) {
+public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunScore score) {
 
   /** Name of the file that programs read. */
   public static final String SUMMARY = "summary.json";
@@ -32,7 +33,7 @@ public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, R
   }
 
   /** Scores a run and makes its report. */
-  public static RunReport of(RunFacts facts, RunPlan plan, Track track, RunOutcome outcome) {
+  public static RunReport of(Facts facts, RunPlan plan, Track track, RunOutcome outcome) {
     return new RunReport(
         facts, plan, track.samples(), RunScorer.score(plan, track.samples(), outcome));
   }
@@ -58,15 +59,15 @@ public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, R
    *
    * @return empty, or why there is no {@code track.svg} and {@code track.png}: a Java without fonts
    *     cannot draw, and a run is not lost for that
-   * @throws ReportException naming the file and the system's reason if one cannot be written; there
-   *     is no {@code summary.json} then
+   * @throws RunFailedException naming the file and the system's reason if one cannot be written;
+   *     there is no {@code summary.json} then
    */
   public Optional<String> write(Path directory) {
     try {
       Files.createDirectories(directory);
       Files.deleteIfExists(directory.resolve(SUMMARY));
     } catch (IOException e) {
-      throw new ReportException("cannot write to " + directory + ": " + ReportFile.reason(e), e);
+      throw new RunFailedException("cannot write to " + directory + ": " + ReportFile.reason(e), e);
     }
     String title = TrackPicture.title(facts, score);
     ReportFile.writeText(
@@ -94,4 +95,18 @@ public record RunReport(RunFacts facts, RunPlan plan, List<TrackSample> track, R
   public void writeSummary(Writer out) throws IOException {
     SummaryJson.write(out, plan.domain(), facts, score);
   }
+
+  /**
+   * What a summary tells of a run besides its score.
+   *
+   * @param demo name of the demo or system, e.g. {@code cessna}; heads the picture
+   * @param seed seed of everything random in the run
+   * @param simulator what simulated the vehicle, e.g. {@code embedded} or {@code FlightGear
+   *     2020.3.16}
+   * @param wallSeconds time of the wall clock that the run took [s], more than 0
+   * @param goalsCompleted goals that the Mission Manager called completed, by its estimates; empty:
+   *     not asked
+   */
+  public record Facts(
+      String demo, long seed, String simulator, double wallSeconds, OptionalInt goalsCompleted) {}
 }

@@ -3,6 +3,7 @@ package org.u2sa.scenarios.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * Scores a run against its plan by truth alone. Between samples the vehicle is taken to go
@@ -30,8 +31,8 @@ public final class RunScorer {
     RootMeanSquare wholeLegs = new RootMeanSquare();
     double settlingM = plan.domain().settlingDistanceM();
     for (int leg = 1; leg < plan.waypoints().size(); leg++) {
-      PlannedWaypoint from = plan.waypoints().get(leg - 1);
-      PlannedWaypoint to = plan.waypoints().get(leg);
+      RunPlan.Waypoint from = plan.waypoints().get(leg - 1);
+      RunPlan.Waypoint to = plan.waypoints().get(leg);
       scoreCrossTrack(from, to, leg, track, settlingM, straights, wholeLegs);
     }
     return new RunScore(
@@ -44,8 +45,8 @@ public final class RunScorer {
   }
 
   private static void scoreCrossTrack(
-      PlannedWaypoint from,
-      PlannedWaypoint to,
+      RunPlan.Waypoint from,
+      RunPlan.Waypoint to,
       int leg,
       List<TrackSample> track,
       double settlingM,
@@ -72,6 +73,37 @@ public final class RunScorer {
       if (alongA >= settlingM) {
         straights.add(duration, crossA, crossB);
       }
+    }
+  }
+
+  /**
+   * Root of the mean square over time of a quantity that runs straight between its samples, so that
+   * uneven sampling weighs nothing wrongly.
+   */
+  static final class RootMeanSquare {
+
+    private double squareSeconds;
+    private double seconds;
+    private double largest;
+
+    /** The quantity went from {@code from} to {@code to} in {@code durationS}. */
+    void add(double durationS, double from, double to) {
+      squareSeconds +=
+          durationS * (from * from + from * to + to * to) / 3.0; // ∫ of a squared straight line
+      seconds += durationS;
+      largest = Math.max(largest, Math.max(Math.abs(from), Math.abs(to)));
+    }
+
+    /** Empty if nothing was added. */
+    OptionalDouble value() {
+      return seconds > 0.0
+          ? OptionalDouble.of(Math.sqrt(squareSeconds / seconds))
+          : OptionalDouble.empty();
+    }
+
+    /** Largest absolute value; empty if nothing was added. */
+    OptionalDouble largest() {
+      return seconds > 0.0 ? OptionalDouble.of(largest) : OptionalDouble.empty();
     }
   }
 }

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Stream;
-import org.u2sa.gcs.command.ReportException;
 import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.gcs.command.RunFailedException;
 
 /**
  * Several runs of one mission, by their seeds: the worst of each figure, and a line a run.
@@ -37,7 +37,7 @@ public record RunSeries(List<RunReport> reports) {
    * Writes {@code summary.json} of the whole into {@code directory}, beside the directories of its
    * runs.
    *
-   * @throws ReportException if it cannot be written
+   * @throws RunFailedException if it cannot be written
    */
   public void write(Path directory) {
     ReportFile.writeText(directory.resolve(RunReport.SUMMARY), this::writeSummary);
@@ -63,10 +63,7 @@ public record RunSeries(List<RunReport> reports) {
             "worstAltitudeErrorM",
             worst(r -> flight(r).altitudeMaxErrorM()),
             "no level leg was flown");
-        json.number(
-            "worstBankDeg",
-            worst(r -> SummaryNumbers.degrees(flight(r).maxBankRad())),
-            "nothing took off");
+        json.number("worstBankDeg", worst(r -> flight(r).maxBankDeg()), "nothing took off");
       }
       generator.writeArrayFieldStart("perRun");
       for (RunReport report : reports) {
@@ -105,7 +102,7 @@ public record RunSeries(List<RunReport> reports) {
   private static void flight(SummaryNumbers json, FlightFigures flight, String of)
       throws IOException {
     json.number("altitudeMaxErrorM", flight.altitudeMaxErrorM(), "no level leg was flown", of);
-    json.number("maxBankDeg", SummaryNumbers.degrees(flight.maxBankRad()), "did not take off", of);
+    json.number("maxBankDeg", flight.maxBankDeg(), "did not take off", of);
     json.generator().writeBooleanField("tookOff", flight.tookOff());
   }
 

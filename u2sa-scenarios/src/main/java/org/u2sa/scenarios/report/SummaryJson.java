@@ -20,13 +20,14 @@ final class SummaryJson {
   }
 
   /** Writes the summary and leaves {@code out} open. */
-  static void write(Writer out, Domain domain, RunFacts facts, RunScore score) throws IOException {
+  static void write(Writer out, Domain domain, RunReport.Facts facts, RunScore score)
+      throws IOException {
     try (SummaryNumbers numbers = new SummaryNumbers(out)) {
       new SummaryJson(numbers).run(domain, facts, score);
     }
   }
 
-  private void run(Domain domain, RunFacts facts, RunScore score) throws IOException {
+  private void run(Domain domain, RunReport.Facts facts, RunScore score) throws IOException {
     int planned = score.waypoints().size();
     json.writeStartObject();
     json.writeStringField("demo", facts.demo());
@@ -93,7 +94,7 @@ final class SummaryJson {
     numbers.number("altitudeRmsM", score.altitudeRmsM(), noLevel);
     numbers.number("altitudeMaxErrorM", score.altitudeMaxErrorM(), noLevel);
     String noFlight = "the vehicle did not take off";
-    numbers.number("maxBankDeg", SummaryNumbers.degrees(score.maxBankRad()), noFlight);
+    numbers.number("maxBankDeg", score.maxBankDeg(), noFlight);
     numbers.number("minAirspeedMps", score.minAirspeedMps(), noFlight);
     json.writeBooleanField("tookOff", score.tookOff());
   }

@@ -73,8 +73,4 @@ final class SummaryNumbers implements Closeable {
     out.write('\n');
     out.flush();
   }
-
-  static OptionalDouble degrees(OptionalDouble radians) {
-    return radians.isPresent() ? OptionalDouble.of(Math.toDegrees(radians.getAsDouble())) : radians;
-  }
 }

@@ -67,11 +67,11 @@ final class TrackKml {
             ? "      <altitudeMode>absolute</altitudeMode>\n"
             : "      <altitudeMode>clampToGround</altitudeMode>\n");
     out.write("      <coordinates>\n");
-    double altitude = plan.home().map(StartPlace::altitudeM).orElse(0.0);
+    double altitude = plan.home().map(RunPlan.Start::altitudeM).orElse(0.0);
     if (plan.home().isPresent()) {
       coordinates(out, plan.home().get().longitudeDeg(), plan.home().get().latitudeDeg(), altitude);
     }
-    for (PlannedWaypoint waypoint : plan.waypoints()) {
+    for (RunPlan.Waypoint waypoint : plan.waypoints()) {
       altitude = waypoint.altitudeM().orElse(altitude);
       coordinates(out, waypoint.longitudeDeg(), waypoint.latitudeDeg(), altitude);
     }
@@ -79,7 +79,7 @@ final class TrackKml {
   }
 
   private static void waypoint(Writer out, WaypointResult result) throws IOException {
-    PlannedWaypoint waypoint = result.waypoint();
+    RunPlan.Waypoint waypoint = result.waypoint();
     out.write(
         "  <Placemark>\n    <name>"
             + EscapedXml.of(waypoint.name())

@@ -24,7 +24,7 @@ final class TrackPicture {
 
   private TrackPicture() {}
 
-  static String title(RunFacts facts, RunScore score) {
+  static String title(RunReport.Facts facts, RunScore score) {
     return String.format(
         Locale.ROOT,
         "%s, seed %d: %d of %d waypoints captured",
@@ -35,7 +35,11 @@ final class TrackPicture {
   }
 
   static void draw(
-      Drawing drawing, RunFacts facts, RunPlan plan, RunScore score, List<TrackSample> track) {
+      Drawing drawing,
+      RunReport.Facts facts,
+      RunPlan plan,
+      RunScore score,
+      List<TrackSample> track) {
     Quantity colour = Quantity.onMap(plan, track);
     drawing.draw(new Rectangle2D.Double(0.0, 0.0, WIDTH, HEIGHT), Ink.PAPER, null);
     drawing.text(LEFT, 58.0, title(facts, score), Ink.TITLE);
@@ -53,7 +57,7 @@ final class TrackPicture {
         + (score.outcome().stalled() ? "STALLED    " : "");
   }
 
-  private static String subtitle(RunFacts facts, Domain domain, RunScore score) {
+  private static String subtitle(RunReport.Facts facts, Domain domain, RunScore score) {
     List<String> parts = new ArrayList<>();
     String rms = domain == Domain.AIR ? "cross-track RMS %.1f m" : "cross-track RMS %.2f m";
     add(parts, rms, score.crossTrackRmsM());
@@ -65,13 +69,7 @@ final class TrackPicture {
 
   private static void add(List<String> parts, FlightFigures flight) {
     add(parts, "altitude RMS %.1f m on level legs", flight.altitudeRmsM());
-    if (flight.maxBankRad().isPresent()) {
-      parts.add(
-          String.format(
-              Locale.ROOT,
-              "bank up to %.0f\u00b0",
-              Math.toDegrees(flight.maxBankRad().getAsDouble())));
-    }
+    add(parts, "bank up to %.0f\u00b0", flight.maxBankDeg());
   }
 
   private static void add(List<String> parts, String pattern, OptionalDouble value) {

@@ -16,7 +16,7 @@ import java.util.OptionalDouble;
  *     radius and, if there is one, within the vertical threshold
  */
 public record WaypointResult(
-    PlannedWaypoint waypoint,
+    RunPlan.Waypoint waypoint,
     OptionalDouble missM,
     OptionalDouble altitudeErrorM,
     OptionalDouble timeS,
@@ -27,7 +27,7 @@ public record WaypointResult(
    *
    * @param leg index of the waypoint as {@link TrackSample#leg()} has it
    */
-  static WaypointResult of(PlannedWaypoint waypoint, int leg, List<TrackSample> track) {
+  static WaypointResult of(RunPlan.Waypoint waypoint, int leg, List<TrackSample> track) {
     Approach approach = new Approach(waypoint);
     for (int i = 0; i < track.size(); i++) {
       if (track.get(i).leg() == leg) {
@@ -40,14 +40,14 @@ public record WaypointResult(
 
   /** What is known so far, and how each further straight of the track changes it. */
   private static final class Approach {
-    private final PlannedWaypoint waypoint;
+    private final RunPlan.Waypoint waypoint;
     private final PlotPlane plane;
     private double miss = Double.POSITIVE_INFINITY;
     private double altitude;
     private double time;
     private boolean captured;
 
-    Approach(PlannedWaypoint waypoint) {
+    Approach(RunPlan.Waypoint waypoint) {
       this.waypoint = waypoint;
       plane = new PlotPlane(waypoint);
     }

@@ -13,7 +13,7 @@ import org.u2sa.scenarios.report.Drawing.Pen;
  * @param waypoint the first one
  * @param captured whether all were
  */
-record WaypointSign(int index, PlannedWaypoint waypoint, boolean captured) {
+record WaypointSign(int index, RunPlan.Waypoint waypoint, boolean captured) {
 
   /** Half the size of the sign [px]. */
   static final double MARK_RADIUS = 5.0;
@@ -34,9 +34,9 @@ record WaypointSign(int index, PlannedWaypoint waypoint, boolean captured) {
     return signs;
   }
 
-  private static int at(List<WaypointSign> signs, PlannedWaypoint waypoint) {
+  private static int at(List<WaypointSign> signs, RunPlan.Waypoint waypoint) {
     for (int i = 0; i < signs.size(); i++) {
-      PlannedWaypoint other = signs.get(i).waypoint();
+      RunPlan.Waypoint other = signs.get(i).waypoint();
       if (other.longitudeDeg() == waypoint.longitudeDeg()
           && other.latitudeDeg() == waypoint.latitudeDeg()) {
         return i;

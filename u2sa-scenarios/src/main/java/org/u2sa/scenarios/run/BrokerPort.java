@@ -39,7 +39,7 @@ final class BrokerPort {
       names = "--port",
       paramLabel = "PORT",
       description =
-          "TCP port where other MQTT clients can listen; 0: nowhere. Default: the configured one, or a free one if that is taken.")
+          "TCP port for other MQTT clients; 0: none. Default: the configured port, or a free one if that is taken.")
   private void port(int value) {
     if (value < 0 || value > HIGHEST_PORT) {
       throw new ParameterException(

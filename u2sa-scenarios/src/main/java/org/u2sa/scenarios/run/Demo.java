@@ -7,7 +7,6 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.StartPlace;
 
 /** What one demo adds to what all demos do: its files, and what a run of it consists of. */
 public interface Demo {
@@ -42,7 +41,7 @@ public interface Demo {
    *
    * @throws org.u2sa.interfaces.BadInputException if it has none on the earth
    */
-  default StartPlace start(Mission mission) {
+  default RunPlan.Start start(Mission mission) {
     return RunPlans.start(mission);
   }
 

@@ -27,7 +27,7 @@ public final class DemoFrame {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
-  /** Where people read of the run. */
+  /** Where messages for people go. */
   public Terminal terminal() {
     return options.terminal();
   }
@@ -80,8 +80,7 @@ public final class DemoFrame {
                       name,
                       system,
                       plan,
-                      demo.profile().readyWithinS()
-                          + RunPlans.lengthM(plan) / demo.profile().slowestMps(),
+                      demo.profile().readyWithinS() + plan.lengthM() / demo.profile().slowestMps(),
                       trial.observer(),
                       directory,
                       terminal(),

@@ -34,7 +34,7 @@ public final class DemoOptions {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "Where the files of the run go; default: out/<demo>-<time or seed>.")
+      description = "Output folder. Default: out/<demo>-<time or seed>.")
   private Path out;
 
   @Option(
@@ -44,14 +44,14 @@ public final class DemoOptions {
 
   @Option(
       names = "--realtime",
-      description = "Run at the speed of the world instead of as fast as the machine allows.")
+      description = "Run in real time instead of as fast as the machine allows.")
   private boolean realtime;
 
   @Option(
       names = "--seed",
       paramLabel = "N",
       description =
-          "Seed of all that is drawn at random: the same seed gives the same run, to the byte. Default: "
+          "Random seed: the same seed gives the same run, to the byte. Default: "
               + DEFAULT_SEED
               + ".")
   private void seed(long value) {
@@ -61,7 +61,7 @@ public final class DemoOptions {
   @Option(
       names = "--mission",
       paramLabel = "FILE",
-      description = "Mission to fly instead of the demo's own (XML).")
+      description = "Mission file (XML) to use instead of the demo's own.")
   private void mission(Path file) {
     if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
       throw new ParameterException(
@@ -74,7 +74,7 @@ public final class DemoOptions {
   @Option(
       names = "--runs",
       paramLabel = "N",
-      description = "How many runs, with seeds counting up from --seed. Default: 1.")
+      description = "Number of runs, with seeds counting up from --seed. Default: 1.")
   private void runs(int value) {
     if (value < 1) {
       throw new ParameterException(
@@ -109,7 +109,7 @@ public final class DemoOptions {
   }
 
   /**
-   * Where people read of the run: standard output, or standard error when {@code --json} keeps that
+   * Where messages for people go: standard output, or standard error when {@code --json} keeps that
    * for programs.
    */
   public Terminal terminal() {

@@ -16,7 +16,6 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.scenarios.report.RunFacts;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.RunReport;
 import org.u2sa.service.U2SAService;
@@ -42,7 +41,7 @@ record DemoRun(
     Path directory,
     Terminal terminal,
     Interruption interruption,
-    List<PlannedSwap> swaps) {
+    List<SwapOperator.PlannedSwap> swaps) {
   private static final long LOOK_EVERY_MICROS = 50_000;
   private static final Clock STOPWATCH = new SystemClock();
 
@@ -77,7 +76,8 @@ record DemoRun(
         simulation,
         observer -> {
           Clock.Waiter waiter = clock.newWaiter("run");
-          ReadingsWatch link = new ReadingsWatch(clock, simulation.vehicle(), patience, this::say);
+          ReadingsWatch link =
+              new ReadingsWatch(clock, simulation.vehicle(), patience, terminal.out()::println);
           long limit = clock.micros() + Clock.micros(limitS());
           while (!isOver(observer)
               && clock.micros() < limit
@@ -97,11 +97,6 @@ record DemoRun(
 
   private boolean isOver(RunObserver observer) {
     return observer.isOver() || !observer.service().isRunning() || interruption.isAsked();
-  }
-
-  private void say(String line) {
-    terminal.out().println(line);
-    terminal.out().flush();
   }
 
   /** Waits until a run is over. */
@@ -134,7 +129,7 @@ record DemoRun(
       refuseUnswapped(operator);
       double wallS = Clock.seconds(STOPWATCH.micros() - began);
       return RunReport.of(
-          new RunFacts(
+          new RunReport.Facts(
               demo, seed, simulated.name(), wallS, OptionalInt.of(observer.record().completed())),
           plan.within(fence(running)),
           observer.record().track(),
@@ -154,13 +149,13 @@ record DemoRun(
     if (swaps.isEmpty()) {
       return Optional.empty();
     }
-    PlannedSwap.requireServices(
+    SwapOperator.PlannedSwap.requireServices(
         swaps, running.services().stream().map(U2SAService::getServiceName).toList());
     SwapOperator operator =
         new SwapOperator(
             running.contextFor(XmlConfiguration.inMemory("SwapOperator", Map.of())),
             swaps,
-            this::say);
+            terminal.out()::println);
     operator.start();
     return Optional.of(operator);
   }

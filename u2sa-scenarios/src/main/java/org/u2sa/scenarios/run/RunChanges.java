@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.run;
 
 import java.util.List;
+import java.util.function.Supplier;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.run.Setting;
@@ -9,73 +10,65 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** What a user wants otherwise in a run; used as {@code @Mixin RunChanges changes}. */
+/**
+ * Changes of one run: services to swap, variables to set; used as {@code @Mixin RunChanges
+ * changes}.
+ */
 final class RunChanges {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
+
+  private List<SwapOperator.PlannedSwap> swaps = List.of();
+  private List<Setting> settings = List.of();
 
   @Option(
       names = "--swap",
       paramLabel = "SECONDS:SERVICE=CLASS",
       description =
-          "On the way, put another class in the place of a service, for example 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner. May be given several times.")
-  private List<String> swaps = List.of();
+          "Replace a service with another class during the run, for example 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner. May be given several times.")
+  private void swaps(List<String> texts) {
+    swaps = parsed("--swap", () -> texts.stream().map(SwapOperator.PlannedSwap::parse).toList());
+  }
 
   @Option(
       names = "--set",
       paramLabel = "SERVICE:VARIABLE=VALUE",
       description =
           "Set a configuration variable for this run, for example --set \"SafetyManager:ON FENCE=LAND\". May be given several times.")
-  private List<String> settings = List.of();
+  private void settings(List<String> texts) {
+    settings = parsed("--set", () -> Setting.parseAll(texts));
+  }
 
-  /**
-   * The swaps asked for.
-   *
-   * @throws ParameterException if one is not of that form
-   */
-  public List<PlannedSwap> swaps() {
-    try {
-      return swaps.stream().map(PlannedSwap::parse).toList();
-    } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--swap: " + e.getMessage());
-    }
+  /** The swaps asked for. */
+  List<SwapOperator.PlannedSwap> swaps() {
+    return swaps;
   }
 
   /**
-   * Refuses what would have no effect in that system.
+   * Refuses settings that would have no effect in that system.
    *
-   * @throws ParameterException if an option is not of its form, or names a service that the system
-   *     does not have
+   * @throws ParameterException if one names a service that the system does not have
    */
-  public void check(SystemFile system) {
+  void check(SystemFile system) {
+    parsed(
+        "--set",
+        () -> {
+          settings.forEach(setting -> setting.requireServiceOf(system));
+          return system;
+        });
+  }
+
+  /** Has a run take the variables asked for. */
+  void applyTo(LaunchOptions options) {
+    settings.forEach(
+        setting -> options.override(setting.service(), setting.variable(), setting.value()));
+  }
+
+  private <T> T parsed(String option, Supplier<T> parse) {
     try {
-      Setting.parseAll(settings).forEach(setting -> setting.requireServiceOf(system));
+      return parse.get();
     } catch (IllegalArgumentException e) {
-      throw faulty(e);
+      throw new ParameterException(command.commandLine(), option + ": " + e.getMessage());
     }
-    swaps();
-  }
-
-  /**
-   * Has a run take the variables asked for.
-   *
-   * @throws ParameterException if one is not of its form
-   */
-  public void applyTo(LaunchOptions options) {
-    settings()
-        .forEach(
-            setting -> options.override(setting.service(), setting.variable(), setting.value()));
-  }
-
-  private List<Setting> settings() {
-    try {
-      return Setting.parseAll(settings);
-    } catch (IllegalArgumentException e) {
-      throw faulty(e);
-    }
-  }
-
-  private ParameterException faulty(IllegalArgumentException why) {
-    return new ParameterException(command.commandLine(), "--set: " + why.getMessage());
   }
 }

@@ -55,17 +55,19 @@ final class RunLoop {
       RunReport report = once.run(runDirectory, options.seed() + k, interruption);
       report.write(runDirectory).ifPresent(terminal.out()::println);
       WaypointTable.print(terminal, report.score());
-      say("Files of the run: " + runDirectory);
+      terminal.out().println("Files of the run: " + runDirectory);
       reports.add(withoutTrack(report)); // tracks of many runs would fill the memory
     }
     RunSeries series = new RunSeries(reports);
     if (reports.size() > 1) {
       series.write(directory);
-      say(
-          reports.stream().filter(r -> r.score().success()).count()
-              + " of "
-              + reports.size()
-              + " runs captured all waypoints");
+      terminal
+          .out()
+          .println(
+              reports.stream().filter(r -> r.score().success()).count()
+                  + " of "
+                  + reports.size()
+                  + " runs captured all waypoints");
     }
     if (options.json()) {
       if (reports.size() > 1) {
@@ -73,17 +75,11 @@ final class RunLoop {
       } else {
         reports.get(0).writeSummary(out);
       }
-      out.flush();
     }
     return series.success() ? ExitCode.DONE : ExitCode.FAILED;
   }
 
   private static RunReport withoutTrack(RunReport report) {
     return new RunReport(report.facts(), report.plan(), List.of(), report.score());
-  }
-
-  private void say(String line) {
-    terminal.out().println(line);
-    terminal.out().flush();
   }
 }

@@ -3,7 +3,6 @@ package org.u2sa.scenarios.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.u2sa.core.mission.Home;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.interfaces.BadInputException;
@@ -13,9 +12,7 @@ import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.scenarios.report.Domain;
-import org.u2sa.scenarios.report.PlannedWaypoint;
 import org.u2sa.scenarios.report.RunPlan;
-import org.u2sa.scenarios.report.StartPlace;
 
 /** A mission as reports and screens see it. */
 public final class RunPlans {
@@ -27,14 +24,14 @@ public final class RunPlans {
    * @param home where the vehicle starts
    * @throws BadInputException if a waypoint is no place on the earth
    */
-  static RunPlan of(Domain domain, Mission mission, Optional<StartPlace> home) {
-    List<PlannedWaypoint> waypoints = new ArrayList<>();
+  static RunPlan of(Domain domain, Mission mission, Optional<RunPlan.Start> home) {
+    List<RunPlan.Waypoint> waypoints = new ArrayList<>();
     for (int i = 0; i < mission.goals().size(); i++) {
       GoalInformation goal = mission.goals().get(i);
       if (goal instanceof Waypoint waypoint) {
         StateInformation place = onEarth(mission, i, waypoint);
         waypoints.add(
-            new PlannedWaypoint(
+            new RunPlan.Waypoint(
                 waypoint.uid(),
                 place.x().orElseThrow(),
                 place.y().orElseThrow(),
@@ -63,15 +60,14 @@ public final class RunPlans {
   }
 
   /** The same for reports. */
-  public static StartPlace start(Mission mission) {
+  public static RunPlan.Start start(Mission mission) {
     Home home = home(mission);
     Geodetic place = home.geodetic().orElseThrow();
-    return new StartPlace(
+    return new RunPlan.Start(
         place.longitudeDeg(),
         place.latitudeDeg(),
         place.altitudeM(),
-        home.headingRad().orElse(0.0),
-        OptionalDouble.empty());
+        home.headingRad().orElse(0.0));
   }
 
   /** The waypoint's longitude and latitude [deg]. */
@@ -88,18 +84,5 @@ public final class RunPlans {
         .x(waypoint.x().getAsDouble())
         .y(waypoint.y().getAsDouble())
         .in(ReferenceFrame.GLOBAL);
-  }
-
-  /** The way from home past all waypoints [m]. */
-  static double lengthM(RunPlan plan) {
-    double length = 0.0;
-    Optional<Geodetic> from =
-        plan.home().map(home -> new Geodetic(home.longitudeDeg(), home.latitudeDeg(), 0.0));
-    for (PlannedWaypoint waypoint : plan.waypoints()) {
-      Geodetic to = new Geodetic(waypoint.longitudeDeg(), waypoint.latitudeDeg(), 0.0);
-      length += from.map(to::distanceM).orElse(0.0);
-      from = Optional.of(to);
-    }
-    return length;
   }
 }

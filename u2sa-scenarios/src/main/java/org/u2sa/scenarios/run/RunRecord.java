@@ -12,14 +12,14 @@ import org.u2sa.scenarios.report.Track;
 import org.u2sa.scenarios.report.TrackSample;
 
 /**
- * What is recorded of a run, for its score and its screen. Written by the observer's thread alone;
- * what says so may be asked by others meanwhile.
+ * The record of a run, for its score and its screen. Written by the observer's thread alone; what
+ * says so may be asked by others meanwhile.
  */
 public final class RunRecord {
   private static final long NOT_YET = -1;
 
   private final List<String> names;
-  private final PlannedLegs legs;
+  private final RunPlan plan;
   private final Track track = new Track();
   private final Consumer<TrackSample> screen;
   private int leg = -1;
@@ -35,7 +35,7 @@ public final class RunRecord {
   public RunRecord(RunPlan plan, Consumer<TrackSample> screen) {
     this.screen = screen;
     names = plan.waypoints().stream().map(waypoint -> waypoint.name()).toList();
-    legs = new PlannedLegs(plan);
+    this.plan = plan;
   }
 
   /** Takes note of goals and reports of goals; false if the message is neither. */
@@ -95,7 +95,7 @@ public final class RunRecord {
             altitudeM,
             headingRad,
             speedMps,
-            legs.crossTrackM(leg, longitudeDeg, latitudeDeg),
+            plan.crossTrackM(leg, longitudeDeg, latitudeDeg),
             leg,
             phase,
             flight);

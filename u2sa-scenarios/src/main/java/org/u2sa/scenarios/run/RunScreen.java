@@ -6,14 +6,12 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.TrackSample;
 import org.u2sa.scenarios.terminal.LiveStatus;
-import org.u2sa.scenarios.terminal.RunStatus;
 
 /**
  * Shows a run on the terminal while it goes on. Belongs to the thread that calls {@link #accept}.
  */
 final class RunScreen implements Consumer<TrackSample>, AutoCloseable {
   private final RunPlan plan;
-  private final PlannedLegs legs;
   private final LiveStatus live;
   private final Clock stopwatch;
   private final long startMicros;
@@ -23,7 +21,6 @@ final class RunScreen implements Consumer<TrackSample>, AutoCloseable {
    */
   RunScreen(RunPlan plan, Terminal terminal, Clock stopwatch) {
     this.plan = plan;
-    legs = new PlannedLegs(plan);
     live = new LiveStatus(terminal);
     this.stopwatch = stopwatch;
     startMicros = stopwatch.micros();
@@ -34,12 +31,12 @@ final class RunScreen implements Consumer<TrackSample>, AutoCloseable {
     int count = plan.waypoints().size();
     boolean underWay = sample.leg() >= 0 && sample.leg() < count;
     live.update(
-        new RunStatus(
+        new LiveStatus.Moment(
             sample,
             Math.min(sample.leg() + 1, count),
             count,
             underWay ? plan.waypoints().get(sample.leg()).name() : "",
-            legs.distanceM(sample.leg(), sample.longitudeDeg(), sample.latitudeDeg()),
+            plan.distanceM(sample.leg(), sample.longitudeDeg(), sample.latitudeDeg()),
             Clock.seconds(stopwatch.micros() - startMicros)));
   }
 

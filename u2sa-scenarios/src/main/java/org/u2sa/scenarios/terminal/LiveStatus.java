@@ -7,7 +7,7 @@ import org.u2sa.scenarios.report.TrackSample;
 
 /**
  * Shows a run while it goes on. A terminal gets a panel redrawn in place, at most ten times a
- * second of {@link RunStatus#elapsedS()}; a pipe or file gets a line at each change of phase or
+ * second of {@link Moment#elapsedS()}; a pipe or file gets a line at each change of phase or
  * waypoint and every ten simulated seconds. Not for use by several threads at once.
  */
 public final class LiveStatus implements AutoCloseable {
@@ -18,8 +18,8 @@ public final class LiveStatus implements AutoCloseable {
   private static final String CLEAR_TO_END_OF_LINE = "\u001b[K";
 
   private final Terminal terminal;
-  private RunStatus shown; // last one printed
-  private RunStatus newest;
+  private Moment shown; // last one printed
+  private Moment newest;
   private int panelLines; // how far up the next redraw starts
 
   public LiveStatus(Terminal terminal) {
@@ -27,7 +27,7 @@ public final class LiveStatus implements AutoCloseable {
   }
 
   /** Takes a new moment; cheap when it is not yet time to show it. */
-  public void update(RunStatus status) {
+  public void update(Moment status) {
     newest = status;
     if (isDue(status)) {
       show(status);
@@ -43,7 +43,7 @@ public final class LiveStatus implements AutoCloseable {
     panelLines = 0;
   }
 
-  private boolean isDue(RunStatus status) {
+  private boolean isDue(Moment status) {
     if (shown == null) {
       return true;
     }
@@ -55,7 +55,7 @@ public final class LiveStatus implements AutoCloseable {
         || status.simulatedS() - shown.simulatedS() >= LINE_S;
   }
 
-  private void show(RunStatus status) {
+  private void show(Moment status) {
     shown = status;
     if (terminal.redraws()) {
       redraw(panel(status));
@@ -81,7 +81,7 @@ public final class LiveStatus implements AutoCloseable {
     panelLines = lines.size();
   }
 
-  private static List<String> panel(RunStatus s) {
+  private static List<String> panel(Moment s) {
     return List.of(
         format("%-10s %s %s", s.phase(), bar(s), target(s)),
         figures(
@@ -91,7 +91,7 @@ public final class LiveStatus implements AutoCloseable {
         format("simulated %s   elapsed %s%s", clock(s.simulatedS()), clock(s.elapsedS()), rate(s)));
   }
 
-  private static String line(RunStatus s) {
+  private static String line(Moment s) {
     return format(
         "%s  %-10s %s  %s  elapsed %s",
         clock(s.simulatedS()),
@@ -119,7 +119,7 @@ public final class LiveStatus implements AutoCloseable {
         onGround, sample.groundSpeedMps(), Math.floorMod(heading, 360L), sample.crossTrackM());
   }
 
-  private static String target(RunStatus s) {
+  private static String target(Moment s) {
     if (s.waypoint() == 0) {
       return "no waypoint";
     }
@@ -131,7 +131,7 @@ public final class LiveStatus implements AutoCloseable {
     return format("waypoint %d of %d%s, %s to go", s.waypoint(), s.waypoints(), name, distance);
   }
 
-  private static String bar(RunStatus s) {
+  private static String bar(Moment s) {
     int done =
         s.waypoints() == 0
             ? 0
@@ -139,7 +139,7 @@ public final class LiveStatus implements AutoCloseable {
     return "[" + "#".repeat(done) + ".".repeat(BAR_WIDTH - done) + "]";
   }
 
-  private static String rate(RunStatus s) {
+  private static String rate(Moment s) {
     return s.elapsedS() < 1.0
         ? ""
         : format("   (%.0f times real time)", s.simulatedS() / s.elapsedS());
@@ -152,5 +152,34 @@ public final class LiveStatus implements AutoCloseable {
 
   private static String format(String pattern, Object... values) {
     return String.format(Locale.ROOT, pattern, values);
+  }
+
+  /**
+   * One moment of a run, as people watch it.
+   *
+   * @param sample where the vehicle truly is, and what it does
+   * @param waypoint number of the waypoint it goes to, from 1; 0: none
+   * @param waypoints how many the mission has
+   * @param waypointName name of the waypoint it goes to; may be empty
+   * @param distanceM horizontal distance to it [m]
+   * @param elapsedS time of the wall clock since the start [s]
+   */
+  public record Moment(
+      TrackSample sample,
+      int waypoint,
+      int waypoints,
+      String waypointName,
+      double distanceM,
+      double elapsedS) {
+
+    /** What the vehicle does, e.g. {@code CLIMB}. */
+    String phase() {
+      return sample.phase();
+    }
+
+    /** Simulated time since the start [s]. */
+    double simulatedS() {
+      return sample.timeS();
+    }
   }
 }

@@ -49,7 +49,6 @@ public final class WaypointTable {
         .outcome()
         .violations()
         .forEach(v -> terminal.out().println(terminal.bad(terminal.fitted("violation: " + v))));
-    terminal.out().flush();
   }
 
   private static String contacts(RunScore score) {
@@ -107,7 +106,7 @@ public final class WaypointTable {
             + ", at most "
             + number("%.1f m", flight.altitudeMaxErrorM()),
         "bank at most "
-            + number("%.1f deg", degrees(flight.maxBankRad()))
+            + number("%.1f deg", flight.maxBankDeg())
             + ", airspeed at least "
             + number("%.1f m/s", flight.minAirspeedMps())
             + (flight.tookOff() ? "" : ", DID NOT TAKE OFF")
@@ -118,10 +117,6 @@ public final class WaypointTable {
   private static String cell(String text, int width) {
     String cut = text.length() <= width ? text : text.substring(0, width - 1) + "~";
     return cut + " ".repeat(width - cut.length());
-  }
-
-  private static OptionalDouble degrees(OptionalDouble radians) {
-    return radians.isPresent() ? OptionalDouble.of(Math.toDegrees(radians.getAsDouble())) : radians;
   }
 
   private static String number(String pattern, OptionalDouble value) {

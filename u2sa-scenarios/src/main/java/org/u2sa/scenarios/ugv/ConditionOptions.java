@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.report.PlannedWaypoint;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.sim.world.Surface;
 import org.u2sa.sim.world.Terrain;
@@ -120,18 +119,17 @@ final class ConditionOptions {
   }
 
   private Terrain hill(RunPlan plan) {
-    Geodetic home =
-        plan.home().map(at -> new Geodetic(at.longitudeDeg(), at.latitudeDeg(), 0.0)).orElseThrow();
+    Geodetic home = plan.home().orElseThrow().onMap();
     double north = 0.0;
     double east = 0.0;
     double farthestM = SMALLEST_HILL_M;
-    for (PlannedWaypoint waypoint : plan.waypoints()) {
-      Point from = home.nedOf(new Geodetic(waypoint.longitudeDeg(), waypoint.latitudeDeg(), 0.0));
+    for (RunPlan.Waypoint waypoint : plan.waypoints()) {
+      Point from = home.nedOf(waypoint.onMap());
       north += from.x() / plan.waypoints().size();
       east += from.y() / plan.waypoints().size();
     }
-    for (PlannedWaypoint waypoint : plan.waypoints()) {
-      Point from = home.nedOf(new Geodetic(waypoint.longitudeDeg(), waypoint.latitudeDeg(), 0.0));
+    for (RunPlan.Waypoint waypoint : plan.waypoints()) {
+      Point from = home.nedOf(waypoint.onMap());
       farthestM = Math.max(farthestM, Math.hypot(from.x() - north, from.y() - east));
     }
     return Terrain.hill(east, north, HILL_OF_MISSION * farthestM, Math.toRadians(hillDeg));

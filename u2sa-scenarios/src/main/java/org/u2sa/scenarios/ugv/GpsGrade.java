@@ -2,11 +2,11 @@ package org.u2sa.scenarios.ugv;
 
 import org.u2sa.sim.sensor.GpsParameters;
 
-/** How good the demo's GPS is. As from the factory: the board's service sets it up. */
+/** Grade of the demo's GPS, in factory settings: the board's service configures it. */
 enum GpsGrade {
   /** Real-time kinematic: 2 cm. */
   SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0),
-  /** A telephone's: 3 m that wander, once a second, late. */
+  /** A telephone's: errors of 3 m that drift, once a second, late. */
   PHONE("phone-grade GPS", GpsParameters.phone(), 2.5, 1.5);
 
   private final String words;

@@ -70,7 +70,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--loops",
       paramLabel = "N",
-      description = "How often round the waypoints. Default: 4; 1 with --mission.")
+      description = "Number of laps round the waypoints. Default: 4; 1 with --mission.")
   private void loops(int value) {
     if (value < 1) {
       throw new ParameterException(

@@ -5,7 +5,7 @@ import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.ioio.BoardConnection;
 import org.u2sa.drivers.ioio.LockstepConnection;
 import org.u2sa.messages.frame.Geodetic;
-import org.u2sa.scenarios.report.StartPlace;
+import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.ground.GroundState;
@@ -38,7 +38,7 @@ final class UgvWorld {
    * @param hazards what goes wrong
    */
   UgvWorld(
-      StartPlace start,
+      RunPlan.Start start,
       VehicleKind kind,
       GpsGrade receiver,
       long seed,

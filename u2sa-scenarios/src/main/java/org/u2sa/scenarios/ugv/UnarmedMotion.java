@@ -7,7 +7,6 @@ import java.util.function.Supplier;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.report.RunOutcome;
-import org.u2sa.scenarios.run.Scorer;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -15,10 +14,10 @@ import org.u2sa.sim.world.Terrain;
 
 /**
  * Counts contacts, and motions of a vehicle that is not armed: after an emergency stop, or before
- * anybody armed it. It has a moment to come to rest. A vehicle without brakes that rolls down a
- * slope while its motors are neutral or off is not moved by anybody.
+ * anybody armed it. It has a moment to come to rest. A vehicle without brakes may roll down a slope
+ * while its motors are neutral or off.
  */
-final class UnarmedMotion implements Scorer {
+final class UnarmedMotion implements TruthObserver.Scorer {
   private static final double AT_REST_WITHIN_S = 2.0;
   private static final double LEVEL =
       0.03; // rise over run; less than what rolling resistance holds

@@ -25,7 +25,6 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.scenarios.run.PlannedSwap;
 import org.u2sa.scenarios.run.SwapOperator;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
@@ -80,7 +79,8 @@ class HotSwapGapTest {
     }
   }
 
-  private Observer fly(String name, List<PlannedSwap> swaps) throws InterruptedException {
+  private Observer fly(String name, List<SwapOperator.PlannedSwap> swaps)
+      throws InterruptedException {
     Path root = CommandLineRun.repository();
     String mission = root.resolve("missions/cessna/mission.xml").toAbsolutePath().toString();
     LockstepClock clock = new LockstepClock();
@@ -115,11 +115,13 @@ class HotSwapGapTest {
 
   @Test
   void swap_everyFiveSeconds_noGapNoJumpNoWaypointTwice() throws InterruptedException {
-    List<PlannedSwap> swaps = new ArrayList<>();
+    List<SwapOperator.PlannedSwap> swaps = new ArrayList<>();
     for (double atS = 2.5; atS < 1_190.0; atS += 10.0) {
-      swaps.add(new PlannedSwap(atS, "PathPlanner", VectorFieldPlanner.class.getName()));
-      swaps.add(new PlannedSwap(atS + 2.5, "Control", CessnaControl.class.getName()));
-      swaps.add(new PlannedSwap(atS + 5.0, "PathPlanner", PathPlanner.class.getName()));
+      swaps.add(
+          new SwapOperator.PlannedSwap(atS, "PathPlanner", VectorFieldPlanner.class.getName()));
+      swaps.add(new SwapOperator.PlannedSwap(atS + 2.5, "Control", CessnaControl.class.getName()));
+      swaps.add(
+          new SwapOperator.PlannedSwap(atS + 5.0, "PathPlanner", PathPlanner.class.getName()));
     }
 
     Observer without = fly("without", List.of());

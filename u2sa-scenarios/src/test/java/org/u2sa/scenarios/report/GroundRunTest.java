@@ -21,7 +21,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.terminal.LiveStatus;
-import org.u2sa.scenarios.terminal.RunStatus;
 import org.u2sa.scenarios.terminal.WaypointTable;
 
 /** Reports of a ground vehicle: metres instead of kilometres, and nothing that only flies. */
@@ -44,11 +43,11 @@ class GroundRunTest {
 
   /** From corner to corner at 1 m/s, beside the lines by the same distance. */
   private static RunReport report() {
-    List<PlannedWaypoint> waypoints = new ArrayList<>();
+    List<RunPlan.Waypoint> waypoints = new ArrayList<>();
     for (double[] corner : CORNERS) {
       GeodesicData place = at(corner[0], corner[1]);
       waypoints.add(
-          new PlannedWaypoint(
+          new RunPlan.Waypoint(
               "gate " + waypoints.size(),
               place.lon2,
               place.lat2,
@@ -58,9 +57,7 @@ class GroundRunTest {
     }
     RunPlan plan =
         new RunPlan(
-            Domain.GROUND,
-            Optional.of(new StartPlace(-81.0478, 29.1885, 0.0, 0.0, OptionalDouble.empty())),
-            waypoints);
+            Domain.GROUND, Optional.of(new RunPlan.Start(-81.0478, 29.1885, 0.0, 0.0)), waypoints);
     Track track = new Track();
     for (int i = 0; i < 800; i++) {
       int leg = i / 200;
@@ -71,7 +68,7 @@ class GroundRunTest {
     }
     track.append(sample(80.0, 20.0, 20.0, CORNERS.length));
     return RunReport.of(
-        new RunFacts("ugv", 3, "Mini-Molle", 1.0, OptionalInt.of(4)),
+        new RunReport.Facts("ugv", 3, "Mini-Molle", 1.0, OptionalInt.of(4)),
         plan,
         track,
         new RunOutcome(0, false, List.of("moved unarmed at 3.0 s, at 0.10 m/s")));
@@ -139,7 +136,7 @@ class GroundRunTest {
     Terminal terminal = new Terminal(new PrintWriter(text), false, false, 100);
     WaypointTable.print(terminal, report().score());
     LiveStatus live = new LiveStatus(terminal);
-    live.update(new RunStatus(sample(65.0, 1.0, 2.0, 1), 2, 4, "gate 1", 12.34, 1.0));
+    live.update(new LiveStatus.Moment(sample(65.0, 1.0, 2.0, 1), 2, 4, "gate 1", 12.34, 1.0));
 
     assertThat(text.toString().lines())
         .contains(

@@ -21,7 +21,7 @@ import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.gcs.command.ReportException;
+import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.w3c.dom.Document;
 
@@ -85,7 +85,7 @@ class RunReportTest {
   @Test
   void write_flightThatNeverLeft_saysWhyNumbersAreAbsent() throws IOException {
     RunPlan plan = SyntheticFlight.tenWaypoints();
-    RunFacts facts = new RunFacts("cessna", 1, "embedded", 0.0, OptionalInt.of(0));
+    RunReport.Facts facts = new RunReport.Facts("cessna", 1, "embedded", 0.0, OptionalInt.of(0));
     RunReport.of(facts, plan, new Track(), RunOutcome.clean()).write(directory);
     JsonNode json = summary();
     assertThat(json.get("crossTrackRmsM").isNull()).isTrue();
@@ -96,8 +96,8 @@ class RunReportTest {
 
   @Test
   void write_names_areEscapedInKmlAndSvg() throws Exception {
-    PlannedWaypoint odd =
-        new PlannedWaypoint(
+    RunPlan.Waypoint odd =
+        new RunPlan.Waypoint(
             "<Tower & \"Co\">",
             -157.9,
             21.3,
@@ -105,7 +105,7 @@ class RunReportTest {
             100.0,
             OptionalDouble.empty());
     RunPlan plan = new RunPlan(Domain.AIR, Optional.empty(), List.of(odd));
-    RunFacts facts = new RunFacts("a<b", 1, "x & y", 1.0, OptionalInt.empty());
+    RunReport.Facts facts = new RunReport.Facts("a<b", 1, "x & y", 1.0, OptionalInt.empty());
     RunReport.of(facts, plan, new Track(), RunOutcome.clean()).write(directory);
     assertThat(
             parsed(directory.resolve("track.kml"))
@@ -165,7 +165,7 @@ class RunReportTest {
 
   @Test
   void write_trackCsv_isGolden() throws IOException {
-    RunFacts facts = new RunFacts("cessna", 1, "embedded", 1.0, OptionalInt.empty());
+    RunReport.Facts facts = new RunReport.Facts("cessna", 1, "embedded", 1.0, OptionalInt.empty());
     Track track = new Track();
     track.append(
         new TrackSample(
@@ -205,7 +205,7 @@ class RunReportTest {
     Files.createDirectories(directory.resolve("track.kml/full"));
     Files.writeString(directory.resolve(RunReport.SUMMARY), "{}"); // of an earlier run
     assertThatThrownBy(() -> SyntheticFlight.report(10).write(directory))
-        .isInstanceOf(ReportException.class)
+        .isInstanceOf(RunFailedException.class)
         .hasMessageContaining("cannot write")
         .hasMessageContaining(directory.resolve("track.kml").toString());
     assertThat(directory.resolve(RunReport.SUMMARY)).doesNotExist();

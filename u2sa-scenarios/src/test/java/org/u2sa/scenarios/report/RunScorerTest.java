@@ -117,8 +117,8 @@ class RunScorerTest {
 
   @Test
   void score_acrossTheDateLine_measuresTheShortWay() {
-    PlannedWaypoint waypoint =
-        new PlannedWaypoint(
+    RunPlan.Waypoint waypoint =
+        new RunPlan.Waypoint(
             "date line", 179.9999, 0.0, OptionalDouble.empty(), 100.0, OptionalDouble.empty());
     TrackSample sample =
         new TrackSample(
@@ -146,13 +146,8 @@ class RunScorerTest {
 
   @Test
   void score_takeOff_countsFromScreenHeightOn() {
-    StartPlace home =
-        new StartPlace(
-            SyntheticFlight.LONGITUDE,
-            SyntheticFlight.LATITUDE,
-            100.0,
-            0.0,
-            OptionalDouble.empty());
+    RunPlan.Start home =
+        new RunPlan.Start(SyntheticFlight.LONGITUDE, SyntheticFlight.LATITUDE, 100.0, 0.0);
     RunPlan plan =
         new RunPlan(Domain.AIR, Optional.of(home), SyntheticFlight.twoWaypoints().waypoints());
     TrackSample roll =

@@ -18,9 +18,9 @@ final class SyntheticFlight {
   private SyntheticFlight() {}
 
   /** The waypoint {@code eastM} and {@code northM} of the origin. */
-  static PlannedWaypoint waypoint(String name, double eastM, double northM, double altitudeM) {
+  static RunPlan.Waypoint waypoint(String name, double eastM, double northM, double altitudeM) {
     GeodesicData at = at(eastM, northM);
-    return new PlannedWaypoint(
+    return new RunPlan.Waypoint(
         name, at.lon2, at.lat2, OptionalDouble.of(altitudeM), 100.0, OptionalDouble.of(50.0));
   }
 
@@ -112,15 +112,13 @@ final class SyntheticFlight {
       "Lagoon",
       "Final"
     };
-    List<PlannedWaypoint> waypoints = new ArrayList<>();
+    List<RunPlan.Waypoint> waypoints = new ArrayList<>();
     for (int i = 0; i < places.length; i++) {
       waypoints.add(waypoint(names[i], places[i][0], places[i][1], places[i][2]));
     }
     return new RunPlan(
         Domain.AIR,
-        Optional.of(
-            new StartPlace(
-                LONGITUDE, LATITUDE, 4.0, Math.toRadians(60.0), OptionalDouble.of(1200.0))),
+        Optional.of(new RunPlan.Start(LONGITUDE, LATITUDE, 4.0, Math.toRadians(60.0))),
         waypoints);
   }
 
@@ -164,8 +162,8 @@ final class SyntheticFlight {
 
   static RunReport report(int flownLegs) {
     RunPlan plan = tenWaypoints();
-    RunFacts facts =
-        new RunFacts("cessna", 7, "embedded C172", 12.5, java.util.OptionalInt.empty());
+    RunReport.Facts facts =
+        new RunReport.Facts("cessna", 7, "embedded C172", 12.5, java.util.OptionalInt.empty());
     return RunReport.of(facts, plan, pursuit(plan, flownLegs), RunOutcome.clean());
   }
 }

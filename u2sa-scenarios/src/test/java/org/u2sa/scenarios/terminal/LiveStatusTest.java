@@ -16,7 +16,8 @@ class LiveStatusTest {
   private final StringWriter text = new StringWriter();
   private final PrintWriter out = new PrintWriter(text);
 
-  private static RunStatus status(String phase, int waypoint, double simulatedS, double elapsedS) {
+  private static LiveStatus.Moment status(
+      String phase, int waypoint, double simulatedS, double elapsedS) {
     TrackSample.Flight flight = new TrackSample.Flight(Math.toRadians(-12.0), 0.0, 51.4, false);
     TrackSample sample =
         new TrackSample(
@@ -30,7 +31,7 @@ class LiveStatusTest {
             waypoint - 1,
             phase,
             Optional.of(flight));
-    return new RunStatus(sample, waypoint, 10, "Ridge", 2310.0, elapsedS);
+    return new LiveStatus.Moment(sample, waypoint, 10, "Ridge", 2310.0, elapsedS);
   }
 
   private Terminal interactive(int columns) {

@@ -10,8 +10,8 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.FlightFigures;
-import org.u2sa.scenarios.report.PlannedWaypoint;
 import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.RunScore;
 import org.u2sa.scenarios.report.WaypointResult;
 
@@ -24,7 +24,7 @@ class WaypointTableTest {
       OptionalDouble time,
       boolean captured) {
     return new WaypointResult(
-        new PlannedWaypoint(
+        new RunPlan.Waypoint(
             name, 0.0, 0.0, OptionalDouble.of(300.0), 100.0, OptionalDouble.empty()),
         miss,
         error,

@@ -20,17 +20,17 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.frame.Geodetic;
-import org.u2sa.scenarios.report.StartPlace;
+import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.sim.device.SimulatedCompass;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
-import org.u2sa.sim.sensor.CompassField;
+import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
@@ -59,7 +59,7 @@ class SeparateSensorsTest {
             .replace("configuration=\"", "configuration=\"" + ugv + "/"),
         UTF_8);
     Mission mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
-    StartPlace start = RunPlans.start(mission);
+    RunPlan.Start start = RunPlans.start(mission);
     LocalPlane plane =
         new LocalPlane(new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()));
     NoiseStreams streams = new NoiseStreams(1);
@@ -73,7 +73,10 @@ class SeparateSensorsTest {
             MagneticModel.FIRST_YEAR);
     SimulatedCompass compass =
         new SimulatedCompass(
-            CompassParameters.calibrated(declinationRad), streams, this::truth, CompassField::none);
+            CompassParameters.calibrated(declinationRad),
+            streams,
+            this::truth,
+            CompassModel.Disturbance::none);
     world =
         new UgvWorld(
             start,
@@ -99,16 +102,8 @@ class SeparateSensorsTest {
     return RunningSystem.start(SystemFile.read(file), options);
   }
 
-  private TrueMotion truth() {
-    GroundState truth = world.state();
-    return new TrueMotion(
-        truth.eastM(),
-        truth.northM(),
-        0.0,
-        truth.eastMps(),
-        truth.northMps(),
-        0.0,
-        truth.headingRad());
+  private VehicleTruth truth() {
+    return world.truth();
   }
 
   private String log(String service) {

@@ -11,12 +11,14 @@ import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.compass.NmeaCompass;
 import org.u2sa.drivers.compass.SpartonCompass;
 import org.u2sa.drivers.link.ByteParser;
-import org.u2sa.sim.sensor.CompassField;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.NmeaCompassDevice;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.SpartonDevice;
-import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** The drivers understand the simulated compasses, and true north comes out again. */
 class SimulatedCompassTest {
@@ -30,7 +32,7 @@ class SimulatedCompassTest {
   @ValueSource(doubles = {0.0, 0.01, 1.5, 3.1416, 4.7, 6.283})
   void accept_spartonAsked_answersTheMagneticHeading(double trueRad) {
     SpartonDevice device = new SpartonDevice(BAUD, PERFECT, new NoiseStreams(1L));
-    device.advance(0, facing(trueRad), CompassField.none());
+    device.advance(0, facing(trueRad), CompassModel.Disturbance.none());
     byte[] request = SpartonCompass.request();
     device.accept(0, BAUD, request, request.length);
     ByteParser<Heading> parser = new SpartonCompass();
@@ -44,15 +46,21 @@ class SimulatedCompassTest {
     for (double trueRad : new double[] {0.0, 0.01, 1.5, 3.1416, 4.7, 6.283}) {
       NmeaCompassDevice device =
           new NmeaCompassDevice(BAUD, sentence, PERFECT, new NoiseStreams(1L));
-      device.advance(0, facing(trueRad), CompassField.none());
+      device.advance(0, facing(trueRad), CompassModel.Disturbance.none());
       ByteParser<Heading> parser = NmeaCompass.parser();
       parser.accept(buffer, device.line().take(50_000, BAUD, buffer), 50_000);
       assertTrueHeading(parser, trueRad, Math.toRadians(0.051));
     }
   }
 
-  private static TrueMotion facing(double headingRad) {
-    return new TrueMotion(0, 0, 0, 0, 0, 0, headingRad);
+  private static VehicleTruth facing(double headingRad) {
+    return new VehicleTruth(
+        0.0,
+        Point.of(0, 0, 0),
+        new Attitude(0.0, 0.0, headingRad),
+        Point.of(0, 0, 0),
+        Point.ORIGIN,
+        Point.ORIGIN);
   }
 
   private static void assertTrueHeading(ByteParser<Heading> parser, double trueRad, double within) {

@@ -13,15 +13,16 @@ import org.u2sa.device.GpsFix;
 import org.u2sa.drivers.gps.NmeaGps;
 import org.u2sa.drivers.gps.UbxGps;
 import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.GpsMessage;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.sensor.UtcTime;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /** The drivers understand the simulated receiver, and what they make of its bytes is the truth. */
@@ -80,9 +81,14 @@ class SimulatedGpsTest {
     assertThat(last.altitudeM().orElseThrow()).isCloseTo(600.0, within(0.2));
   }
 
-  private static TrueMotion truth(double timeS) {
-    return new TrueMotion(
-        EAST_MPS * timeS, NORTH_MPS * timeS, 0.0, EAST_MPS, NORTH_MPS, 0.0, Math.PI / 2.0);
+  private static VehicleTruth truth(double timeS) {
+    return new VehicleTruth(
+        0.0,
+        Point.of(EAST_MPS * timeS, NORTH_MPS * timeS, 0.0),
+        new Attitude(0.0, 0.0, Math.PI / 2.0),
+        Point.of(EAST_MPS, NORTH_MPS, 0.0),
+        Point.ORIGIN,
+        Point.ORIGIN);
   }
 
   /** Of the fix's place from where the receiver was when the fix was made of its bytes [m]. */

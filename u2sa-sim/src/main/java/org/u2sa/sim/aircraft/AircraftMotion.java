@@ -1,7 +1,7 @@
 package org.u2sa.sim.aircraft;
 
 /**
- * What the aircraft does, as truth: no sensor stands between.
+ * The true state of the aircraft.
  *
  * @param timeS simulated time since the start [s]
  * @param longitudeDeg WGS-84, east positive [°, −180…180]

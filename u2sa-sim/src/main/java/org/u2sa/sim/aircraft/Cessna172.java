@@ -18,7 +18,6 @@ import java.util.Objects;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.sim.atmosphere.Air;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.atmosphere.WindField;
@@ -218,7 +217,7 @@ public final class Cessna172 implements SimulatedVehicle {
   public AircraftMotion state() {
     AircraftAttitude attitude = dynamics.attitude;
     double airspeed = crashed ? 0.0 : airspeedMps();
-    Air air = StandardAtmosphere.at(s[ALT]);
+    StandardAtmosphere.Air air = StandardAtmosphere.at(s[ALT]);
     double alpha = airspeed < 1.0 ? 0.0 : StrictMath.atan2(dynamics.airW, dynamics.airU);
     double beta = airspeed < 1.0 ? 0.0 : StrictMath.asin(dynamics.airV / airspeed);
     boolean onWheels = dynamics.gear.weightOnWheels();

@@ -1,6 +1,7 @@
 package org.u2sa.sim.aircraft;
 
 import java.util.List;
+import org.u2sa.sim.motion.Arguments;
 
 /**
  * What the pilot does, normalised; signs are FlightGear's.
@@ -28,14 +29,14 @@ public record ControlInputs(
    * @throws IllegalArgumentException if a value is not a number or outside its range
    */
   public ControlInputs {
-    require("aileron", aileron, -1.0);
-    require("elevator", elevator, -1.0);
-    require("rudder", rudder, -1.0);
-    require("throttle", throttle, 0.0);
-    require("mixture", mixture, 0.0);
-    require("flaps", flaps, 0.0);
-    require("brakeLeft", brakeLeft, 0.0);
-    require("brakeRight", brakeRight, 0.0);
+    Arguments.requireInside("aileron", aileron, -1.0, 1.0);
+    Arguments.requireInside("elevator", elevator, -1.0, 1.0);
+    Arguments.requireInside("rudder", rudder, -1.0, 1.0);
+    Arguments.requireInside("throttle", throttle, 0.0, 1.0);
+    Arguments.requireInside("mixture", mixture, 0.0, 1.0);
+    Arguments.requireInside("flaps", flaps, 0.0, 1.0);
+    Arguments.requireInside("brakeLeft", brakeLeft, 0.0, 1.0);
+    Arguments.requireInside("brakeRight", brakeRight, 0.0, 1.0);
   }
 
   /** Names of all, in order, as commands address them. */
@@ -125,16 +126,7 @@ public record ControlInputs(
         aileron, elevator, rudder, throttle, mixture, flaps, newLeft, newRight);
   }
 
-  private static void require(String name, double value, double lowest) {
-    if (!(value >= lowest && value <= 1.0)) {
-      throw new IllegalArgumentException(name + ": " + value + " is outside " + lowest + "…1.0");
-    }
-  }
-
   private static double limit(String name, double value, double lowest) {
-    if (!Double.isFinite(value)) {
-      throw new IllegalArgumentException(name + ": " + value + " is not a number");
-    }
-    return Math.min(1.0, Math.max(lowest, value));
+    return Math.min(1.0, Math.max(lowest, Arguments.requireFinite(name, value)));
   }
 }

@@ -2,14 +2,14 @@ package org.u2sa.sim.aircraft;
 
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
-import org.u2sa.sim.motion.Motion;
+import org.u2sa.sim.motion.RungeKutta;
 
 /**
  * Equations of motion of the rigid aircraft over the WGS-84 ellipsoid: state vector in, its rate of
  * change out. Velocity is kept north, east, down; the local vertical turns with the position; the
  * earth's own rotation is left out (0.02 % of g at these speeds).
  */
-final class FlightDynamics implements Motion {
+final class FlightDynamics implements RungeKutta.Motion {
   static final int LON = 0; // [rad]
   static final int LAT = 1; // [rad]
   static final int ALT = 2; // [m]

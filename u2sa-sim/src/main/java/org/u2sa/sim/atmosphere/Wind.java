@@ -1,5 +1,7 @@
 package org.u2sa.sim.atmosphere;
 
+import org.u2sa.sim.motion.Arguments;
+
 /**
  * The wind of a simulation: a steady part and Dryden gusts, repeatable from its seed.
  *
@@ -15,18 +17,16 @@ package org.u2sa.sim.atmosphere;
 public record Wind(
     double fromRad, double speedMps, boolean heightProfile, double gustSigmaMps, long seed) {
 
+  private static final double STRONGEST_MPS = 60.0;
   private static final double SIGMA_PER_WIND = 0.1; // MIL-F-8785C, 3.7.3.2: σw = 0.1 u20
 
   /**
    * @throws IllegalArgumentException if a number is not finite, or a speed negative or above 60 m/s
    */
   public Wind {
-    if (!Double.isFinite(fromRad)) {
-      throw new IllegalArgumentException(
-          "wind direction: " + fromRad + " is not a number of radians");
-    }
-    requireSpeed("wind speed", speedMps);
-    requireSpeed("gust sigma", gustSigmaMps);
+    Arguments.requireFinite("wind direction [rad]", fromRad);
+    Arguments.requireInside("wind speed [m/s]", speedMps, 0.0, STRONGEST_MPS);
+    Arguments.requireInside("gust sigma [m/s]", gustSigmaMps, 0.0, STRONGEST_MPS);
   }
 
   /** No wind at all. */
@@ -57,11 +57,5 @@ public record Wind(
   /** This wind with other gusts. */
   public Wind withGusts(double sigmaMps, long gustSeed) {
     return new Wind(fromRad, speedMps, heightProfile, sigmaMps, gustSeed);
-  }
-
-  private static void requireSpeed(String name, double value) {
-    if (!(value >= 0.0 && value <= 60.0)) {
-      throw new IllegalArgumentException(name + ": " + value + " m/s is outside 0…60 m/s");
-    }
   }
 }

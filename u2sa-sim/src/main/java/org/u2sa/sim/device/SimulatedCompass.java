@@ -3,17 +3,16 @@ package org.u2sa.sim.device;
 import java.util.function.Supplier;
 import org.u2sa.device.Compass;
 import org.u2sa.device.Heading;
-import org.u2sa.sim.sensor.CompassField;
 import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** A magnetic compass with the errors of {@link CompassModel}. */
 public final class SimulatedCompass extends SimulatedDevice<Heading> implements Compass {
   private final CompassModel model;
-  private final Supplier<TrueMotion> truth;
-  private final Supplier<CompassField> field;
+  private final Supplier<VehicleTruth> truth;
+  private final Supplier<CompassModel.Disturbance> field;
 
   /**
    * @param truth of the compass's vehicle, now
@@ -22,8 +21,8 @@ public final class SimulatedCompass extends SimulatedDevice<Heading> implements 
   public SimulatedCompass(
       CompassParameters parameters,
       NoiseStreams streams,
-      Supplier<TrueMotion> truth,
-      Supplier<CompassField> field) {
+      Supplier<VehicleTruth> truth,
+      Supplier<CompassModel.Disturbance> field) {
     super(parameters.rateHz(), 0.0);
     model = new CompassModel(parameters, streams);
     this.truth = truth;

@@ -9,13 +9,13 @@ import org.u2sa.sim.sensor.GpsModel;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.GpsSample;
 import org.u2sa.sim.sensor.NoiseStreams;
-import org.u2sa.sim.sensor.TrueMotion;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /** A satellite receiver with the errors of {@link GpsModel}. */
 public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsReceiver {
   private final GpsModel model;
-  private final Supplier<TrueMotion> truth;
+  private final Supplier<VehicleTruth> truth;
   private final BooleanSupplier blocked;
 
   /**
@@ -26,7 +26,7 @@ public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsRe
       GpsParameters parameters,
       LocalPlane plane,
       NoiseStreams streams,
-      Supplier<TrueMotion> truth,
+      Supplier<VehicleTruth> truth,
       BooleanSupplier blocked) {
     super(parameters.rateHz(), parameters.latencyS());
     model = new GpsModel(parameters, plane, streams);

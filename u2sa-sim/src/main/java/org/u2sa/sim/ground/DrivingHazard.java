@@ -5,42 +5,44 @@ import org.u2sa.sim.motion.Arguments;
 
 /** One thing that goes wrong, for a time or at a place. */
 public sealed interface DrivingHazard {
+  /** A hazard that lasts from a time until before another [s]. */
+  sealed interface Window extends DrivingHazard {
+    /** When it begins [s]. */
+    double fromS();
+
+    /** When it is over [s]. */
+    double toS();
+
+    /** Whether it lasts at a time [s]. */
+    default boolean lasts(double timeS) {
+      return timeS >= fromS() && timeS < toS();
+    }
+  }
+
   /** The satellites are hidden from {@code fromS} until before {@code toS}. */
-  record GpsOutage(double fromS, double toS) implements DrivingHazard {
+  record GpsOutage(double fromS, double toS) implements Window {
     /** Checks that it ends after it begins. */
     public GpsOutage {
       window("GPS outage", fromS, toS);
-    }
-
-    boolean lasts(double timeS) {
-      return timeS >= fromS && timeS < toS;
     }
   }
 
   /**
    * Somebody holds the radio transmitter with its switch on manual: its sticks drive the motors.
    */
-  record Manual(double fromS, double toS, DriveCommand sticks) implements DrivingHazard {
+  record Manual(double fromS, double toS, DriveCommand sticks) implements Window {
     /** Checks that it ends after it begins. */
     public Manual {
       window("manual", fromS, toS);
       Objects.requireNonNull(sticks, "sticks");
     }
-
-    boolean lasts(double timeS) {
-      return timeS >= fromS && timeS < toS;
-    }
   }
 
   /** The radio transmitter is off: no pulses, and the switch between the motors' masters falls. */
-  record RadioSilence(double fromS, double toS) implements DrivingHazard {
+  record RadioSilence(double fromS, double toS) implements Window {
     /** Checks that it ends after it begins. */
     public RadioSilence {
       window("radio silence", fromS, toS);
-    }
-
-    boolean lasts(double timeS) {
-      return timeS >= fromS && timeS < toS;
     }
   }
 
@@ -55,17 +57,13 @@ public sealed interface DrivingHazard {
 
   /** Somebody pushes with a force [N] and a moment [N m, clockwise]. */
   record Push(double fromS, double toS, double eastN, double northN, double turnNm)
-      implements DrivingHazard {
+      implements Window {
     /** Checks that it ends after it begins, and the forces. */
     public Push {
       window("push", fromS, toS);
       Arguments.requireFinite("push east", eastN);
       Arguments.requireFinite("push north", northN);
       Arguments.requireFinite("push turn", turnNm);
-    }
-
-    boolean lasts(double timeS) {
-      return timeS >= fromS && timeS < toS;
     }
   }
 

@@ -1,8 +1,7 @@
 package org.u2sa.sim.ground;
 
 /**
- * What a ground vehicle does, as truth: no sensor stands between. Its place is that of its
- * reference point, the middle of the driven axle.
+ * The true state of a ground vehicle, that of its reference point, the middle of the driven axle.
  *
  * @param timeS simulated time since the start [s]
  * @param eastM on the local plane [m]

@@ -2,16 +2,13 @@ package org.u2sa.sim.ground;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.sim.sensor.CompassField;
+import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.world.World;
 
-/** Plays the hazards of a run upon a vehicle. */
+/** Applies the hazards of a run to a vehicle. */
 final class HazardPlay {
   private final GroundVehicle vehicle;
   private final List<DrivingHazard> all;
-  private final List<DrivingHazard.GpsOutage> outages;
-  private final List<DrivingHazard.Manual> manuals;
-  private final List<DrivingHazard.RadioSilence> silences;
   private final List<DrivingHazard.BatteryAt> batteries;
   private final List<DrivingHazard.Push> pushes;
   private final List<DrivingHazard.Magnetic> magnets;
@@ -20,9 +17,6 @@ final class HazardPlay {
   HazardPlay(Hazards hazards, GroundVehicle vehicle, World world) {
     this.vehicle = vehicle;
     all = hazards.all();
-    outages = hazards.of(DrivingHazard.GpsOutage.class);
-    manuals = hazards.of(DrivingHazard.Manual.class);
-    silences = hazards.of(DrivingHazard.RadioSilence.class);
     batteries = hazards.of(DrivingHazard.BatteryAt.class);
     pushes = hazards.of(DrivingHazard.Push.class);
     magnets = hazards.of(DrivingHazard.Magnetic.class);
@@ -68,33 +62,27 @@ final class HazardPlay {
   }
 
   Optional<DriveCommand> sticks(double timeS) {
-    for (DrivingHazard.Manual manual : manuals) {
-      if (manual.lasts(timeS)) {
-        return Optional.of(manual.sticks());
+    return now(DrivingHazard.Manual.class, timeS).map(DrivingHazard.Manual::sticks);
+  }
+
+  boolean radioSilent(double timeS) {
+    return now(DrivingHazard.RadioSilence.class, timeS).isPresent();
+  }
+
+  boolean gpsBlocked(double timeS) {
+    return now(DrivingHazard.GpsOutage.class, timeS).isPresent();
+  }
+
+  private <T extends DrivingHazard.Window> Optional<T> now(Class<T> kind, double timeS) {
+    for (DrivingHazard hazard : all) { // a loop: asked for in every tick
+      if (kind.isInstance(hazard) && kind.cast(hazard).lasts(timeS)) {
+        return Optional.of(kind.cast(hazard));
       }
     }
     return Optional.empty();
   }
 
-  boolean radioSilent(double timeS) {
-    for (DrivingHazard.RadioSilence silence : silences) {
-      if (silence.lasts(timeS)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  boolean gpsBlocked(double timeS) {
-    for (DrivingHazard.GpsOutage outage : outages) {
-      if (outage.lasts(timeS)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  CompassField field(double eastM, double northM, double leftA, double rightA) {
+  CompassModel.Disturbance field(double eastM, double northM, double leftA, double rightA) {
     double east = 0.0;
     double north = 0.0;
     for (DrivingHazard.Magnetic magnet : magnets) {
@@ -102,6 +90,6 @@ final class HazardPlay {
       east += share * magnet.eastUt();
       north += share * magnet.northUt();
     }
-    return new CompassField(east, north, leftA, rightA);
+    return new CompassModel.Disturbance(east, north, leftA, rightA);
   }
 }

@@ -20,7 +20,7 @@ public final class Hazards {
     this.all = List.copyOf(all);
   }
 
-  /** A quiet day. */
+  /** No hazards. */
   public static Hazards none() {
     return NONE;
   }
@@ -33,8 +33,8 @@ public final class Hazards {
   }
 
   /**
-   * A bad day, the same for the same seed: drop-outs of the GPS, magnetic places, slippery patches
-   * and pushes, about one of each in a minute or on 200 m².
+   * Random hazards, the same for the same seed: GPS outages, magnetic places, slippery patches and
+   * pushes, about one of each in a minute or on 200 m².
    *
    * @param radiusM of the ground around the origin on which places are put [m]
    * @param durationS of the run [s]

@@ -5,7 +5,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.u2sa.sim.ioio.Pins;
 import org.u2sa.sim.ioio.PulseTrain;
 import org.u2sa.sim.sensor.SpartonDevice;
-import org.u2sa.sim.sensor.TrueMotion;
 import org.u2sa.sim.sensor.UartTransmitter;
 import org.u2sa.sim.sensor.UbloxReceiver;
 import org.u2sa.sim.sensor.VoltmeterModel;
@@ -28,7 +27,7 @@ public final class MiniMolle implements Pins {
   private static final PulseTrain AUTOMATIC = new PulseTrain(1.9e-3, 0.02);
   private static final PulseTrain BY_HAND = new PulseTrain(1.1e-3, 0.02);
 
-  private final MiniMolleWiring wiring;
+  private final Wiring wiring;
   private final GroundVehicle vehicle;
   private final World world;
   private final UbloxReceiver gps;
@@ -96,18 +95,6 @@ public final class MiniMolle implements Pins {
 
   private void sense(long micros) {
     GroundState s = state;
-    double climbMps =
-        world.terrain().riseEast(s.eastM(), s.northM()) * s.eastMps()
-            + world.terrain().riseNorth(s.eastM(), s.northM()) * s.northMps();
-    TrueMotion truth =
-        new TrueMotion(
-            s.eastM(),
-            s.northM(),
-            world.terrain().heightM(s.eastM(), s.northM()),
-            s.eastMps(),
-            s.northMps(),
-            climbMps + 0.0, // no negative zero on level ground
-            s.headingRad());
     gps.advance(micros, truth, hazards.gpsBlocked(micros / US_PER_S));
     compass.advance(
         micros, truth, hazards.field(s.eastM(), s.northM(), s.leftMotorA(), s.rightMotorA()));
@@ -188,5 +175,31 @@ public final class MiniMolle implements Pins {
   /** What the run has in store. */
   public List<DrivingHazard> hazards() {
     return hazards.all();
+  }
+
+  /**
+   * Which pin of the IOIO leads where, and how the battery is divided down. The board receives at
+   * {@code …Receive} what the device sends.
+   *
+   * @param first pulses to the left motor's controller, or to that of the only motor
+   * @param second pulses to the right motor's controller, or to the steering servo
+   * @param radioSwitch pulses of the radio receiver's switch channel
+   * @param battery analog input
+   * @param dividerRatio voltage at that input by the battery's
+   */
+  public record Wiring(
+      int gpsReceive,
+      int gpsTransmit,
+      int compassReceive,
+      int compassTransmit,
+      int first,
+      int second,
+      int radioSwitch,
+      int battery,
+      double dividerRatio) {
+    /** The wiring of docs/drivers: GPS 6 and 7, compass 13 and 14, motors 10 and 11, 35, 40. */
+    public static Wiring standard() {
+      return new Wiring(6, 7, 13, 14, 10, 11, 35, 40, 0.2);
+    }
   }
 }

@@ -23,7 +23,7 @@ public final class MiniMolleBuilder {
   private static final double VOLTMETER_NOISE_V = 0.005;
 
   final World world;
-  MiniMolleWiring wiring = MiniMolleWiring.standard();
+  MiniMolle.Wiring wiring = MiniMolle.Wiring.standard();
   GroundVehicle vehicle = new DifferentialVehicle(DifferentialParameters.miniMolle());
   Hazards hazards = Hazards.none();
   private GpsParameters gps = GpsParameters.survey();
@@ -58,7 +58,7 @@ public final class MiniMolleBuilder {
   }
 
   /** Other pins. */
-  public MiniMolleBuilder wiring(MiniMolleWiring newWiring) {
+  public MiniMolleBuilder wiring(MiniMolle.Wiring newWiring) {
     wiring = Objects.requireNonNull(newWiring, "wiring");
     return this;
   }

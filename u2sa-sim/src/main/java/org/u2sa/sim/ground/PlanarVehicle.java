@@ -6,7 +6,6 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
-import org.u2sa.sim.motion.Motion;
 import org.u2sa.sim.motion.RungeKutta;
 import org.u2sa.sim.vehicle.FixedStep;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -45,7 +44,7 @@ abstract class PlanarVehicle implements GroundVehicle {
   private final double referenceX; // by the centre of gravity
   private final double referenceY;
   private final RungeKutta integrator;
-  private final Motion motion = this::derivatives;
+  private final RungeKutta.Motion motion = this::derivatives;
   private final double[] rate;
   private double pushEast;
   private double pushNorth;

@@ -2,6 +2,8 @@ package org.u2sa.sim.ioio;
 
 import java.util.Locale;
 import java.util.Set;
+import java.util.function.IntConsumer;
+import org.u2sa.sim.ioio.MessageReader.Bits;
 
 /**
  * Carries out messages to the board, unless their arguments are out of range. From the firmware's
@@ -72,23 +74,25 @@ final class Commands implements MessageReader.Handler {
     return pin < board.pins();
   }
 
-  private boolean digitalOut(Bits arguments) {
-    int pin = arguments.field(0, 2, 6);
-    if (!isPin(pin)) {
-      return false;
+  /** Does something with a pin, if there is one of that number. */
+  private boolean with(int pin, IntConsumer action) {
+    if (isPin(pin)) {
+      action.accept(pin);
     }
-    modules.digital.forget(pin);
-    modules.pins.digitalOut(pin, arguments.flag(0, 1));
-    return true;
+    return isPin(pin);
+  }
+
+  private boolean digitalOut(Bits arguments) {
+    return with(
+        arguments.field(0, 2, 6),
+        pin -> {
+          modules.digital.forget(pin);
+          modules.pins.digitalOut(pin, arguments.flag(0, 1));
+        });
   }
 
   private boolean digitalOutLevel(Bits arguments) {
-    int pin = arguments.field(0, 2, 6);
-    if (!isPin(pin)) {
-      return false;
-    }
-    modules.pins.level(pin, arguments.flag(0, 0));
-    return true;
+    return with(arguments.field(0, 2, 6), pin -> modules.pins.level(pin, arguments.flag(0, 0)));
   }
 
   private boolean digitalIn(Bits arguments) {
@@ -102,12 +106,7 @@ final class Commands implements MessageReader.Handler {
   }
 
   private boolean changeNotify(Bits arguments) {
-    int pin = arguments.field(0, 2, 6);
-    if (!isPin(pin)) {
-      return false;
-    }
-    modules.digital.watch(pin, arguments.flag(0, 0));
-    return true;
+    return with(arguments.field(0, 2, 6), pin -> modules.digital.watch(pin, arguments.flag(0, 0)));
   }
 
   private boolean pinPwm(Bits arguments) {
@@ -142,22 +141,17 @@ final class Commands implements MessageReader.Handler {
   }
 
   private boolean analogIn(Bits arguments) {
-    int pin = arguments.octet(0);
-    if (!isPin(pin)) {
-      return false;
-    }
-    modules.digital.forget(pin);
-    modules.pins.analogIn(pin);
-    return true;
+    return with(
+        arguments.octet(0),
+        pin -> {
+          modules.digital.forget(pin);
+          modules.pins.analogIn(pin);
+        });
   }
 
   private boolean analogSampling(Bits arguments) {
-    int pin = arguments.field(0, 0, 6);
-    if (!isPin(pin)) {
-      return false;
-    }
-    modules.analog.sample(pin, arguments.flag(0, ENABLE_BIT));
-    return true;
+    return with(
+        arguments.field(0, 0, 6), pin -> modules.analog.sample(pin, arguments.flag(0, ENABLE_BIT)));
   }
 
   private boolean uartConfig(Bits arguments) {

@@ -90,7 +90,7 @@ public final class IoioFirmware {
     peripherals.report();
   }
 
-  private boolean handle(int type, Bits arguments) {
+  private boolean handle(int type, MessageReader.Bits arguments) {
     if (state != State.OPEN) {
       refuse("bytes after the soft close");
       return false;

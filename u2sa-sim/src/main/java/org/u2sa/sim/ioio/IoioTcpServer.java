@@ -74,7 +74,8 @@ public final class IoioTcpServer implements AutoCloseable {
   }
 
   /**
-   * Lets the board hang, or go on: it takes and sends no bytes, while its pins stay as they are.
+   * Freezes the board, or lets it go on: frozen, it neither takes nor sends bytes, and its pins
+   * keep their state.
    */
   public void hold(boolean on) {
     synchronized (lock) {

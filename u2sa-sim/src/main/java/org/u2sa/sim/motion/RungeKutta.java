@@ -43,4 +43,15 @@ public final class RungeKutta {
       between[i] = state[i] + dtS * slope[i];
     }
   }
+
+  /** Equations of motion: how fast each number of a state vector changes. */
+  public interface Motion {
+    /**
+     * Gives the rates of change at a state.
+     *
+     * @param state not changed
+     * @param rate filled, of the same length; per second
+     */
+    void derivatives(double[] state, double[] rate);
+  }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.sim.sensor;
 
 import java.util.Random;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * What a magnetometer on a level vehicle measures, and the heading that comes of it: the earth's
@@ -20,7 +21,7 @@ public final class CompassModel {
   }
 
   /** Magnetic heading [rad, 0…2π) of a vehicle that moves like this among these fields. */
-  public double sample(TrueMotion truth, CompassField field) {
+  public double sample(VehicleTruth truth, Disturbance field) {
     double east = p.horizontalUt() * StrictMath.sin(p.declinationRad()) + field.eastUt();
     double north = p.horizontalUt() * StrictMath.cos(p.declinationRad()) + field.northUt();
     double sin = StrictMath.sin(truth.headingRad());
@@ -42,5 +43,20 @@ public final class CompassModel {
     double heading = StrictMath.atan2(-measuredRight, measuredForward);
     double positive = heading < 0.0 ? heading + TURN_RAD : heading;
     return positive < TURN_RAD ? positive : 0.0;
+  }
+
+  /**
+   * What disturbs a compass besides the earth's field.
+   *
+   * @param eastUt field of something at this place, towards east [µT]
+   * @param northUt towards north [µT]
+   * @param leftA current of the left, or only, motor, driving forward positive [A]
+   * @param rightA current of the right motor [A]
+   */
+  public record Disturbance(double eastUt, double northUt, double leftA, double rightA) {
+    /** Nothing. */
+    public static Disturbance none() {
+      return new Disturbance(0.0, 0.0, 0.0, 0.0);
+    }
   }
 }

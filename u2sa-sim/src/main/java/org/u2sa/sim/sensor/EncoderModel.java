@@ -27,14 +27,6 @@ public final class EncoderModel {
   }
 
   /**
-   * The left wheel's of AndyMark's PG27: 7 pulses, 4 edges each, 27:1, so 756 counts a turn; one in
-   * 10,000 is missed.
-   */
-  public static EncoderModel pg27(NoiseStreams streams, String name) {
-    return new EncoderModel(7 * 4 * 27, 1e-4, streams, name);
-  }
-
-  /**
    * Counts since the start, forward positive.
    *
    * @param angleRad by which the wheel has turned since the start [rad]

@@ -2,6 +2,7 @@ package org.u2sa.sim.sensor;
 
 import java.util.Random;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /** A satellite receiver's errors: white noise, wandering bias, drop-outs. */
@@ -36,16 +37,18 @@ public final class GpsModel {
    * @param timeS simulated time, later than at the last call [s]
    * @param blocked whether something keeps the satellites from being seen
    */
-  public GpsSample sample(double timeS, TrueMotion truth, boolean blocked) {
+  public GpsSample sample(double timeS, VehicleTruth truth, boolean blocked) {
     double dtS = timeS - lastS;
     lastS = timeS;
-    double east = truth.eastM() + biasEast.step(dtS) + p.whiteM() * noise.nextGaussian();
-    double north = truth.northM() + biasNorth.step(dtS) + p.whiteM() * noise.nextGaussian();
+    double east = truth.position().x() + biasEast.step(dtS) + p.whiteM() * noise.nextGaussian();
+    double north = truth.position().y() + biasNorth.step(dtS) + p.whiteM() * noise.nextGaussian();
     double up =
-        truth.upM() + biasUp.step(dtS) + p.whiteM() * p.verticalFactor() * noise.nextGaussian();
-    double eastMps = truth.eastMps() + p.velocityMps() * noise.nextGaussian();
-    double northMps = truth.northMps() + p.velocityMps() * noise.nextGaussian();
-    double upMps = truth.upMps() + p.velocityMps() * noise.nextGaussian();
+        truth.position().z()
+            + biasUp.step(dtS)
+            + p.whiteM() * p.verticalFactor() * noise.nextGaussian();
+    double eastMps = truth.velocity().x() + p.velocityMps() * noise.nextGaussian();
+    double northMps = truth.velocity().y() + p.velocityMps() * noise.nextGaussian();
+    double upMps = truth.velocity().z() + p.velocityMps() * noise.nextGaussian();
     if (outage(timeS) || blocked) {
       return new GpsSample(timeS, false, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
     }
@@ -77,5 +80,33 @@ public final class GpsModel {
   /** Time to the next of events that come at random, on average after this long. */
   private double waitS(double meanS) {
     return -meanS * StrictMath.log(1.0 - outages.nextDouble());
+  }
+
+  /**
+   * A bias that wanders but stays bounded: the first-order Gauss-Markov process (Gelb, Applied
+   * Optimal Estimation, chapter 2), discretised exactly, stationary from the beginning.
+   */
+  static final class GaussMarkov {
+    private final double sigma;
+    private final double tauS;
+    private final Random noise;
+    private double value;
+
+    /**
+     * @param sigma its standard deviation
+     * @param tauS time in which it forgets all but 1/e of its value [s]
+     */
+    GaussMarkov(double sigma, double tauS, Random noise) {
+      this.sigma = sigma;
+      this.tauS = tauS;
+      this.noise = noise;
+      this.value = sigma * noise.nextGaussian();
+    }
+
+    double step(double dtS) {
+      double kept = StrictMath.exp(-dtS / tauS);
+      value = kept * value + sigma * StrictMath.sqrt(1.0 - kept * kept) * noise.nextGaussian();
+      return value;
+    }
   }
 }

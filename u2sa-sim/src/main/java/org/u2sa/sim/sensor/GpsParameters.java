@@ -3,7 +3,7 @@ package org.u2sa.sim.sensor;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * How good a satellite receiver is. Standard deviations are those of each axis.
+ * The errors of a satellite receiver. Standard deviations are those of each axis.
  *
  * @param rateHz positions in a second, at most
  * @param latencyS from the moment that a position is of to its first byte [s]
@@ -61,22 +61,6 @@ public record GpsParameters(
    */
   public static GpsParameters phone() {
     return new GpsParameters(1.0, 0.25, 0.5, 3.0, 120.0, 1.5, 0.15, 900.0, 5.0, 9, 1);
-  }
-
-  /** The same without random drop-outs. */
-  public GpsParameters withoutOutages() {
-    return new GpsParameters(
-        rateHz,
-        latencyS,
-        whiteM,
-        biasM,
-        biasTauS,
-        verticalFactor,
-        velocityMps,
-        0.0,
-        outageS,
-        satellites,
-        quality);
   }
 
   /** What the receiver says of each horizontal axis [m]. */

@@ -1,5 +1,7 @@
 package org.u2sa.sim.sensor;
 
+import org.u2sa.sim.vehicle.VehicleTruth;
+
 /**
  * A compass that sends its heading by itself, as NMEA 0183 sentences. Its time moves in {@link
  * #advance}. Not safe for several threads.
@@ -18,6 +20,7 @@ public final class NmeaCompassDevice {
   private static final int BUFFER = 256;
   private static final double US_PER_S = 1e6;
   private static final double TURN_RAD = 2.0 * Math.PI;
+  private static final double TURN_DEG = 360.0;
 
   private final Sentence sentence;
   private final double declinationRad;
@@ -44,19 +47,32 @@ public final class NmeaCompassDevice {
    * @param micros the run's time [µs], not before that of the last call
    * @param field what disturbs it
    */
-  public void advance(long micros, TrueMotion truth, CompassField field) {
+  public void advance(long micros, VehicleTruth truth, CompassModel.Disturbance field) {
     if (micros >= nextUs) {
-      line.send(micros, bytes(model.sample(truth, field)));
+      line.send(micros, bytes(sentence, model.sample(truth, field), declinationRad));
       nextUs = (micros / periodUs + 1) * periodUs;
     }
   }
 
-  private byte[] bytes(double magneticRad) {
+  static byte[] bytes(Sentence sentence, double magneticRad, double declinationRad) {
     return switch (sentence) {
-      case HDM -> NmeaCompassMessages.hdm(magneticRad);
-      case HDG -> NmeaCompassMessages.hdg(magneticRad, declinationRad);
-      case HDT -> NmeaCompassMessages.hdt((magneticRad + declinationRad + TURN_RAD) % TURN_RAD);
+      case HDM -> heading("HCHDM", magneticRad).text("M").bytes();
+      case HDG ->
+          heading("HCHDG", magneticRad)
+              .blank(2)
+              .number(Math.abs(Math.toDegrees(declinationRad)), 1, 1)
+              .text(declinationRad < 0.0 ? "W" : "E")
+              .bytes();
+      case HDT ->
+          heading("HCHDT", (magneticRad + declinationRad + TURN_RAD) % TURN_RAD).text("T").bytes();
     };
+  }
+
+  /** A sentence with a heading of 0…359.9 degrees: what rounds to 360 is 0. */
+  private static NmeaOutput heading(String sentence, double radians) {
+    double rounded = Math.round(Math.toDegrees(radians) * 10.0) / 10.0;
+    return new NmeaOutput(sentence)
+        .number(rounded >= TURN_DEG ? rounded - TURN_DEG : rounded, 1, 1);
   }
 
   /** When {@link #advance} next has something to do [µs]. */

@@ -1,6 +1,7 @@
 package org.u2sa.sim.sensor;
 
 import java.io.ByteArrayOutputStream;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * A Sparton smart compass (SP3004D and its successors) as its host sees it, in the legacy binary
@@ -56,7 +57,7 @@ public final class SpartonDevice {
    * @param micros the run's time [µs], not before that of the last call
    * @param field what disturbs it
    */
-  public void advance(long micros, TrueMotion truth, CompassField field) {
+  public void advance(long micros, VehicleTruth truth, CompassModel.Disturbance field) {
     nowUs = micros;
     if (micros >= nextUs) {
       magneticRad = model.sample(truth, field);

@@ -2,6 +2,7 @@ package org.u2sa.sim.sensor;
 
 import java.util.EnumSet;
 import java.util.Set;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
@@ -33,7 +34,7 @@ public final class UbloxReceiver {
   private final NmeaGpsMessages nmea;
   private final UbxGpsMessages ubx;
   private final UartTransmitter line;
-  private final UbxRequests requests = new UbxRequests(this::obey);
+  private final UbxMessage.Reader requests = new UbxMessage.Reader(this::obey);
   private final Set<GpsMessage> messages = EnumSet.noneOf(GpsMessage.class);
   private int protocols = UBX | NMEA; // that it sends
   private long periodUs;
@@ -72,7 +73,7 @@ public final class UbloxReceiver {
    * @param micros the run's time [µs], not before that of the last call; often enough for its rate
    * @param blocked whether something keeps the satellites from being seen
    */
-  public void advance(long micros, TrueMotion truth, boolean blocked) {
+  public void advance(long micros, VehicleTruth truth, boolean blocked) {
     nowUs = micros;
     if (computed != null && micros >= sendUs) {
       send();

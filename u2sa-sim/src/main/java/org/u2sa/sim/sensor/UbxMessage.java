@@ -69,4 +69,57 @@ final class UbxMessage {
     }
     return a << 8 | b;
   }
+
+  /** Finds UBX messages in what a host sends; anything else is passed over, as the receivers do. */
+  static final class Reader {
+    private static final int LONGEST = 512;
+
+    /** Takes one message whose checksum is right. */
+    interface Listener {
+      void request(int messageClass, int id, byte[] payload);
+    }
+
+    private final Listener listener;
+    private final byte[] message = new byte[HEADER + LONGEST + CHECKSUM];
+    private int size;
+
+    Reader(Listener listener) {
+      this.listener = listener;
+    }
+
+    void accept(byte[] bytes, int length) {
+      for (int i = 0; i < length; i++) {
+        accept(bytes[i]);
+      }
+    }
+
+    private void accept(byte octet) {
+      message[size++] = octet;
+      if (size == 1 && (octet & 0xFF) != SYNC_1 || size == 2 && (octet & 0xFF) != SYNC_2) {
+        size = (octet & 0xFF) == SYNC_1 ? 1 : 0;
+        message[0] = octet;
+        return;
+      }
+      if (size < HEADER) {
+        return;
+      }
+      int length = message[4] & 0xFF | (message[5] & 0xFF) << 8;
+      if (length > LONGEST) {
+        size = 0;
+      } else if (size == HEADER + length + CHECKSUM) {
+        size = 0;
+        finish(length);
+      }
+    }
+
+    private void finish(int length) {
+      int end = HEADER + length;
+      int said = (message[end] & 0xFF) << 8 | message[end + 1] & 0xFF;
+      if (checksum(message, 2, end) == said) {
+        byte[] payload = new byte[length];
+        System.arraycopy(message, HEADER, payload, 0, length);
+        listener.request(message[2] & 0xFF, message[3] & 0xFF, payload);
+      }
+    }
+  }
 }

@@ -5,9 +5,9 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
- * What a vehicle truly does at one moment: no sensor stands between. Everything is about its
- * reference point. East, north and level are those of the world's plane; far from its origin a
- * vehicle that follows the earth's curvature takes its own level and true north.
+ * The true state of a vehicle at one moment, that of its reference point. East, north and level are
+ * those of the world's plane; far from its origin a vehicle that follows the earth's curvature
+ * takes its own level and true north.
  *
  * @param timeS simulated time since the start [s]
  * @param position east, north, up on the world's plane [m]

@@ -140,11 +140,6 @@ public final class World {
     return obstacles;
   }
 
-  /** Where on earth a point of the ground is. */
-  public Geodetic groundAt(double eastM, double northM) {
-    return plane.at(eastM, northM, terrain.heightM(eastM, northM));
-  }
-
   /**
    * Elevation of the ground above mean sea level [m] at a WGS-84 position [°].
    *

@@ -23,7 +23,7 @@ class StandardAtmosphereTest {
   })
   void at_altitude_isTheTableValue(
       double altitudeM, double kelvin, double pascal, double density, double sound) {
-    Air air = StandardAtmosphere.at(altitudeM);
+    StandardAtmosphere.Air air = StandardAtmosphere.at(altitudeM);
     assertThat(air.temperatureK()).isCloseTo(kelvin, within(0.002));
     assertThat(air.pressurePa()).isCloseTo(pascal, withinPercentage(0.01));
     assertThat(air.densityKgPerM3()).isCloseTo(density, withinPercentage(0.01));
@@ -58,7 +58,7 @@ class StandardAtmosphereTest {
 
   @Test
   void trueAirspeed_ofCalibrated_isItsInverse() {
-    Air air = StandardAtmosphere.at(2_500.0);
+    StandardAtmosphere.Air air = StandardAtmosphere.at(2_500.0);
     assertThat(air.trueAirspeedMps(air.calibratedAirspeedMps(55.0))).isCloseTo(55.0, within(1e-9));
   }
 }

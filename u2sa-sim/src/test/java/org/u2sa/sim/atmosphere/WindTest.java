@@ -36,13 +36,13 @@ class WindTest {
   void new_badNumbers_areRefusedByName() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> Wind.constant(0.0, -1.0))
-        .withMessage("wind speed: -1.0 m/s is outside 0…60 m/s");
+        .withMessage("wind speed [m/s]: -1.0 is outside 0.0…60.0");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> Wind.constant(Double.NaN, 1.0))
-        .withMessageContaining("wind direction: NaN");
+        .withMessageContaining("wind direction [rad]: NaN");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> Wind.calm().withGusts(Double.NaN, 1L))
-        .withMessageContaining("gust sigma: NaN");
+        .withMessageContaining("gust sigma [m/s]: NaN");
   }
 
   private static WindField field(Wind wind, double heightM) {

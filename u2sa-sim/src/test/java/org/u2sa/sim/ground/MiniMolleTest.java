@@ -33,7 +33,7 @@ class MiniMolleTest {
     assertThat(molle.state().northM()).isGreaterThan(4.0);
     assertThat(molle.command().first()).isEqualTo(0.6, within(1e-9));
     assertThat(molle.command().second()).isEqualTo(0.6, within(1e-9));
-    assertThat(WORLD.groundAt(molle.state().eastM(), molle.state().northM()).latitudeDeg())
+    assertThat(WORLD.plane().at(molle.state().eastM(), molle.state().northM(), 0.0).latitudeDeg())
         .isGreaterThan(37.23003);
     assertThat(molle.state().timeS()).isEqualTo(5.0);
   }

@@ -55,9 +55,9 @@ class GoldenBytesTest {
     UbxGpsMessages ubx = new UbxGpsMessages(UTC);
     if (file.startsWith("compass")) {
       for (double heading : new double[] {0.0, 1.0, Math.PI, 6.2831, 6.28}) {
-        out.write(NmeaCompassMessages.hdt(heading));
-        out.write(NmeaCompassMessages.hdm(heading));
-        out.write(NmeaCompassMessages.hdg(heading, -0.15));
+        out.write(NmeaCompassDevice.bytes(NmeaCompassDevice.Sentence.HDT, heading, 0.0));
+        out.write(NmeaCompassDevice.bytes(NmeaCompassDevice.Sentence.HDM, heading, 0.0));
+        out.write(NmeaCompassDevice.bytes(NmeaCompassDevice.Sentence.HDG, heading, -0.15));
       }
       return out.toByteArray();
     }

@@ -4,14 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 class GpsModelTest {
   private static final Geodetic HERE = new Geodetic(-80.42, 37.23, 600.0);
   private static final LocalPlane PLANE = new LocalPlane(HERE);
-  private static final TrueMotion STANDING = new TrueMotion(0, 0, 0, 0, 0, 0, 0);
+  private static final VehicleTruth STANDING =
+      new VehicleTruth(
+          0.0,
+          Point.of(0, 0, 0),
+          new Attitude(0.0, 0.0, 0),
+          Point.of(0, 0, 0),
+          Point.ORIGIN,
+          Point.ORIGIN);
   private static final double FIVE_SIGMA = 5.0;
 
   @Test
@@ -37,7 +46,8 @@ class GpsModelTest {
 
   @Test
   void sample_phoneReceiver_isStationaryFromTheBeginningToTheEnd() {
-    GpsParameters phone = GpsParameters.phone().withoutOutages();
+    GpsParameters phone =
+        new GpsParameters(1.0, 0.25, 0.5, 3.0, 120.0, 1.5, 0.15, 0.0, 5.0, 9, 1); // no outages
     double variance = square(phone.horizontalSigmaM());
     double first = 0.0;
     double last = 0.0;
@@ -77,7 +87,8 @@ class GpsModelTest {
     double sigma = 3.0;
     double tau = 20.0;
     int n = 400_000;
-    GaussMarkov process = new GaussMarkov(sigma, tau, new NoiseStreams(9L).of("test"));
+    GpsModel.GaussMarkov process =
+        new GpsModel.GaussMarkov(sigma, tau, new NoiseStreams(9L).of("test"));
     double[] x = new double[n];
     for (int i = 0; i < n; i++) {
       x[i] = process.step(1.0);

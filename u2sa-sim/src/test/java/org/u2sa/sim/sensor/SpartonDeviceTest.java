@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 class SpartonDeviceTest {
   private static final double EAST = Math.PI / 2.0;
@@ -60,8 +63,15 @@ class SpartonDeviceTest {
   }
 
   private void face(double headingRad) {
-    TrueMotion truth = new TrueMotion(0, 0, 0, 0, 0, 0, headingRad);
-    compass.advance(nowUs, truth, CompassField.none());
+    VehicleTruth truth =
+        new VehicleTruth(
+            0.0,
+            Point.of(0, 0, 0),
+            new Attitude(0.0, 0.0, headingRad),
+            Point.of(0, 0, 0),
+            Point.ORIGIN,
+            Point.ORIGIN);
+    compass.advance(nowUs, truth, CompassModel.Disturbance.none());
   }
 
   private int[] answer(int... request) {

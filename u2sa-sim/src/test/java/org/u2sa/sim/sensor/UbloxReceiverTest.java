@@ -7,11 +7,21 @@ import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 class UbloxReceiverTest {
-  private static final TrueMotion STANDING = new TrueMotion(0, 0, 0, 0, 0, 0, 0);
+  private static final VehicleTruth STANDING =
+      new VehicleTruth(
+          0.0,
+          Point.of(0, 0, 0),
+          new Attitude(0.0, 0.0, 0),
+          Point.of(0, 0, 0),
+          Point.ORIGIN,
+          Point.ORIGIN);
   private static final byte[] SET_RATE_5_HZ = {
     (byte) 0xB5, 0x62, 0x06, 0x08, 6, 0, (byte) 200, 0, 1, 0, 1, 0, (byte) 0xDE, 0x6A
   }; // as u-center sends it

@@ -140,9 +140,9 @@ class WorldTest {
     assertThat(world.wind().speedMps()).isEqualTo(5.0);
     assertThat(world.water().orElseThrow().depthM(-3.0)).isEqualTo(2.0);
     assertThat(world.obstacles()).hasSize(1);
-    assertThat(world.groundAt(0.0, 10.0).altitudeM())
+    assertThat(world.plane().at(0.0, 10.0, world.terrain().heightM(0.0, 10.0)).altitudeM())
         .isCloseTo(500.0 + 10.0 * Math.tan(0.1), within(1e-9));
-    Geodetic place = world.groundAt(0.0, 10.0);
+    Geodetic place = world.plane().at(0.0, 10.0, world.terrain().heightM(0.0, 10.0));
     assertThat(world.elevationM(place.longitudeDeg(), place.latitudeDeg()))
         .isCloseTo(place.altitudeM(), within(1e-6));
   }
