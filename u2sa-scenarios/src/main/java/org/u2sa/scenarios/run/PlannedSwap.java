@@ -3,6 +3,7 @@ package org.u2sa.scenarios.run;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.NearestNames;
 
@@ -50,6 +51,21 @@ public record PlannedSwap(double atS, String service, String className) {
                 + "\" runs; expected one of "
                 + String.join(", ", running)
                 + NearestNames.didYouMean(swap.service, running));
+      }
+    }
+  }
+
+  /**
+   * Refuses swaps for classes that are no services, before the run in which they are due.
+   *
+   * @throws BadInputException naming the class
+   */
+  static void requireClasses(List<PlannedSwap> swaps, LaunchOptions options) {
+    for (PlannedSwap swap : swaps) {
+      try {
+        options.requireServiceClass(swap.className);
+      } catch (BadInputException e) {
+        throw new BadInputException("--swap " + swap + ": " + e.getMessage(), e);
       }
     }
   }
