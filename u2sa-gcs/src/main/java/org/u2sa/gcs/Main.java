@@ -6,6 +6,7 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.terminal.PlainLines;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 
@@ -47,7 +48,8 @@ public final class Main {
       PrintWriter err,
       Help.Ansi ansi,
       String... args) {
-    CommandLine line = CommandTree.build(providers, ansi).setOut(out).setErr(err);
+    CommandLine line =
+        CommandTree.build(providers, ansi).setOut(new PlainLines(out)).setErr(new PlainLines(err));
     try {
       return line.execute(args);
     } catch (Error e) { // picocli hands it on; a broken installation deserves a clear line, too
