@@ -240,6 +240,7 @@ class RunningSystemTest {
   @Test
   void start_logsWhereAFileIs_isRefused() throws IOException {
     Path logs = file("logs", "");
+    file("Quiet.xml", configuration());
     SystemFile system = system(service(Quiet.class, "Quiet.xml"));
 
     assertThatThrownBy(() -> RunningSystem.start(system, new LaunchOptions().logDirectory(logs)))
