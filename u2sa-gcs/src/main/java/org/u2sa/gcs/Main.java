@@ -21,6 +21,7 @@ public final class Main {
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true);
     PrintWriter err = new PrintWriter(System.err, true);
+    Thread.setDefaultUncaughtExceptionHandler(new LostThreads(err));
     MQTT.setLevel(Level.OFF); // services log each lost link in a line of their own
     System.exit(run(CommandTree.discover(err), out, err, Help.Ansi.AUTO, args));
   }
