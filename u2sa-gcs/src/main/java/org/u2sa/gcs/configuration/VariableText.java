@@ -2,7 +2,7 @@ package org.u2sa.gcs.configuration;
 
 import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.Quantity;
+import org.u2sa.interfaces.configuration.NumberWithUnit;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
@@ -30,7 +30,7 @@ record VariableText(String variable, String value) {
    * @throws BadInputException if the unit cannot be converted
    */
   String valueFor(ConfigurationVariable declared, String service) {
-    Optional<Quantity> quantity = Quantity.of(value);
+    Optional<NumberWithUnit> quantity = NumberWithUnit.of(value);
     boolean number = declared.variableType().equals("double") && !declared.unit().isEmpty();
     if (!number || quantity.isEmpty()) {
       return value;

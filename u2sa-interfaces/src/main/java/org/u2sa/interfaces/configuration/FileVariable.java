@@ -96,7 +96,7 @@ record FileVariable(
     if (value instanceof Integer whole) {
       return inMemory(place, name, whole.doubleValue());
     }
-    return Quantity.of(text)
+    return NumberWithUnit.of(text)
         .map(
             typed ->
                 new FileVariable(

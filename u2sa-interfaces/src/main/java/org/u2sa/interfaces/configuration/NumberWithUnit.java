@@ -10,17 +10,17 @@ import java.util.regex.Pattern;
  * @param number as typed, which {@link Double#parseDouble} reads
  * @param unit as typed; {@link Units} knows whether there is such a one
  */
-public record Quantity(String number, String unit) {
+public record NumberWithUnit(String number, String unit) {
   /** Possessive, or the end of a number without a unit would be taken for one. */
   private static final Pattern FORM =
       Pattern.compile(
           "\\s*([+-]?+(?:\\d++\\.?+\\d*+|\\.\\d++)(?:[eE][+-]?+\\d++)?+)\\s*+([^\\s\\d].*?)\\s*");
 
   /** What the text holds; empty if it is no number, or one without a unit. */
-  public static Optional<Quantity> of(String text) {
+  public static Optional<NumberWithUnit> of(String text) {
     Matcher form = FORM.matcher(text);
     return form.matches()
-        ? Optional.of(new Quantity(form.group(1), form.group(2)))
+        ? Optional.of(new NumberWithUnit(form.group(1), form.group(2)))
         : Optional.empty();
   }
 
