@@ -6,6 +6,7 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.terminal.PlainLines;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 
@@ -20,6 +21,7 @@ public final class Main {
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true);
     PrintWriter err = new PrintWriter(System.err, true);
+    Thread.setDefaultUncaughtExceptionHandler(new LostThreads(err));
     MQTT.setLevel(Level.OFF); // services log each lost link in a line of their own
     System.exit(run(CommandTree.discover(err), out, err, Help.Ansi.AUTO, args));
   }
@@ -48,7 +50,8 @@ public final class Main {
       PrintWriter err,
       Help.Ansi ansi,
       String... args) {
-    CommandLine line = CommandTree.build(providers, ansi).setOut(out).setErr(err);
+    CommandLine line =
+        CommandTree.build(providers, ansi).setOut(new PlainLines(out)).setErr(new PlainLines(err));
     try {
       return line.execute(args);
     } catch (Error e) { // picocli hands it on; a broken installation deserves a clear line, too

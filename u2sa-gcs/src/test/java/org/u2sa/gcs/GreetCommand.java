@@ -48,6 +48,8 @@ final class GreetCommand implements Callable<Integer> {
       case "input" ->
           throw new BadInputException("mission.xml, line 3, <z>: \"high\" is not a number");
       case "run" -> throw new RunFailedException("FlightGear went away at 12.5 s");
+      case "lie" ->
+          throw new RunFailedException("refused: \u001b[2J\u009bx\nu2sa: cessna: armed\u202e");
       case "bug" -> throw new IllegalStateException("wing came off");
       default -> spec.commandLine().getOut().println("hello " + seed);
     }

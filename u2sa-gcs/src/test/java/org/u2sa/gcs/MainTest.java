@@ -107,6 +107,13 @@ class MainTest {
   }
 
   @Test
+  void run_wordsOfOthersWithControlCharacters_stayOneLineAndCommandNoTerminal() {
+    assertThat(run("demo", "greet", "--fail", "lie")).isEqualTo(ExitCode.FAILED);
+    assertThat(err)
+        .hasToString("u2sa: refused:  [2J x u2sa: cessna: armed " + System.lineSeparator());
+  }
+
+  @Test
   void run_unexpectedException_isOneLineWithoutDebug() {
     assertThat(run("demo", "greet", "--fail", "bug")).isEqualTo(ExitCode.FAILED);
     assertThat(err.toString().lines())

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import org.u2sa.interfaces.OneLine;
 
 /**
  * Counts and tells what the broker refuses or gives up, each kind at its 1st, 2nd, 4th, 8th … time,
@@ -48,6 +49,6 @@ final class Refusals {
   /** A client's own text, made fit for a line of a log. */
   static String shown(String text) {
     String cut = text.length() > LONGEST_NAME ? text.substring(0, LONGEST_NAME) + "…" : text;
-    return "\"" + cut.replaceAll("\\p{Cntrl}", "?") + "\"";
+    return "\"" + OneLine.of(cut) + "\"";
   }
 }

@@ -142,13 +142,16 @@ final class HostedServices implements ServiceHost {
   }
 
   private Optional<String> startAnew(Hosted old) {
-    end(old.service());
     try {
       XmlConfiguration configuration = maker.configuration(old.entry());
       if (!old.className().equals(old.entry().className())) { // was swapped
         configuration.override("SERVICE NAME", old.service().getServiceName());
         configuration.tolerate(old.configuration().tolerated());
       }
+      // A file that is wrong by now refuses the order before what runs is ended for it.
+      old.configuration().declared().forEach(configuration::getVariable);
+      configuration.refuseUndeclared();
+      end(old.service());
       Hosted successor =
           new Hosted(
               old.entry(),

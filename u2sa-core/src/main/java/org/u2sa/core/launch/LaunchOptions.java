@@ -87,6 +87,17 @@ public final class LaunchOptions {
     return this;
   }
 
+  /**
+   * Refuses a class of which no service can be made, such as one that a swap is to start later.
+   *
+   * @throws org.u2sa.interfaces.BadInputException naming the class
+   */
+  public void requireServiceClass(String className) {
+    if (makerOf(className).isEmpty()) {
+      ServiceFactory.constructor(className);
+    }
+  }
+
   Optional<Function<ServiceContext, ? extends U2SAService>> makerOf(String className) {
     return Optional.ofNullable(makers.get(className));
   }

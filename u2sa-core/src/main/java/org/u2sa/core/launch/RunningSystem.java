@@ -1,5 +1,7 @@
 package org.u2sa.core.launch;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -61,6 +63,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private void prepare() {
+    requireFolder(options.logDirectory());
     file.services().stream()
         .filter(entry -> options.makerOf(entry.className()).isEmpty())
         .forEach(ServiceFactory::constructor);
@@ -73,6 +76,13 @@ public final class RunningSystem implements AutoCloseable {
     hosted.makeAll(file.services());
     if (!file.services().isEmpty()) {
       launcher = makeLauncher();
+    }
+  }
+
+  /** A folder that cannot be written now may be later; one that is no folder cannot become one. */
+  private static void requireFolder(Path logs) {
+    if (Files.exists(logs) && !Files.isDirectory(logs)) {
+      throw new BadInputException(logs + ": is no folder, expected one for log files");
     }
   }
 

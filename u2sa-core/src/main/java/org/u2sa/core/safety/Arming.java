@@ -22,8 +22,8 @@ final class Arming {
     waits = manager.getVariable(SafetyVariables.ARM_AT_START);
   }
 
-  void see(U2SAData message) {
-    checks.see(message);
+  void see(U2SAData message, long nowMicros) {
+    checks.see(message, nowMicros);
   }
 
   boolean isArmed() {

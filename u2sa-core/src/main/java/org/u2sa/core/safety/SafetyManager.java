@@ -124,7 +124,7 @@ public final class SafetyManager extends PeriodicService {
     long now = clock().micros();
     predecessor.see(message, now);
     landMission.see(message);
-    arming.see(message);
+    arming.see(message, now);
     watches.forEach(watch -> watch.see(message, now));
   }
 

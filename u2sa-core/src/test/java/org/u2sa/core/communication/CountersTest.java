@@ -140,7 +140,7 @@ class CountersTest {
 
   @Test
   void shown_longTextWithControlCharacters_isOneShortLine() {
-    assertThat(Refusals.shown("a\nb\u0000")).isEqualTo("\"a?b?\"");
+    assertThat(Refusals.shown("a\nb\u0000\u009b")).isEqualTo("\"a b \"");
     assertThat(Refusals.shown("x".repeat(120))).isEqualTo("\"" + "x".repeat(120) + "\"");
     assertThat(Refusals.shown("x".repeat(121))).isEqualTo("\"" + "x".repeat(120) + "…\"");
   }

@@ -13,6 +13,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -162,17 +164,24 @@ class LauncherTest {
     assertThat(((Worker) system.services().get(0)).gain).isEqualTo(2.0);
   }
 
-  @Test
-  void restart_fileBrokenMeanwhile_answersWhyAndStartWorksOnceItIsRepaired() throws Exception {
-    write("Worker.xml", "<variable name=\"GAIN\" type=\"double\" value=\"much\"/>");
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "name=\"GAIN\" type=\"double\" value=\"much\"",
+        "name=\"GAIN\" type=\"double\" value=\"1.0\" unit=\"m\"",
+        "name=\"GAIM\" type=\"double\" value=\"1.0\""
+      })
+  void restart_fileBrokenMeanwhile_answersWhyAndTheServiceRunsOn(String broken) throws Exception {
+    U2SAService before = system.services().get(0);
+    write("Worker.xml", "<variable " + broken + "/>");
 
     ServiceOrderResult result = order("Worker", ServiceAction.RESTART);
 
     assertThat(result.accepted()).isFalse();
-    assertThat(result.reason()).contains("Worker.xml").contains("GAIN").contains("much");
+    assertThat(result.reason()).contains("Worker.xml").contains("\"GAI");
+    assertThat(system.services().get(0)).isSameAs(before).matches(U2SAService::isRunning);
     write("Worker.xml", "");
-    assertThat(order("Worker", ServiceAction.START).accepted()).isTrue();
-    assertThat(system.services().get(0).isRunning()).isTrue();
+    assertThat(order("Worker", ServiceAction.RESTART).accepted()).isTrue();
   }
 
   @Test

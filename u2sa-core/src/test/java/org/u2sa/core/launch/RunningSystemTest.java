@@ -236,4 +236,15 @@ class RunningSystemTest {
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("lists no service");
   }
+
+  @Test
+  void start_logsWhereAFileIs_isRefused() throws IOException {
+    Path logs = file("logs", "");
+    file("Quiet.xml", configuration());
+    SystemFile system = system(service(Quiet.class, "Quiet.xml"));
+
+    assertThatThrownBy(() -> RunningSystem.start(system, new LaunchOptions().logDirectory(logs)))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage(logs + ": is no folder, expected one for log files");
+  }
 }

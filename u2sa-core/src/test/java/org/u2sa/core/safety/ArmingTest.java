@@ -64,6 +64,18 @@ class ArmingTest extends WatchedVehicle {
   }
 
   @Test
+  void arm_actuatorThatEnded_isNotThere() {
+    start();
+    live(15.0);
+    assertThat(arm(true).armed()).isTrue(); // who announces every 5 s may be late twice
+    arm(false);
+
+    live(1.0);
+
+    assertThat(arm(true).reasons()).containsExactly("actuators: none is there");
+  }
+
+  @Test
   void clear_thatLiftsNothing_leavesTheStopForWhoComesLate() {
     startArmed();
     EmergencyStop stop = new EmergencyStop().active(true).operator("Ann").stopId("Ann 1");

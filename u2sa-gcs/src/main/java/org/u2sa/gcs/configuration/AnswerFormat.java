@@ -18,7 +18,8 @@ final class AnswerFormat {
   void print(Supplier<String> asJson, Supplier<List<String>> asLines) {
     PrintWriter out = command.commandLine().getOut();
     if (json) {
-      out.println(asJson.get());
+      out.print(asJson.get()); // has lines of its own
+      out.println();
     } else {
       asLines.get().forEach(out::println);
     }

@@ -35,7 +35,12 @@ final class GetCommand implements Callable<Integer> {
       ConfigurationResponse response = new RemoteConfiguration(link).of(service);
       ConfigurationVariable found = RemoteConfiguration.variable(response, variable);
       PrintWriter out = command.commandLine().getOut();
-      out.println(json ? ConfigurationJson.text(found) : ConfigurationTable.value(found));
+      if (json) {
+        out.print(ConfigurationJson.text(found));
+        out.println();
+      } else {
+        out.println(ConfigurationTable.value(found));
+      }
       return ExitCode.DONE;
     }
   }

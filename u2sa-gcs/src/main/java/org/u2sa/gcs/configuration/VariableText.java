@@ -1,9 +1,8 @@
 package org.u2sa.gcs.configuration;
 
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.Units;
+import org.u2sa.interfaces.configuration.NumberWithUnit;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
@@ -13,11 +12,6 @@ import org.u2sa.messages.contract.ConfigurationVariable;
  * @param value as typed, perhaps a number with a unit
  */
 record VariableText(String variable, String value) {
-  /** Possessive, or the end of a number without a unit would be taken for one. */
-  private static final Pattern QUANTITY =
-      Pattern.compile(
-          "\\s*([+-]?+(?:\\d++\\.?+\\d*+|\\.\\d++)(?:[eE][+-]?+\\d++)?+)\\s*+([^\\s\\d].*?)\\s*");
-
   /**
    * @throws IllegalArgumentException if there is no {@code =} behind a name
    */
@@ -36,17 +30,16 @@ record VariableText(String variable, String value) {
    * @throws BadInputException if the unit cannot be converted
    */
   String valueFor(ConfigurationVariable declared, String service) {
-    Matcher quantity = QUANTITY.matcher(value);
+    Optional<NumberWithUnit> quantity = NumberWithUnit.of(value);
     boolean number = declared.variableType().equals("double") && !declared.unit().isEmpty();
-    if (!number || !quantity.matches()) {
+    if (!number || quantity.isEmpty()) {
       return value;
     }
-    if (quantity.group(2).equals(declared.unit())) {
-      return quantity.group(1);
+    if (quantity.get().unit().equals(declared.unit())) {
+      return quantity.get().number();
     }
     try {
-      return Double.toString(
-          Units.convert(Double.parseDouble(quantity.group(1)), quantity.group(2), declared.unit()));
+      return Double.toString(quantity.get().in(declared.unit()));
     } catch (IllegalArgumentException e) {
       throw new BadInputException(
           service + ", variable \"" + variable + "\": " + e.getMessage(), e);

@@ -71,7 +71,8 @@ public final class ServicesCommand implements Callable<Integer> {
             out, observation.directory().subscribersOf(chain), "subscribes to " + view.subscribing);
       }
       if (view.json) {
-        out.println(ServicesJson.text(link.systemId(), observation));
+        out.print(ServicesJson.text(link.systemId(), observation));
+        out.println();
       } else if (view.watch) {
         watch(link, observation);
       } else {

@@ -2,6 +2,7 @@ package org.u2sa.gcs.terminal;
 
 import java.io.PrintWriter;
 import java.util.Map;
+import org.u2sa.interfaces.OneLine;
 
 /**
  * What is known of the terminal that text goes to.
@@ -72,9 +73,13 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
     return colours ? "\u001b[" + code + "m" + text + "\u001b[0m" : text;
   }
 
-  /** {@code text} cut to the width of the terminal less one column, so that it never wraps. */
+  /**
+   * {@code text} on one line, without colours or other commands to the terminal, and cut to its
+   * width less one column, so that it never wraps.
+   */
   public String fitted(String text) {
     int most = columns - 1;
-    return text.length() <= most ? text : text.substring(0, most);
+    String line = OneLine.of(text);
+    return line.length() <= most ? line : line.substring(0, most);
   }
 }

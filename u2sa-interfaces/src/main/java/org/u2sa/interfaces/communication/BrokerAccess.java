@@ -163,7 +163,9 @@ public final class BrokerAccess {
 
   private static Collection<? extends Certificate> certificates(String caFile)
       throws GeneralSecurityException, IOException {
-    try (InputStream in = Files.newInputStream(path("CA FILE", caFile))) {
+    Path path = path("CA FILE", caFile);
+    SecretFiles.requireOwnersWord("CA FILE", path);
+    try (InputStream in = Files.newInputStream(path)) {
       Collection<? extends Certificate> found =
           CertificateFactory.getInstance("X.509").generateCertificates(in);
       if (found.isEmpty()) {

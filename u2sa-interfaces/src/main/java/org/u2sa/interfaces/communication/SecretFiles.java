@@ -26,6 +26,21 @@ final class SecretFiles {
    * @throws BadInputException if it is so; if it is not there, reading it tells that
    */
   static void requireClosed(String variable, Path file) {
+    refuse(variable, file, OTHERS, "use it; chmod 600 it");
+  }
+
+  /**
+   * Refuses a file that everybody may write, who then says which brokers are trusted, or that is no
+   * file.
+   *
+   * @throws BadInputException as {@link #requireClosed}
+   */
+  static void requireOwnersWord(String variable, Path file) {
+    refuse(variable, file, EnumSet.of(PosixFilePermission.OTHERS_WRITE), "write it; chmod o-w it");
+  }
+
+  private static void refuse(
+      String variable, Path file, Set<PosixFilePermission> refused, String what) {
     if (!Files.exists(file)) {
       return;
     }
@@ -38,10 +53,10 @@ final class SecretFiles {
     try {
       Set<PosixFilePermission> open = EnumSet.noneOf(PosixFilePermission.class);
       open.addAll(Files.getPosixFilePermissions(file));
-      open.retainAll(OTHERS);
+      open.retainAll(refused);
       if (!open.isEmpty()) {
         throw new BadInputException(
-            variable + " \"" + file + "\": others than its owner may use it; chmod 600 it");
+            variable + " \"" + file + "\": others than its owner may " + what);
       }
     } catch (IOException e) {
       throw new BadInputException(

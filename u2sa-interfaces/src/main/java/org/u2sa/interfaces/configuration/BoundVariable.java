@@ -155,8 +155,7 @@ final class BoundVariable {
 
   private Optional<String> refusal(Object value) {
     if (value instanceof Number number && !limits.contains(number.doubleValue())) {
-      return Optional.of(
-          NumberText.withUnit(value, unit()) + " is outside " + limits.withUnit(unit()));
+      return Optional.of(limits.refusal(NumberText.withUnit(value, unit()), unit()));
     }
     return declared.flatMap(variable -> variable.refusal(value));
   }
@@ -167,7 +166,7 @@ final class BoundVariable {
       throw error(reason);
     }
     throw error(
-        NumberText.withUnit(stated.get().value(), fileUnit()) + " is outside " + inFile(limits));
+        inFile(limits).refusal(NumberText.withUnit(stated.get().value(), fileUnit()), fileUnit()));
   }
 
   private String expected() {
@@ -218,9 +217,9 @@ final class BoundVariable {
       throw error(
           which
               + " "
-              + NumberText.withUnit(inFile, fileUnit())
-              + " is outside "
               + inFile(declaredLimits)
+                  .refusal(
+                      NumberText.withUnit(inFile, fileUnit()), converts() ? fileUnit() : unit())
               + "; a file may narrow the range, not widen it");
     }
     return end;
@@ -242,13 +241,12 @@ final class BoundVariable {
     return converts() ? Units.convert(value, fileUnit(), unit()) : value;
   }
 
-  private String inFile(Range range) {
+  /** In the file's unit; without one, in the declared unit. */
+  private Range inFile(Range range) {
     return converts()
-        ? range
-            .between(
-                Units.convert(range.min(), unit(), fileUnit()),
-                Units.convert(range.max(), unit(), fileUnit()))
-            .withUnit(fileUnit())
-        : range.withUnit(unit());
+        ? range.between(
+            Units.convert(range.min(), unit(), fileUnit()),
+            Units.convert(range.max(), unit(), fileUnit()))
+        : range;
   }
 }

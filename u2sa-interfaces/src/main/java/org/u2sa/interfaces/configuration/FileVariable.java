@@ -49,10 +49,7 @@ record FileVariable(
     Object value = parse(place, name, "value", type, text);
     Optional<String> unit = element.optionalAttribute("unit").map(String::trim);
     if (value instanceof Number number && !limits.contains(number.doubleValue())) {
-      throw error(
-          place,
-          name,
-          text.trim() + behind(unit) + " is outside " + limits.withUnit(unit.orElse("")));
+      throw error(place, name, limits.refusal(text.trim() + behind(unit), unit.orElse("")));
     }
     return new FileVariable(
         place,
@@ -88,11 +85,30 @@ record FileVariable(
         place, name, type, newText, type.parse(newText), unit, limits, description);
   }
 
-  /** This statement with a whole number read as a decimal one, where that is asked for. */
+  /**
+   * This statement with a whole number, or a text of a number and its unit, read as a decimal
+   * number, where that is asked for.
+   */
   FileVariable withType(VariableType wanted) {
-    return wanted == VariableType.DOUBLE && value instanceof Integer whole
-        ? inMemory(place, name, whole.doubleValue())
-        : this;
+    if (wanted != VariableType.DOUBLE) {
+      return this;
+    }
+    if (value instanceof Integer whole) {
+      return inMemory(place, name, whole.doubleValue());
+    }
+    return NumberWithUnit.of(text)
+        .map(
+            typed ->
+                new FileVariable(
+                    place,
+                    name,
+                    wanted,
+                    typed.number(),
+                    typed.value(),
+                    Optional.of(typed.unit()),
+                    limits,
+                    description))
+        .orElse(this);
   }
 
   /** The exception for this variable: {@code <file>, line N, variable "NAME": what}. */

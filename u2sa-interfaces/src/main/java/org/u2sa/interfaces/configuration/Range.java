@@ -89,6 +89,18 @@ public final class Range {
     return withUnit("");
   }
 
+  /**
+   * Why this range does not take {@code value}, which is in words: {@code 95 deg is outside 0…60
+   * deg}, {@code -3 m is not above 0 m}.
+   */
+  String refusal(String value, String unit) {
+    if (Double.isInfinite(min) || Double.isInfinite(max)) {
+      return value + " is not " + withUnit(unit);
+    }
+    String without = minExcluded ? " (" + NumberText.of(min) + " itself is outside, too)" : "";
+    return value + " is outside " + of(min, max).withUnit(unit) + without;
+  }
+
   /** {@link #toString()} with the unit behind it: {@code 0…60 deg}. */
   String withUnit(String unit) {
     String behind = unit.isEmpty() ? "" : " " + unit;

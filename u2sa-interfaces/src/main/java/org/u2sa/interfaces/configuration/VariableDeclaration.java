@@ -177,10 +177,7 @@ public final class VariableDeclaration<T> {
   Optional<String> refusal(Object value) {
     if (value instanceof Number number && !range.contains(number.doubleValue())) {
       return Optional.of(
-          NumberText.ofValue(value)
-              + (unit.isEmpty() ? "" : " " + unit)
-              + " is outside "
-              + range.withUnit(unit));
+          range.refusal(NumberText.ofValue(value) + (unit.isEmpty() ? "" : " " + unit), unit));
     }
     if (!choices.isEmpty() && !choices.contains(value)) {
       return Optional.of(quoted(value) + " is not one of " + choicesText());

@@ -12,6 +12,8 @@ import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.OneLine;
 
 /**
  * Writes each line with one system call, by the thread that logs. No logging library stands
@@ -136,7 +138,7 @@ final class LogLineWriter implements AutoCloseable {
       thrown.printStackTrace(new PrintWriter(trace, true));
       text += "\n" + trace.toString().trim();
     }
-    return LINE_END.matcher(text).replaceAll(NEXT_LINE);
+    return LINE_END.splitAsStream(text).map(OneLine::of).collect(Collectors.joining(NEXT_LINE));
   }
 
   private void sayOnce(IOException e) {

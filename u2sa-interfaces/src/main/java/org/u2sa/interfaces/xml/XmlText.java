@@ -45,7 +45,8 @@ public final class XmlText {
 
   /**
    * The text of a file, decoded as its byte order mark or XML declaration says, else as UTF-8.
-   * Regular files only: a device or a pipe may have no end, or no beginning.
+   * Regular files only: a device or a pipe may have no end, or no beginning; nor has the kernel's
+   * file of no size, whose reader may wait for ever.
    *
    * @throws BadInputException if it is missing, unreadable, too large or wrongly encoded
    */
@@ -58,6 +59,9 @@ public final class XmlText {
                 + (attributes.isDirectory()
                     ? ": is a directory, expected an XML file"
                     : ": is a device or the like, expected a regular file"));
+      }
+      if (attributes.size() == 0) {
+        throw new BadInputException(file + ": is empty, expected an XML file");
       }
       if (attributes.size() > MAX_BYTES) {
         throw tooLarge(file.toString());

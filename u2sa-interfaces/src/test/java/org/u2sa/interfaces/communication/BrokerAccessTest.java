@@ -138,6 +138,15 @@ class BrokerAccessTest {
   }
 
   @Test
+  void of_authoritiesFileThatEverybodyMayWrite_isRefused() throws IOException {
+    Path open = Files.createFile(folder.resolve("ca.pem"));
+    Files.setPosixFilePermissions(open, PosixFilePermissions.fromString("rw-rw-rw-"));
+    assertRefused(
+        () -> BrokerAccess.of("", "", true, open.toString()),
+        "CA FILE \"" + open + "\": others than its owner may write it; chmod o-w it");
+  }
+
+  @Test
   void of_authoritiesFileThatHoldsNone_isRefusedThoughTlsIsNotNamed() throws IOException {
     Path empty = Files.createFile(folder.resolve("ca.pem"));
     assertRefused(

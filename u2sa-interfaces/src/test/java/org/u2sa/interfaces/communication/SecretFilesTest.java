@@ -1,7 +1,9 @@
 package org.u2sa.interfaces.communication;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,6 +13,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 
@@ -46,6 +49,17 @@ class SecretFilesTest {
 
     assertThatCode(() -> SecretFiles.requireClosed("PASSWORD FILE", file))
         .doesNotThrowAnyException();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"rw-r--r--, true", "rw-rw-r--, true", "rw-r--rw-, false", "rw-r---w-, false"})
+  void requireOwnersWord_whoMayWrite_decides(String permissions, boolean ok) throws IOException {
+    permit(permissions);
+
+    Throwable refusal = catchThrowable(() -> SecretFiles.requireOwnersWord("CA FILE", file));
+
+    assertThat(refusal == null).isEqualTo(ok);
+    assertThat(ok || refusal.getMessage().endsWith("may write it; chmod o-w it")).isTrue();
   }
 
   @Test

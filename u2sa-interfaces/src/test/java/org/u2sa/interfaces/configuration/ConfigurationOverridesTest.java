@@ -1,11 +1,14 @@
 package org.u2sa.interfaces.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What a program lays over a file, what it tolerates in it, and what a successor takes along. */
 class ConfigurationOverridesTest extends RefusedFile {
@@ -28,6 +31,31 @@ class ConfigurationOverridesTest extends RefusedFile {
 
     assertThat(configuration.getVariable(BANK)).isEqualTo(1.0);
     assertThat(file).content().contains("value='30'");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.25, 0.25", "18 deg, 0.3141592653589793", "' +1e-1rad ', 0.1"})
+  void override_textWithUnit_isReadInItAndConverted(String text, double expected) {
+    XmlConfiguration configuration = configuration("");
+    configuration.override("BANK", text.equals("0.25") ? (Object) 0.25 : text);
+
+    assertThat(configuration.getVariable(BANK)).isEqualTo(expected);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "90 deg, 90 deg is outside 0…57",
+    "1 m, '\"m\"'",
+    "1 furlong, '\"furlong\"'",
+    "much, 'type is string, expected double'"
+  })
+  void override_textThatTheVariableCannotTake_isRefused(String text, String reason) {
+    XmlConfiguration configuration = configuration("");
+    configuration.override("BANK", text);
+
+    assertThatThrownBy(() -> configuration.getVariable(BANK))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageContainingAll("\"BANK\"", reason);
   }
 
   @Test

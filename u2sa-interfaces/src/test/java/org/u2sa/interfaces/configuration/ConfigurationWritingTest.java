@@ -59,7 +59,7 @@ class ConfigurationWritingTest {
     write("X.xml", narrowed);
 
     assertThat(configuration.change("A", 6))
-        .contains(file + ", line 2, variable \"A\": 6 is outside at most 5");
+        .contains(file + ", line 2, variable \"A\": 6 is not at most 5");
 
     assertThat(text(file)).isEqualTo(narrowed);
     assertThat(configuration.getVariable("A")).isEqualTo(1);

@@ -106,7 +106,7 @@ class SettingsTest {
         "CRUISE SPEED | double | 61     | 61 m/s is outside 30…60 m/s",
         "CRUISE SPEED | string | fast   | type is string, expected double",
         "CRUISE SPEED | double | fast   | \"fast\" is not a number",
-        "STALL        | double | 0      | 0 m/s is outside above 0 m/s",
+        "STALL        | double | 0      | 0 m/s is not above 0 m/s",
         "ATTEMPTS     | int    | 10     | 10 is outside 1…9",
         "MODE         | string | Slow   | \"Slow\" is not one of \"slow\", \"fast\"",
         "LOOP         | boolean| maybe  | \"maybe\" is not true or false",
@@ -263,7 +263,7 @@ class SettingsTest {
     assertThatThrownBy(() -> configuration.settings(Unchecked.class))
         .hasMessageContaining("expected a record whose components all have @Variable");
     assertThatThrownBy(() -> configuration.settings(WrongDefault.class))
-        .hasMessageContainingAll("WrongDefault", "\"SHARE\"", "2 is outside at most 1");
+        .hasMessageContainingAll("WrongDefault", "\"SHARE\"", "2 is not at most 1");
     assertThatThrownBy(() -> configuration.settings(WrongKind.class))
         .hasMessageContainingAll("WrongKind", "\"TEXT\": ifAbsent does not fit");
     assertThatThrownBy(() -> configuration.settings(WrongType.class))

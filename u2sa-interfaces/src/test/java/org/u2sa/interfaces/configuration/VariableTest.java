@@ -28,6 +28,15 @@ class VariableTest {
   }
 
   @Test
+  void refusal_eachKindOfRange_readsWell() {
+    assertThat(Range.of(0, 60).refusal("95 deg", "deg")).isEqualTo("95 deg is outside 0…60 deg");
+    assertThat(Range.positive().refusal("-3 m", "m")).isEqualTo("-3 m is not above 0 m");
+    assertThat(Range.nonNegative().refusal("-3", "")).isEqualTo("-3 is not at least 0");
+    assertThat(Range.above(0, 1).refusal("2 m", "m"))
+        .isEqualTo("2 m is outside 0…1 m (0 itself is outside, too)");
+  }
+
+  @Test
   void range_ofAText_isRefusedAtDeclaration() {
     assertThatThrownBy(() -> VariableDeclaration.text("A").range(Range.positive()))
         .hasMessage("variable \"A\" is not a number: no range");

@@ -38,6 +38,16 @@ class LogFileTest extends LogFileFixture {
   }
 
   @Test
+  void log_controlCharactersOfOthers_commandNoTerminal() throws IOException {
+    Path file = folder.resolve("Control.log");
+    try (LogFile log = log(file, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.WARN, "a\u001b]0;b\u0007c\u009b2Jd\u202ee\u2028f\tg");
+    }
+
+    assertThat(text(file)).isEqualTo(line("WARN", "a ]0;b c 2Jd e\n    f\tg"));
+  }
+
+  @Test
   void log_throwable_hasItsTraceBelow() throws IOException {
     Path file = folder.resolve("Control.log");
     try (LogFile log = log(file, LogLevelEnum.INFO)) {

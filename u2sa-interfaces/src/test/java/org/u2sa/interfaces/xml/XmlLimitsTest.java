@@ -14,6 +14,7 @@ import java.nio.file.Paths;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
@@ -55,6 +56,14 @@ class XmlLimitsTest {
     Path pipe = folder.resolve("pipe.xml");
     assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
     assertRefused(pipe, ": is a device or the like, expected a regular file");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void read_linkToAKernelFileWithoutSize_isRefusedUnread() throws IOException {
+    Path link = Files.createSymbolicLink(folder.resolve("m.xml"), Paths.get("/proc/kmsg"));
+    assertRefused(
+        link, ": is empty, expected an XML file"); // its reader waits for ever, or may not
   }
 
   @Test

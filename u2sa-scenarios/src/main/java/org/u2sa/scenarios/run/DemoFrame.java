@@ -117,8 +117,8 @@ public final class DemoFrame {
       launch.override("MissionManager", "LAND MISSION", "").override("SafetyManager", "FENCE", "");
     }
     trial.settings().accept(launch);
-    changes.applyTo(launch);
     broker.configure(system, launch, terminal());
+    changes.applyTo(launch); // last: what a user says of a variable is checked and holds
     return launch;
   }
 

@@ -109,6 +109,7 @@ record DemoRun(
       LaunchOptions options, Clock clock, long seed, Simulation simulation, Wait wait)
       throws InterruptedException {
     options.seed(seed).logDirectory(directory.resolve("logs"));
+    SwapOperator.PlannedSwap.requireClasses(swaps, options);
     long began = STOPWATCH.micros();
     try (RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
         Simulation simulated = simulation; // ended last, so that neutral commands still reach it

@@ -9,6 +9,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
@@ -118,6 +119,21 @@ public final class SwapOperator extends PeriodicService {
                 + " 100:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner");
       }
       return new PlannedSwap(Double.parseDouble(form.group(1)), form.group(2), form.group(3));
+    }
+
+    /**
+     * Refuses swaps for classes that are no services, before the run in which they are due.
+     *
+     * @throws BadInputException naming the class
+     */
+    static void requireClasses(List<PlannedSwap> swaps, LaunchOptions options) {
+      for (PlannedSwap swap : swaps) {
+        try {
+          options.requireServiceClass(swap.className);
+        } catch (BadInputException e) {
+          throw new BadInputException("--swap " + swap + ": " + e.getMessage(), e);
+        }
+      }
     }
 
     /**

@@ -72,12 +72,12 @@ class HotSwapTest {
   }
 
   @Test
-  void swap_unknownClass_fliesOnAndEndsWithOneInOneLine() {
+  void swap_unknownClass_isRefusedBeforeTheFlightInOneLine() {
     CommandLineRun run =
         fly("out", shortMission(List.of("--swap", "20:PathPlanner=org.example.Nothing")));
 
-    assertThat(run.exitCode()).isEqualTo(ExitCode.FAILED);
-    assertThat(run.err()).contains("org.example.Nothing", "not on the class path");
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run.err()).contains("--swap 20.0:", "org.example.Nothing", "not on the class path");
     assertThat(run.err().lines()).hasSize(1);
   }
 

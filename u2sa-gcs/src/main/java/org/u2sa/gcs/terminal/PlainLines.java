@@ -1,0 +1,46 @@
+package org.u2sa.gcs.terminal;
+
+import java.io.PrintWriter;
+import java.util.Arrays;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.u2sa.interfaces.OneLine;
+
+/**
+ * Prints lines that may hold texts of others: what a vehicle's services say of themselves begins no
+ * line of its own and commands no terminal, but for colours. {@code print} is for what moves the
+ * cursor on purpose.
+ */
+public final class PlainLines extends PrintWriter {
+  private static final Pattern COLOUR = Pattern.compile("\u001b\\[[0-9;]*m");
+
+  /** Prints to {@code out}, each line at once. */
+  public PlainLines(PrintWriter out) {
+    super(out, true);
+  }
+
+  @Override
+  public void println(String line) {
+    super.println(plain(String.valueOf(line)));
+  }
+
+  @Override
+  public PrintWriter printf(String form, Object... values) {
+    Object[] plain =
+        Arrays.stream(values)
+            .map(value -> value instanceof String text ? plain(text) : value)
+            .toArray();
+    return super.printf(form, plain);
+  }
+
+  private static String plain(String text) {
+    StringBuilder plain = new StringBuilder();
+    Matcher colour = COLOUR.matcher(text);
+    int at = 0;
+    while (colour.find()) {
+      plain.append(OneLine.of(text.substring(at, colour.start()))).append(colour.group());
+      at = colour.end();
+    }
+    return plain.append(OneLine.of(text.substring(at))).toString();
+  }
+}
