@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConnectionLost;
@@ -36,18 +37,18 @@ public final class HealthMonitor extends PeriodicService {
   private static final double DEAF_AFTER_PERIODS = 4.0;
 
   private final Map<String, WatchedService> services = new TreeMap<>();
+  private final Settings<MonitorSettings.Limits> limits = settings(MonitorSettings.Limits.class);
   private MonitorSettings settings;
   private final Hearing hearing;
-  private final ClockOffsets clocks;
+  private final ClockOffsets clocks = new ClockOffsets();
   private double lookedS = Double.NaN;
   private long orders;
 
   /** Called by the launcher. */
   public HealthMonitor(ServiceContext context) {
     super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
-    settings = new MonitorSettings(context.configuration());
+    settings = new MonitorSettings(limits.get(), this);
     hearing = new Hearing(nowS());
-    clocks = new ClockOffsets(this);
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
     subscribe(Channels.CONDITIONS, this::remember);
@@ -65,7 +66,7 @@ public final class HealthMonitor extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    settings = new MonitorSettings(context().configuration());
+    settings = new MonitorSettings(limits.get(), this);
     services.keySet().stream().filter(name -> !settings.watches(name)).forEach(this::unwatch);
     services.keySet().removeIf(name -> !settings.watches(name));
     settings.watched().forEach(this::service);
@@ -88,7 +89,7 @@ public final class HealthMonitor extends PeriodicService {
     if (report.serviceName().equals(getServiceName()) && forItself) {
       hearing.hear(report, nowS());
     } else if (forItself) {
-      clocks.hear(report, clock().micros()).ifPresent(this::trouble);
+      clocks.hear(report, clock().micros(), limits.get().clockTolerance()).ifPresent(this::trouble);
     }
     if (!watches(report.serviceName())) {
       return;

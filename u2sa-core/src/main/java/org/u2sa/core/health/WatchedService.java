@@ -104,13 +104,13 @@ final class WatchedService {
    */
   boolean look(MonitorSettings settings, double nowS) {
     HealthObservation.Finding found =
-        observation.judge(settings, settings.dataTimeoutS(name), nowS);
+        observation.judge(settings.limits(), settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
       found = new HealthObservation.Finding(Condition.STOPPED, "it was told to", false);
     }
     if (isPending()) {
       boolean shown = found.condition() == Condition.ALIVE;
-      if (!shown && nowS - orderedS <= settings.startWithinS()) {
+      if (!shown && nowS - orderedS <= settings.limits().startWithin()) {
         return false; // what was said stands until the new one is heard, or overdue
       }
       orderedS = Double.NaN;
@@ -125,12 +125,12 @@ final class WatchedService {
 
   private boolean isDue(MonitorSettings settings, double nowS) {
     Policy policy = settings.policyOf(name);
-    int before = restarts.within(settings.restartWindowS(), nowS);
+    int before = restarts.within(settings.limits().restartWindow(), nowS);
     if (policy != Policy.RESTART) {
       action = words(policy);
       return false;
     }
-    if (!givenUp && before >= settings.restartLimit()) {
+    if (!givenUp && before >= settings.limits().restartLimit()) {
       givenUp = true;
       givenUpWords =
           words(settings.afterRestarts()) + ", " + GIVEN_UP + " after " + before + " restarts";
@@ -141,12 +141,12 @@ final class WatchedService {
     }
     double delayS = settings.delayS(before);
     if (finding.mayPass()) {
-      delayS = Math.max(delayS, settings.reconnectWithinS());
+      delayS = Math.max(delayS, settings.limits().reconnectWithin());
     }
     if (nowS - Math.max(sinceS, restarts.lastS()) < delayS) {
       return false;
     }
-    action = "restart " + (before + 1) + " of " + settings.restartLimit();
+    action = "restart " + (before + 1) + " of " + settings.limits().restartLimit();
     restarts.add(nowS);
     orderedS = nowS;
     orderedInstance = observation.instance();
