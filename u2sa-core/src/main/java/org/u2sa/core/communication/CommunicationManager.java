@@ -118,12 +118,12 @@ public final class CommunicationManager implements AutoCloseable {
     int port = configuration.getVariable(PORT);
     double patienceS = configuration.getVariable(WAIT);
     String announce = configuration.getVariable(ANNOUNCE);
-    BrokerLimits limits = BrokerLimits.of(configuration);
-    BrokerSecurity.Settings settings = BrokerSecurity.settings(configuration);
+    BrokerLimits limits = configuration.settings(BrokerLimits.class).get();
+    BrokerSecurity.Settings settings = configuration.settings(BrokerSecurity.Settings.class).get();
     AccessVariables access = AccessVariables.of(configuration);
     MessageCodec codec = new MessageCodec(types);
     if (kind.equals("external")) {
-      BrokerAccess as = access.beside(settings.directory());
+      BrokerAccess as = access.beside(settings.securityDirectory());
       InetSocketAddress broker = InetSocketAddress.createUnresolved(host, port);
       if (host.equals(BrokerSearch.AUTO)) {
         FoundBroker found = search(systemId, as, Math.max(patienceS, SEARCH_AT_LEAST_S));
@@ -158,7 +158,7 @@ public final class CommunicationManager implements AutoCloseable {
       remote =
           () ->
               new MqttTransport(
-                  reached, port, systemId, codec, access.beside(settings.directory()));
+                  reached, port, systemId, codec, access.beside(settings.securityDirectory()));
       own =
           () ->
               new MqttTransport(reached, port, systemId, codec, security.ownAccess())

@@ -65,7 +65,7 @@ final class ConnectionFilter implements AutoCloseable {
         users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
-    questions = new SharedAllowances(limits.questionsPerS());
+    questions = new SharedAllowances(limits.clientQuestionsPerSecond());
   }
 
   private static byte[] newPass() {
@@ -108,7 +108,7 @@ final class ConnectionFilter implements AutoCloseable {
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
       // Who was let in and who has not said who it is are counted apart; more cannot be.
-      if (open.incrementAndGet() > limits.clients() + 2 * BrokerLimits.PENDING || ending) {
+      if (open.incrementAndGet() > limits.clientsAtMost() + 2 * BrokerLimits.PENDING || ending) {
         open.decrementAndGet();
         refusals.add(
             "connection refused, " + (ending ? "the broker ends" : "too many"),
@@ -188,7 +188,7 @@ final class ConnectionFilter implements AutoCloseable {
     }
     int others = clients.size() - (before == null ? 0 : 1);
     boolean keepFree = users != null && !session.isOperator();
-    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clients())) {
+    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clientsAtMost())) {
       return Entry.FULL;
     }
     if (users != null

@@ -131,7 +131,7 @@ final class Outflow extends ChannelDuplexHandler {
     if (now - oldest.since > filter.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return filter.backlog().kept() - oldest.keptBefore > filter.limits().unacknowledgedBytes()
+    return filter.backlog().kept() - oldest.keptBefore > filter.limits().unacknowledgedBytesAtMost()
         ? Optional.of("too much waits for its acknowledgement")
         : Optional.empty();
   }

@@ -48,7 +48,7 @@ class BrokerSupervisorTest {
         new MessageCodec(StandardTypes.registry()),
         address,
         new BrokerSecurity(null, null),
-        BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),
+        XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get(),
         log::add,
         whenDead);
   }
