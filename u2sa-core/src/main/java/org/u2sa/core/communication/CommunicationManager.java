@@ -14,8 +14,6 @@ import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
@@ -30,50 +28,6 @@ import org.u2sa.messages.schema.U2SAData;
  */
 public final class CommunicationManager implements AutoCloseable {
   private static final String LOOPBACK = "127.0.0.1";
-
-  /** Which broker carries the messages. */
-  public static final VariableDeclaration<String> BROKER =
-      VariableDeclaration.text("BROKER")
-          .oneOf("embedded", "external", "none")
-          .ifAbsent("embedded")
-          .describedAs(
-              "embedded: a broker in this process; external: another MQTT broker; none: this process only.");
-
-  /** Address on which the embedded broker listens. */
-  public static final VariableDeclaration<String> BIND_ADDRESS =
-      VariableDeclaration.text("BIND ADDRESS")
-          .ifAbsent(LOOPBACK)
-          .describedAs(
-              "Address on which the embedded broker listens; 0.0.0.0 opens it to the network, which needs SECURITY DIRECTORY.");
-
-  static final VariableDeclaration<String> HOST =
-      VariableDeclaration.text("COMMUNICATION MANAGER IP")
-          .ifAbsent("localhost")
-          .describedAs(
-              "Host of the external broker; auto: the one that announces itself by mDNS for this system.");
-
-  /** TCP port of the broker. */
-  public static final VariableDeclaration<Integer> PORT =
-      VariableDeclaration.integer("COMMUNICATION MANAGER PORT")
-          .range(Range.of(1, 65_535))
-          .ifAbsent(1883)
-          .describedAs("TCP port of the broker, embedded or external.");
-
-  /** How long to wait for a broker that is not there yet. */
-  public static final VariableDeclaration<Double> WAIT =
-      VariableDeclaration.number("COMMUNICATION MANAGER WAIT", "s")
-          .range(Range.of(0.0, 3600.0))
-          .ifAbsent(0.0)
-          .describedAs(
-              "How long to wait at the start for an external broker that does not answer yet, so that hosts may be started in any order.");
-
-  /** Whether the embedded broker announces itself by mDNS. */
-  public static final VariableDeclaration<String> ANNOUNCE =
-      VariableDeclaration.text("ANNOUNCE")
-          .oneOf("auto", "yes", "no")
-          .ifAbsent("auto")
-          .describedAs(
-              "Whether the embedded broker announces itself by mDNS; auto: if it listens to a network.");
 
   private static final double SEARCH_AT_LEAST_S = 5.0;
   private static final double OWN_BROKER_WITHIN_S = 30.0; // on a machine that is busy
@@ -112,20 +66,19 @@ public final class CommunicationManager implements AutoCloseable {
    */
   public static CommunicationManager start(
       String systemId, Configurator configuration, MessageTypes types, Consumer<String> log) {
-    String kind = configuration.getVariable(BROKER);
-    String bindAddress = configuration.getVariable(BIND_ADDRESS);
-    String host = configuration.getVariable(HOST);
-    int port = configuration.getVariable(PORT);
-    double patienceS = configuration.getVariable(WAIT);
-    String announce = configuration.getVariable(ANNOUNCE);
+    ManagerSettings manager = configuration.settings(ManagerSettings.class).get();
+    String bindAddress = manager.bindAddress();
+    int port = manager.communicationManagerPort();
+    double patienceS = manager.communicationManagerWait();
     BrokerLimits limits = configuration.settings(BrokerLimits.class).get();
     BrokerSecurity.Settings settings = configuration.settings(BrokerSecurity.Settings.class).get();
     AccessVariables access = AccessVariables.of(configuration);
     MessageCodec codec = new MessageCodec(types);
-    if (kind.equals("external")) {
+    if (manager.broker().equals("external")) {
       BrokerAccess as = access.beside(settings.securityDirectory());
-      InetSocketAddress broker = InetSocketAddress.createUnresolved(host, port);
-      if (host.equals(BrokerSearch.AUTO)) {
+      InetSocketAddress broker =
+          InetSocketAddress.createUnresolved(manager.communicationManagerIp(), port);
+      if (manager.communicationManagerIp().equals(BrokerSearch.AUTO)) {
         FoundBroker found = search(systemId, as, Math.max(patienceS, SEARCH_AT_LEAST_S));
         log.accept("broker found by mDNS: " + found);
         broker = new InetSocketAddress(found.host(), found.port());
@@ -143,7 +96,7 @@ public final class CommunicationManager implements AutoCloseable {
     Supplier<MqttTransport> remote = null;
     Supplier<MqttTransport> own = null;
     BrokerSecurity secured = null;
-    if (kind.equals("embedded")) {
+    if (manager.broker().equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
       secured = security;
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
@@ -163,8 +116,7 @@ public final class CommunicationManager implements AutoCloseable {
           () ->
               new MqttTransport(reached, port, systemId, codec, security.ownAccess())
                   .waiting(OWN_BROKER_WITHIN_S);
-      if (announce.equals("yes")
-          || announce.equals("auto") && !BrokerSecurity.isLoopback(bindAddress)) {
+      if (manager.announces()) {
         announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
       }
     }

@@ -49,7 +49,7 @@ public abstract class ControlSystem extends EventDrivenService {
               max = 10,
               ifAbsent = 0.5,
               text =
-                  "Time in which commands move over from those of another control system that this one takes over from.")
+                  "Time over which commands blend from those of a control system that this one replaces.")
           double blendTime,
       @Variable(
               unit = "s",

@@ -43,7 +43,7 @@ public final class MissionManager extends EventDrivenService {
               unit = "m",
               min = 0,
               minExcluded = true,
-              text = "Horizontal threshold of waypoints that give none.")
+              text = "Horizontal threshold of waypoints without one.")
           double defaultThreshold) {}
 
   /** The goal to which a vehicle returns on command. */

@@ -183,10 +183,6 @@ final class InChannel {
     return open && pending.hasRemaining();
   }
 
-  boolean isFailing() {
-    return failing;
-  }
-
   /** When the next line may go [µs]. */
   long nextMicros() {
     return sentMicros + SPACING_MICROS;

@@ -6,8 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 
 class StallGuardTest {
-  private final StallGuard guard =
-      new StallGuard(TestTuning.standard().guidance());
+  private final StallGuard guard = new StallGuard(TestTuning.standard().guidance());
 
   @Test
   void leastSpeed_bankOf60Degrees_growsWithTheRootOfLoadFactorTwo() {

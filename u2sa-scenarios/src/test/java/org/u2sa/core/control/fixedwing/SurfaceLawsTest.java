@@ -11,7 +11,8 @@ class SurfaceLawsTest {
   private static final RateLoop.Gains GAINS = new RateLoop.Gains(0.5, 0.25, 0.8, 0.4);
 
   private final RollLaw roll = new RollLaw(new RollLaw.Parameters(0.8, 20.0, 0.5, 0.25, 0.8, 0.4));
-  private final PitchLaw pitch = new PitchLaw(new PitchLaw.Parameters(0.8, 10.0, 0.5, 0.25, 0.8, 0.4));
+  private final PitchLaw pitch =
+      new PitchLaw(new PitchLaw.Parameters(0.8, 10.0, 0.5, 0.25, 0.8, 0.4));
   private final YawLaw yaw = new YawLaw(new YawLaw.Parameters(0.5, 0.8, 0.4, 0.5, 0.45));
 
   @Test
