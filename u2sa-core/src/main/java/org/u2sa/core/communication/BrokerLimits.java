@@ -5,11 +5,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /** What one client, and all together, may ask of the broker. */
 record BrokerLimits(
-    @Variable(
-            min = 4,
-            max = 100_000,
-            ifAbsent = 512,
-            text = "Maximum number of connections to the embedded broker.")
+    @Variable(min = 4, max = 100_000, ifAbsent = 512, text = "Maximum connections to the broker.")
         int clientsAtMost,
     @Variable(
             min = 10,

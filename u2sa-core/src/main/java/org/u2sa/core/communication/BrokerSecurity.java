@@ -137,7 +137,7 @@ final class BrokerSecurity {
     return users;
   }
 
-  /** As whom the services of the broker's own process come to it. */
+  /** Credentials of the services of the broker's own process. */
   BrokerAccess ownAccess() {
     if (own == null) {
       return BrokerAccess.open();

@@ -24,7 +24,7 @@ import org.u2sa.messages.schema.MessageCodec;
  * it is, and is watched. Moquette itself takes only those whom the connection filter let in.
  */
 final class ConnectionFilter implements AutoCloseable {
-  /** As whom a client goes that need not say its name. */
+  /** User name of anonymous clients. */
   static final String ANONYMOUS = "anonymous";
 
   /**
@@ -48,7 +48,7 @@ final class ConnectionFilter implements AutoCloseable {
       new ConcurrentHashMap<>(); // Moquette's view
   private final AtomicLong connectionsSoFar = new AtomicLong();
   private final RetainedTable retained;
-  private final SharedAllowances questions;
+  private final Allowance.PerUser questions;
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private volatile boolean ending;
 
@@ -65,7 +65,7 @@ final class ConnectionFilter implements AutoCloseable {
         users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
-    questions = new SharedAllowances(limits.clientQuestionsPerSecond());
+    questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
   }
 
   private static byte[] newPass() {
@@ -232,7 +232,7 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /** How many questions each user may still ask. */
-  SharedAllowances questions() {
+  Allowance.PerUser questions() {
     return questions;
   }
 

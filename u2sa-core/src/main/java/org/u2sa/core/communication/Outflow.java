@@ -132,7 +132,7 @@ final class Outflow extends ChannelDuplexHandler {
       return Optional.of("it acknowledges nothing");
     }
     return filter.backlog().kept() - oldest.keptBefore > filter.limits().unacknowledgedBytesAtMost()
-        ? Optional.of("too much waits for its acknowledgement")
+        ? Optional.of("too many bytes await its acknowledgement")
         : Optional.empty();
   }
 }

@@ -136,7 +136,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
       }
       onTheWay.tryAcquire(ON_THE_WAY_AT_MOST, LOST_AFTER_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      log.accept("interrupted: " + waiting.size() + " copies for remote subscribers are given up");
+      log.accept("interrupted: " + waiting.size() + " copies for remote subscribers dropped");
     }
   }
 

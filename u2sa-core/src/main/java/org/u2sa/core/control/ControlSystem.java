@@ -96,12 +96,12 @@ public abstract class ControlSystem extends EventDrivenService {
 
   private void onState(StateInformation state) {
     if (state.timestamp().isEmpty()) {
-      log(LogLevelEnum.WARN, "state without a timestamp left out: " + state);
+      log(LogLevelEnum.WARN, "ignored a state without a timestamp: " + state);
       return;
     }
     states.span(Clock.micros(limits.get().staleAfter()));
     if (!states.add(state)) {
-      log(LogLevelEnum.DEBUG, "state is not newer than the one before it: left out: " + state);
+      log(LogLevelEnum.DEBUG, "ignored a state that is not newer than the last: " + state);
       return;
     }
     stepS = Clock.seconds(states.lastStepMicros());

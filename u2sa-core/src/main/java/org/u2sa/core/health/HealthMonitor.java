@@ -147,7 +147,9 @@ public final class HealthMonitor extends PeriodicService {
   @Override
   protected void step(double nowS) {
     if (nowS - lookedS > DEAF_AFTER_PERIODS * periodS()) {
-      log(LogLevelEnum.WARN, "did not look for " + (nowS - lookedS) + " s: judges nobody by it");
+      log(
+          LogLevelEnum.WARN,
+          "no check for " + (nowS - lookedS) + " s: not judging services by their silence");
       services.values().forEach(service -> service.excuse(nowS));
     }
     lookedS = nowS;
@@ -159,12 +161,12 @@ public final class HealthMonitor extends PeriodicService {
   private boolean hears(double nowS) {
     switch (hearing.look(nowS)) {
       case DEAF:
-        log(LogLevelEnum.WARN, "does not hear even itself: judges nobody until it does");
+        log(LogLevelEnum.WARN, "hears not even its own reports: judging no service until it does");
         return false;
       case STILL_DEAF:
         return false;
       case HEARS_AGAIN:
-        log(LogLevelEnum.WARN, "hears again");
+        log(LogLevelEnum.WARN, "hears reports again");
         services.values().forEach(service -> service.excuse(Hearing.excusedUntilS(nowS)));
         return true;
       default:

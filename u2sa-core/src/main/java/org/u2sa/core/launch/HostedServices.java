@@ -130,7 +130,7 @@ final class HostedServices implements ServiceHost {
               .order()
               .await(SWAP_WITHIN_S);
       if (refusal.isEmpty() && !configuration.withoutEffect().isEmpty()) {
-        made.log("declares no " + configuration.withoutEffect() + ": without effect");
+        made.log("declares no " + configuration.withoutEffect() + ": no effect");
       }
       return refusal;
     } catch (RuntimeException | LinkageError e) { // no such class, wrong variable, half a jar

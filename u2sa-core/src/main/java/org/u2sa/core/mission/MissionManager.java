@@ -120,7 +120,7 @@ public final class MissionManager extends EventDrivenService {
     try {
       failsafes.load();
     } catch (BadInputException e) {
-      log(LogLevelEnum.ERROR, e.getMessage() + ": the failsafe missions stay as they were");
+      log(LogLevelEnum.ERROR, e.getMessage() + ": failsafe missions unchanged");
     }
   }
 
@@ -128,7 +128,7 @@ public final class MissionManager extends EventDrivenService {
     try {
       progress.begin(load());
     } catch (BadInputException e) {
-      log(LogLevelEnum.ERROR, e.getMessage() + ": goes on with the mission before");
+      log(LogLevelEnum.ERROR, e.getMessage() + ": mission unchanged");
       return;
     }
     publishGoals();
@@ -147,7 +147,7 @@ public final class MissionManager extends EventDrivenService {
         state.text(MissionSettings.MISSION).filter(settings.get().mission()::equals).isPresent()
             && state.number(MissionSettings.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
-      log(LogLevelEnum.WARN, "the mission is another one now: it begins");
+      log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
       return;
     }
     progress =
@@ -176,7 +176,7 @@ public final class MissionManager extends EventDrivenService {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,
-          resumes ? "resumes the mission" : "leaves the mission: " + action);
+          resumes ? "resuming the mission" : "leaving the mission: " + action);
       publishGoals();
     }
   }
@@ -194,7 +194,7 @@ public final class MissionManager extends EventDrivenService {
     if (!progress.finish(goal)) {
       boolean known = progress.pursued().knows(uid);
       String what = known ? "is not current" : "is not known";
-      log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" left out: it " + what);
+      log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" ignored: it " + what);
       if (known) {
         repeatGoals();
       }
@@ -227,7 +227,7 @@ public final class MissionManager extends EventDrivenService {
       return;
     }
     progress.pursued().changeTo(uid);
-    log("changes to goal \"" + uid + "\" on command");
+    log("changing to goal \"" + uid + "\" on command");
     publishGoals();
   }
 

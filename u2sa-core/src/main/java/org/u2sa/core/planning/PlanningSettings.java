@@ -48,11 +48,7 @@ record PlanningSettings(
             text =
                 "IMMEDIATE takes the altitude of a leg's end at once, LINEAR changes it in proportion to the distance flown.")
         AltitudeProfile altitudeProfile,
-    @Variable(
-            min = 1,
-            max = 1000,
-            ifAbsent = 3,
-            text = "Passes at a waypoint before it is given up.")
+    @Variable(min = 1, max = 1000, ifAbsent = 3, text = "Passes at a waypoint before giving up.")
         int attempts,
     @Variable(
             ifAbsentText = "STOP",

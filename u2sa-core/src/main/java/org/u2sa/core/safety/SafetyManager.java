@@ -105,7 +105,7 @@ public final class SafetyManager extends PeriodicService {
         fenceWatch().load();
         log("fence " + settings.get().fence() + " loaded");
       } catch (BadInputException e) {
-        log(LogLevelEnum.ERROR, e.getMessage() + ": the fence stays as it was");
+        log(LogLevelEnum.ERROR, e.getMessage() + ": fence unchanged");
       }
     }
   }

@@ -63,25 +63,11 @@ record SafetySettings(
         boolean healthMonitorRequired,
     @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Low-battery threshold; 0: not monitored.")
         double lowBatteryVoltage,
-    @Variable(
-            unit = "%",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text = "Low-battery charge threshold; 0: not monitored.")
+    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0, text = "Low-battery charge; 0: off.")
         double lowBatteryRemaining,
-    @Variable(
-            unit = "V",
-            min = 0,
-            ifAbsent = 0,
-            text = "Critical-battery threshold; 0: not monitored.")
+    @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Critical voltage; 0: not monitored.")
         double criticalBatteryVoltage,
-    @Variable(
-            unit = "%",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text = "Critical-battery charge threshold; 0: not monitored.")
+    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0, text = "Critical charge; 0: off.")
         double criticalBatteryRemaining,
     @Variable(
             unit = "s",
@@ -120,9 +106,7 @@ record SafetySettings(
             text =
                 "Actuators that must have announced themselves before arming, separated by commas; empty: any one.")
         String requiredActuators,
-    @Variable(
-            ifAbsentText = "",
-            text = "Geofence XML file, relative to this file; empty: no fence.")
+    @Variable(ifAbsentText = "", text = "Geofence XML file, relative to this one; empty: none.")
         String fence,
     @Variable(
             oneOf = {"BRAKE", "TURN"},

@@ -166,7 +166,7 @@ final class InChannel {
   void drop() {
     retryMicros = 0;
     if (channel != null) {
-      Closing.quietly(channel, troubles);
+      troubles.close(channel);
     }
     channel = null;
     open = false;

@@ -223,14 +223,14 @@ final class OutChannel {
 
   private void close(Peer peer) {
     peers.remove(peer);
-    Closing.quietly(peer.channel, troubles);
+    troubles.close(peer.channel);
   }
 
   void close() {
-    peers.forEach(peer -> Closing.quietly(peer.channel, troubles));
+    peers.forEach(peer -> troubles.close(peer.channel));
     peers.clear();
     flightGear = null;
-    Closing.quietly(server, troubles);
+    troubles.close(server);
   }
 
   /** One connection. */

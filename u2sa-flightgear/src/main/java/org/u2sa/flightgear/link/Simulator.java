@@ -114,7 +114,7 @@ public final class Simulator extends ProprioceptiveSensor {
       connected = reading.connected();
       log(
           connected ? LogLevelEnum.INFO : LogLevelEnum.WARN,
-          connected ? "the aircraft is there" : "the aircraft is lost");
+          connected ? "aircraft connected" : "aircraft lost");
     }
   }
 

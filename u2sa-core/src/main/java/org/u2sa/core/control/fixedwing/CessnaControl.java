@@ -120,11 +120,11 @@ public final class CessnaControl extends ControlSystem {
 
   private static String without(FlightPhase phase) {
     return switch (phase) {
-      case RUN_UP -> "waits on the brakes";
-      case STOPPED -> "stands on the brakes";
+      case RUN_UP -> "waiting on the brakes";
+      case STOPPED -> "stopped on the brakes";
       case HOLD -> "wings level, later a circle, altitude held";
-      case FLARE -> "touches down";
-      case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "goes on to the safe height";
+      case FLARE -> "touching down";
+      case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "climbing to the safe height";
     };
   }
 

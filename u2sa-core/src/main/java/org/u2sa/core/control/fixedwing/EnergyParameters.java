@@ -11,12 +11,7 @@ record EnergyParameters(
         double altitudeTimeConstant,
     @Variable(unit = "s", min = 1, max = 30, ifAbsent = 6, text = "Airspeed-error time constant.")
         double speedTimeConstant,
-    @Variable(
-            unit = "m/s",
-            min = 0.5,
-            max = 10,
-            ifAbsent = 3.5,
-            text = "Maximum demanded climb rate.")
+    @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 3.5, text = "Maximum demanded climb.")
         double climbLimit,
     @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 4, text = "Maximum demanded sink rate.")
         double sinkLimit,
@@ -41,11 +36,7 @@ record EnergyParameters(
             ifAbsent = 1,
             text = "Time constant of the airspeed low-pass; longer is calmer in gusts.")
         double airspeedFilter,
-    @Variable(
-            min = 0,
-            max = 1,
-            ifAbsent = 0.6,
-            text = "Throttle of level cruise, where the integral starts.")
+    @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Throttle of level cruise.")
         double throttleTrim,
     @Variable(
             unit = "1/rad",
@@ -72,12 +63,7 @@ record EnergyParameters(
         double throttleLowerLimit,
     @Variable(min = 0, max = 1, ifAbsent = 1, text = "Maximum throttle in cruise.")
         double throttleUpperLimit,
-    @Variable(
-            unit = "1/s",
-            min = 0.01,
-            max = 5,
-            ifAbsent = 0.3,
-            text = "Maximum throttle rate in flight.")
+    @Variable(unit = "1/s", min = 0.01, max = 5, ifAbsent = 0.3, text = "Maximum throttle rate.")
         double throttleRateLimit,
     @Variable(
             unit = "rad",

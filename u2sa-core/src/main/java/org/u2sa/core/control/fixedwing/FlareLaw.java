@@ -28,12 +28,7 @@ final class FlareLaw {
           double flareTimeConstant,
       @Variable(unit = "m/s", min = 0.1, max = 2, ifAbsent = 0.5, text = "Sink rate at touchdown.")
           double flareSink,
-      @Variable(
-              unit = "rad s/m",
-              min = 0,
-              max = 1,
-              ifAbsent = 0.04,
-              text = "Pitch per sink-rate error.")
+      @Variable(unit = "rad s/m", min = 0, max = 1, ifAbsent = 0.04, text = "Pitch per sink error.")
           double flareDamping,
       @Variable(
               unit = "rad/m",

@@ -28,12 +28,7 @@ record GuidanceParameters(
         double fastestSpeed,
     @Variable(unit = "deg", min = 5, max = 30, ifAbsent = 27.5, text = "Maximum demanded bank.")
         double bankLimit,
-    @Variable(
-            unit = "deg/s",
-            min = 2,
-            max = 60,
-            ifAbsent = 15,
-            text = "Maximum rate of the demanded bank.")
+    @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 15, text = "Maximum bank rate.")
         double bankRateLimit,
     @Variable(
             unit = "deg",

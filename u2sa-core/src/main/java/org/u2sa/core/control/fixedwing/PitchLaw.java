@@ -21,12 +21,7 @@ final class PitchLaw {
               ifAbsent = 10,
               text = "Maximum pitch rate demanded for a pitch error.")
           double pitchRateLimit,
-      @Variable(
-              unit = "s/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 0.5,
-              text = "Elevator per demanded pitch rate.")
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 0.5, text = "Elevator per pitch rate.")
           double pitchRateForwardGain,
       @Variable(
               unit = "s/rad",
@@ -42,11 +37,7 @@ final class PitchLaw {
               ifAbsent = 0.7,
               text = "Elevator per integrated pitch-rate error.")
           double pitchRateIntegralGain,
-      @Variable(
-              min = 0,
-              max = 1,
-              ifAbsent = 0.6,
-              text = "Maximum elevator that the integral may hold.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Maximum elevator of the integral.")
           double elevatorTrimLimit) {}
 
   private static final double STEEPEST_RAD =

@@ -9,19 +9,9 @@ final class RollLaw {
   record Parameters(
       @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.65, text = "Bank-error time constant.")
           double bankTimeConstant,
-      @Variable(
-              unit = "deg/s",
-              min = 2,
-              max = 60,
-              ifAbsent = 20,
-              text = "Maximum demanded roll rate.")
+      @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 20, text = "Maximum roll rate.")
           double rollRateLimit,
-      @Variable(
-              unit = "s/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 1.1,
-              text = "Aileron per demanded roll rate.")
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 1.1, text = "Aileron per roll rate.")
           double rollRateForwardGain,
       @Variable(
               unit = "s/rad",
@@ -37,11 +27,7 @@ final class RollLaw {
               ifAbsent = 0.1,
               text = "Aileron per integrated roll-rate error.")
           double rollRateIntegralGain,
-      @Variable(
-              min = 0,
-              max = 1,
-              ifAbsent = 0.4,
-              text = "Maximum aileron that the integral may hold.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.4, text = "Maximum aileron of the integral.")
           double aileronTrimLimit) {}
 
   private final Parameters parameters;

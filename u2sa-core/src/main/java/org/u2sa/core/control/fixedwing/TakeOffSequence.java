@@ -21,18 +21,9 @@ final class TakeOffSequence {
               ifAbsent = 1,
               text = "Time that engine and navigation must be ready before the throttle opens.")
           double readyTime,
-      @Variable(
-              min = 0.1,
-              max = 1,
-              ifAbsent = 0.5,
-              text = "Throttle at which the brakes are released.")
+      @Variable(min = 0.1, max = 1, ifAbsent = 0.5, text = "Throttle that releases the brakes.")
           double releaseThrottle,
-      @Variable(
-              unit = "kt",
-              min = 40,
-              max = 80,
-              ifAbsent = 55,
-              text = "Calibrated airspeed at which the nose is raised.")
+      @Variable(unit = "kt", min = 40, max = 80, ifAbsent = 55, text = "Calibrated rotation speed.")
           double rotationSpeed,
       @Variable(
               unit = "m",

@@ -44,12 +44,7 @@ final class ThesisLaw {
               ifAbsent = 1.5,
               text = "Elevator against pitch; thesis: 0.")
           double pitchGain,
-      @Variable(
-              unit = "deg",
-              min = -5,
-              max = 15,
-              ifAbsent = 6,
-              text = "Pitch at which the elevator is centred.")
+      @Variable(unit = "deg", min = -5, max = 15, ifAbsent = 6, text = "Pitch in level flight.")
           double levelPitch,
       @Variable(min = 0.1, max = 1, ifAbsent = 0.6, text = "Throttle of level flight.")
           double cruiseThrottle) {}

@@ -21,12 +21,7 @@ final class TouchDown {
               ifAbsent = 1.5,
               text = "Height above ground at which the nose is aligned with the runway.")
           double alignHeight,
-      @Variable(
-              unit = "deg",
-              min = 0,
-              max = 12,
-              ifAbsent = 8,
-              text = "Maximum demanded bank in the flare.")
+      @Variable(unit = "deg", min = 0, max = 12, ifAbsent = 8, text = "Maximum bank in the flare.")
           double flareBankLimit,
       @Variable(
               unit = "m",

@@ -43,12 +43,7 @@ record Tuning(
   record ClimbOut(
       @Variable(min = 0.1, max = 0.5, ifAbsent = 0.2, text = "Throttle while the engine starts.")
           double startThrottle,
-      @Variable(
-              unit = "1/s",
-              min = 0.05,
-              max = 5,
-              ifAbsent = 0.3,
-              text = "Throttle rate at take-off.")
+      @Variable(unit = "1/s", min = 0.05, max = 5, ifAbsent = 0.3, text = "Take-off throttle rate.")
           double throttleOpeningRate,
       @Variable(unit = "deg", min = 5, max = 13, ifAbsent = 10, text = "Pitch at rotation.")
           double rotationPitch,
@@ -61,19 +56,9 @@ record Tuning(
               ifAbsent = 74,
               text = "Calibrated airspeed of the climb-out.")
           double climbOutSpeed,
-      @Variable(
-              unit = "deg",
-              min = 0,
-              max = 10,
-              ifAbsent = 6,
-              text = "Minimum demanded pitch in the climb-out.")
+      @Variable(unit = "deg", min = 0, max = 10, ifAbsent = 6, text = "Minimum climb-out pitch.")
           double climbOutPitchLowerLimit,
-      @Variable(
-              unit = "deg",
-              min = 0,
-              max = 30,
-              ifAbsent = 10,
-              text = "Maximum demanded bank in the climb-out.")
+      @Variable(unit = "deg", min = 0, max = 30, ifAbsent = 10, text = "Maximum climb-out bank.")
           double climbOutBankLimit,
       @Variable(
               unit = "m",

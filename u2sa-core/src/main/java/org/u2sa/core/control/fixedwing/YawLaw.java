@@ -28,17 +28,9 @@ final class YawLaw {
               ifAbsent = 0.4,
               text = "Rudder per integrated sideslip.")
           double sideslipIntegralGain,
-      @Variable(
-              min = 0,
-              max = 1,
-              ifAbsent = 0.5,
-              text = "Maximum rudder that the integral may hold.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.5, text = "Maximum rudder of the integral.")
           double rudderTrimLimit,
-      @Variable(
-              min = 0,
-              max = 1,
-              ifAbsent = 0.45,
-              text = "Rudder per aileron, against adverse yaw.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.45, text = "Rudder per aileron: adverse yaw.")
           double aileronToRudder) {}
 
   private static final double SLOWEST_MPS = 20.0;
