@@ -3,7 +3,7 @@ package org.u2sa.core.communication;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
-/** What one client, and all together, may ask of the broker. */
+/** Limits of the embedded broker, per client and in total. */
 record BrokerLimits(
     @Variable(min = 4, max = 100_000, ifAbsent = 512, text = "Maximum connections to the broker.")
         int clientsAtMost,
@@ -70,10 +70,10 @@ record BrokerLimits(
             text =
                 "Time after which the embedded broker disconnects a client that neither reads nor acknowledges what waits for it.")
         double clientPatience) {
-  /** Connections that have not said who they are, from one address. */
+  /** Unidentified connections from one address. */
   static final int PENDING_PER_ADDRESS = 32;
 
-  /** Connections that have not said who they are, from everywhere. */
+  /** Unidentified connections in total. */
   static final int PENDING = 256;
 
   /** Time for encryption and the first packet [ms]. */
@@ -88,7 +88,7 @@ record BrokerLimits(
   static final int DEEPEST_TOPIC = 32;
   static final int LONGEST_CLIENT_ID = 512;
 
-  /** Messages on their way through the broker: half of what its queues hold. */
+  /** Messages inside the broker: half of what its queues hold. */
   static final int ON_THE_WAY = 400;
 
   /** Bytes of those messages. */
@@ -97,7 +97,7 @@ record BrokerLimits(
   /** A client's will, which the broker keeps for as long as the client is there. */
   static final int LONGEST_WILL = 16 * 1_024;
 
-  /** Of so many connections one is kept free for operators. */
+  /** One in this many connections is reserved for operators. */
   private static final int OPERATORS_PART = 16;
 
   /** Bytes that may come before the first packet is whole, encryption's included. */
@@ -117,12 +117,12 @@ record BrokerLimits(
     return Clock.micros(clientPatience);
   }
 
-  /** Connections of one user: no one can take all. */
+  /** Connections of one user, so that nobody can take all. */
   int clientsPerUser() {
     return Math.max(1, clientsAtMost / 2);
   }
 
-  /** Connections of those who are no operators, so that an operator always finds one free. */
+  /** Connections open to others than operators, so that an operator always finds one free. */
   int clientsBesidesOperators() {
     return clientsAtMost - Math.max(1, clientsAtMost / OPERATORS_PART);
   }

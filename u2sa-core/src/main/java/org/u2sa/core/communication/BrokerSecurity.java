@@ -124,7 +124,7 @@ final class BrokerSecurity {
     return tls;
   }
 
-  /** Who may come; null: everybody, without a password. */
+  /** The known users; null: anybody may connect without a password. */
   Users users(Consumer<String> log) {
     if (account != null) {
       return new Users(account);

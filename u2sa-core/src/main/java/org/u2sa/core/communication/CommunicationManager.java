@@ -59,8 +59,8 @@ public final class CommunicationManager implements AutoCloseable {
    *
    * @param systemId the vehicle
    * @param configuration its variables
-   * @param types the message types that can come in from elsewhere
-   * @param log takes what goes wrong later, a line each
+   * @param types the message types that remote clients may publish
+   * @param log takes later failures, a line each
    * @throws CommunicationException if the port is taken or the external broker does not answer
    * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
    */
@@ -136,14 +136,14 @@ public final class CommunicationManager implements AutoCloseable {
     }
   }
 
-  /** The way to it for the services of this process. */
+  /** The transport of this process's services. */
   public Transport transport() {
     return transport;
   }
 
   /**
-   * The way through the broker for the services of this process, by MQTT even to each other. They
-   * may do everything there; no account need be set up for them. Empty without a broker.
+   * The transport through the broker for this process's services, by MQTT even between them. They
+   * have full access; no account needs to be set up for them. Empty without a broker.
    */
   public Optional<Transport> brokerTransport() {
     return Optional.ofNullable(own).map(Supplier::get);
@@ -155,8 +155,8 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * The way to another system on the same broker, for who wants to hear it. The broker asks for the
-   * same user and encryption there as of anybody.
+   * The transport to another system on the same broker. The broker requires the same user and
+   * encryption as of any client.
    *
    * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all and publish nothing
    * @throws CommunicationException if nothing leaves this process
@@ -174,18 +174,15 @@ public final class CommunicationManager implements AutoCloseable {
     return Optional.ofNullable(broker).map(BrokerSupervisor::address);
   }
 
-  /**
-   * Copies for subscribers elsewhere that were given up because they or the broker were too slow,
-   * so far.
-   */
+  /** Copies for remote subscribers dropped so far because they or the broker were too slow. */
   public long dropped() {
     return broker == null ? 0 : broker.dropped();
   }
 
   /**
-   * Ends the embedded broker and starts a new one at the same address, as happens by itself when it
-   * fails. Services of this process notice nothing; those of others reconnect. Does nothing with
-   * another broker.
+   * Replaces the embedded broker at the same address, as happens automatically when it fails.
+   * Services of this process notice nothing; those of others reconnect. Does nothing with an
+   * external broker.
    *
    * @throws CommunicationException if the port was taken by another program meanwhile
    */
@@ -196,8 +193,7 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * Stops the embedded broker after what waits to be sent was sent. Services should have ended
-   * before.
+   * Stops the embedded broker once everything queued is sent. Services should have ended before.
    */
   @Override
   public void close() {

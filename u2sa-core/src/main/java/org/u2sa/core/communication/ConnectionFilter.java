@@ -53,7 +53,7 @@ final class ConnectionFilter implements AutoCloseable {
   private volatile boolean ending;
 
   /**
-   * @param users who may come; null: everybody, without a password
+   * @param users the known users; null: anybody may connect without a password
    */
   ConnectionFilter(
       BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
@@ -107,7 +107,7 @@ final class ConnectionFilter implements AutoCloseable {
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
-      // Who was let in and who has not said who it is are counted apart; more cannot be.
+      // Pending and admitted connections are counted apart; this bounds both together.
       if (open.incrementAndGet() > limits.clientsAtMost() + 2 * BrokerLimits.PENDING || ending) {
         open.decrementAndGet();
         refusals.add(
@@ -226,7 +226,7 @@ final class ConnectionFilter implements AutoCloseable {
     return retained;
   }
 
-  /** Who listens to what. */
+  /** The subscriptions of remote clients. */
   RemoteSubscriptions subscriptions() {
     return subscriptions;
   }
@@ -252,7 +252,7 @@ final class ConnectionFilter implements AutoCloseable {
     return refusals;
   }
 
-  /** Who may come; empty: everybody, without a password. */
+  /** The known users; empty: anybody may connect without a password. */
   Optional<Users> users() {
     return Optional.ofNullable(users);
   }

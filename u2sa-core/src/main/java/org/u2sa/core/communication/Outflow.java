@@ -115,7 +115,7 @@ final class Outflow extends ChannelDuplexHandler {
     ctx.fireChannelRead(message);
   }
 
-  /** Why the client is to be put out; to be asked about every second. */
+  /** Why to disconnect the client; empty to keep it. Asked about once a second. */
   Optional<String> tooSlow(ChannelHandlerContext ctx) {
     long now = filter.nowMicros();
     if (unread(ctx) == 0 || taken != takenBefore) {

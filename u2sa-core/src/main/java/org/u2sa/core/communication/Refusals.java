@@ -6,8 +6,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 
 /**
- * Counts and tells what the broker refuses or gives up, each kind at its 1st, 2nd, 4th, 8th … time,
- * so that a flood does not fill the log. Safe for several threads.
+ * Counts what the broker refuses or drops, and logs each kind at its 1st, 2nd, 4th, 8th … time, so
+ * that a flood does not fill the log. Safe for several threads.
  */
 final class Refusals {
   private static final int KINDS_AT_MOST = 512;
@@ -22,8 +22,8 @@ final class Refusals {
   }
 
   /**
-   * @param kind what is counted together; no text of a client's choice
-   * @param details who, from where, on what; may hold what a client said
+   * @param kind the counter; never text from a client
+   * @param details who, from where, on what; may contain text from a client
    */
   void add(String kind, String details) {
     total.incrementAndGet();
@@ -45,7 +45,7 @@ final class Refusals {
     return count == null ? 0 : count.get();
   }
 
-  /** A client's own text, made fit for a line of a log. */
+  /** A client's text, sanitised for a log line. */
   static String shown(String text) {
     String cut = text.length() > LONGEST_NAME ? text.substring(0, LONGEST_NAME) + "…" : text;
     return "\"" + cut.replaceAll("\\p{Cntrl}", "?") + "\"";

@@ -21,14 +21,14 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Watches how the services are and has the failed ones started again (thesis 3.5.3). In: health,
- * with the wills of broken connections; stop; service-orders, the results; conditions, those that a
- * monitor before it said. Out: conditions, at each change; service-orders.
+ * Monitors the services and orders restarts of failed ones (thesis 3.5.3). In: health, including
+ * the wills of broken connections; stop; service-orders (results); conditions (of a previous
+ * monitor). Out: conditions, at each change; service-orders.
  *
- * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. What is done is
- * each service's policy. It does not watch itself: its process's {@code HealthWatch} does, or its
- * supervisor. While it is cut off from all others it judges nobody. A service whose clock is not
- * this one's is trouble that it says by name.
+ * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. Each service
+ * has its own policy. The monitor itself is watched by its process's {@code HealthWatch} or its
+ * supervisor. While cut off from all others it judges no service. It reports services whose clocks
+ * differ from its own by name.
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;

@@ -98,9 +98,9 @@ final class WatchedService {
   }
 
   /**
-   * Looks at the service anew.
+   * Checks the service.
    *
-   * @return whether it is to be started anew now
+   * @return whether to restart it now
    */
   boolean look(MonitorSettings settings, double nowS) {
     HealthObservation.Finding found =
@@ -157,7 +157,7 @@ final class WatchedService {
     return policy == Policy.FAILSAFE ? "failsafe" : "alert";
   }
 
-  /** What is to be published because it differs from what was; empty if nothing is new. */
+  /** The condition to publish if it has changed; empty otherwise. */
   Optional<ServiceCondition> news() {
     boolean quiet = said.isEmpty() && finding.condition() == Condition.SILENT;
     String now = finding.condition() + "|" + action + "|" + restarts.total();

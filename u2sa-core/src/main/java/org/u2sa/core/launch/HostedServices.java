@@ -190,7 +190,7 @@ final class HostedServices implements ServiceHost {
       ending.join(END_WITHIN_MS);
     } catch (InterruptedException e) {
       interrupted = true;
-      service.kill(); // whoever interrupts wants it to end, not to be given up
+      service.kill(); // an interrupt asks it to end, not to be abandoned
     }
     if (interrupted) {
       Thread.currentThread().interrupt();

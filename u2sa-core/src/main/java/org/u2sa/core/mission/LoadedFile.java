@@ -10,9 +10,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A file that something was loaded from: says when it is no longer what it was then. What was
- * loaded stays in force; but whoever starts the service anew would get something else, or nothing.
- * Belongs to one thread.
+ * A loaded file: tells when it has changed since. What was loaded stays in force, but a restart of
+ * the service would load something else, or fail. Belongs to one thread.
  */
 public final class LoadedFile {
   private record Stamp(FileTime modified, long bytes, Object key) {}

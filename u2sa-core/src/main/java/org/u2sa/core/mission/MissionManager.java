@@ -22,19 +22,19 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Keeps the goals of the mission and says which are current (thesis 3.2.3.2). In: goal-reports,
+ * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
  * goal-updates, goal-commands, failsafe. Out: goals, at the start, at each change, and in answer to
  * a report of a goal that is not current.
  *
  * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A list
  * without goals says that the mission is over. A failsafe to return or to land has goals of its
- * own; when it is over, the mission is resumed where it was left. Started anew in the same run, it
- * goes on where the one before was, unless the mission is another file now.
+ * own; afterwards the mission resumes where it was left. After a restart in the same run it resumes
+ * where it was, unless the mission file has changed.
  */
 public final class MissionManager extends EventDrivenService {
   /**
-   * What stands in for what a mission leaves open. Without a default of its own: what is near
-   * enough for an aircraft is another place for a rover.
+   * Defaults for what a mission omits. Itself required: near enough for an aircraft is another
+   * place for a rover.
    *
    * @param defaultThreshold horizontal threshold of waypoints that give none [m]
    */

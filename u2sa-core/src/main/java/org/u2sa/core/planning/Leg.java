@@ -57,9 +57,7 @@ record Leg(double startNorthM, double startEastM, double endNorthM, double endEa
     return startEastM + alongM * Math.sin(bearingRad());
   }
 
-  /**
-   * By how much the direction changes from this leg to the next [rad, -π…π], positive to the right.
-   */
+  /** Change of direction from this leg to the next [rad, -π…π], positive to the right. */
   double turnToRad(Leg next) {
     return wrapped(next.bearingRad() - bearingRad());
   }

@@ -81,9 +81,8 @@ final class LinkConfiguration {
   /**
    * Opens it.
    *
-   * @throws BadInputException if the Simulator is started anew, or takes the place of another, and
-   *     the aircraft was embedded: then it ends with the one before, and another one would begin
-   *     another flight
+   * @throws BadInputException if an embedded aircraft's Simulator is restarted or replaced: the
+   *     aircraft ended with it, and a new one would start another flight
    */
   AircraftLink open() {
     Variables now = settings.get();

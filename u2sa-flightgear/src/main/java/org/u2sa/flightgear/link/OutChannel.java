@@ -20,7 +20,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Where FlightGear's lines come in. We listen; whoever sends the first good line while nobody else
+ * Where FlightGear's lines come in. We listen; the first peer to send a good line while no other
  * does is FlightGear, so neither a stray connection nor a dead one keeps the real one out. Belongs
  * to the link's thread.
  */

@@ -13,11 +13,11 @@ import org.u2sa.flightgear.protocol.OutLine;
  */
 interface StandInChannel extends Closeable {
   /**
-   * Does what is due.
+   * Works one frame.
    *
-   * @param told what the stand-in was told last
-   * @param line what it says in this frame
-   * @return what it has been told now
+   * @param told the last commands received
+   * @param line the line of this frame
+   * @return the commands received now
    * @throws IOException if the channel is lost for good
    */
   InLine work(InLine told, OutLine line) throws IOException;

@@ -10,8 +10,8 @@ record PursuitSettings(PursuitTuning tuning, double largestCurvature, SpotTurn s
    * When and how the vehicle turns on the spot.
    *
    * @param possible whether it can at all
-   * @param aboveRad direction of the point from which on it does [rad]
-   * @param belowRad direction of the point at which it has turned enough [rad]
+   * @param aboveRad bearing above which it does [rad]
+   * @param belowRad bearing at which it stops turning [rad]
    * @param gain yaw rate for each radian of direction [1/s]
    */
   record SpotTurn(boolean possible, double aboveRad, double belowRad, double gain) {
