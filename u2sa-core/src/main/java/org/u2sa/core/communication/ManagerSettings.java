@@ -20,11 +20,7 @@ public record ManagerSettings(
             text =
                 "Host of the external broker; auto: the one that announces itself by mDNS for this system.")
         String communicationManagerIp,
-    @Variable(
-            min = 1,
-            max = 65_535,
-            ifAbsent = 1883,
-            text = "TCP port of the broker, embedded or external.")
+    @Variable(min = 1, max = 65_535, ifAbsent = 1883, text = "TCP port of either kind of broker.")
         int communicationManagerPort,
     @Variable(
             unit = "s",

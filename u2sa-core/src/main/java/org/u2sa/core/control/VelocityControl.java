@@ -64,12 +64,7 @@ public final class VelocityControl extends ControlSystem {
               ifAbsent = 0.8,
               text = "Maximum speed per remaining distance.")
           double approachGain,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 10,
-              ifAbsent = 1,
-              text = "Turn rate per bearing of the point.")
+      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 1, text = "Turn rate per bearing.")
           double turnGain,
       @Variable(
               unit = "m",

@@ -34,11 +34,7 @@ public final class PassThroughStateEstimator extends StateEstimator {
               text =
                   "Unmeasured acceleration, 1 sigma: position uncertainty grows by half of it times age squared.")
           double acceleration,
-      @Variable(
-              unit = "m/s",
-              min = 0,
-              ifAbsent = 1,
-              text = "Assumed speed, 1 sigma, where none is measured.")
+      @Variable(unit = "m/s", min = 0, ifAbsent = 1, text = "Speed, 1 sigma, if unmeasured.")
           double unknownSpeed,
       @Variable(
               unit = "rad/s",

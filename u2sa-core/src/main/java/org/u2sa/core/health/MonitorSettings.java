@@ -62,12 +62,7 @@ final class MonitorSettings {
               ifAbsent = 3,
               text = "Restarts of a service within the window before it is given up.")
           int restartLimit,
-      @Variable(
-              unit = "s",
-              min = 1,
-              max = 86_400,
-              ifAbsent = 60,
-              text = "Window in which restarts are counted.")
+      @Variable(unit = "s", min = 1, max = 86_400, ifAbsent = 60, text = "Restart-count window.")
           double restartWindow,
       @Variable(
               oneOf = {"ALERT", "FAILSAFE"},

@@ -43,11 +43,6 @@ public final class LoadedFile {
     }
   }
 
-  /** The file. */
-  public Path file() {
-    return file;
-  }
-
   /** What is wrong with the file now, beginning with its name; empty if it is as it was loaded. */
   public Optional<String> fault() {
     Optional<Stamp> now = stamp();

@@ -8,9 +8,7 @@ record MissionSettings(
             text =
                 "Mission XML file, relative to the configuration file. If changed while running, the new mission starts.")
         String mission,
-    @Variable(
-            ifAbsentText = "false",
-            text = "Whether the mission repeats after its last goal (as in thesis 4.5.2.3).")
+    @Variable(ifAbsentText = "false", text = "Whether the mission repeats (as in thesis 4.5.2.3).")
         boolean loop,
     @Variable(
             ifAbsentText = "ALL",

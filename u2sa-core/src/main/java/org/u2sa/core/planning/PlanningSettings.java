@@ -55,11 +55,7 @@ record PlanningSettings(
             text =
                 "After the last goal: HOLD stays at the last waypoint, STOP sends no navigation points.")
         AtEnd atEnd,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text = "Radius of the holding circle; 0 holds the place itself.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0, text = "Holding-circle radius; 0: hold in place.")
         double loiterRadius,
     @Variable(
             unit = "s",

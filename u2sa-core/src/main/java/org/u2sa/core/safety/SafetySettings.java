@@ -31,9 +31,7 @@ record SafetySettings(
             text =
                 "Standard deviation of x or y above which the position counts as lost; a state without one is trusted.")
         double positionSigmaLimit,
-    @Variable(
-            ifAbsentText = "StateEstimator",
-            text = "Service whose failure is the loss of the estimator.")
+    @Variable(ifAbsentText = "StateEstimator", text = "Service that estimates the vehicle's state.")
         String estimatorService,
     @Variable(
             ifAbsentText = "",
@@ -95,9 +93,7 @@ record SafetySettings(
             ifAbsent = 1,
             text = "Interval at which unchanged states are published again.")
         double repeatInterval,
-    @Variable(
-            ifAbsentText = "false",
-            text = "Whether the vehicle arms by itself, once, as soon as all checks pass.")
+    @Variable(ifAbsentText = "false", text = "Whether to arm once, as soon as all checks pass.")
         boolean armAtStart,
     @Variable(ifAbsentText = "true", text = "Whether arming requires a goal.")
         boolean missionRequired,
@@ -142,11 +138,7 @@ record SafetySettings(
             text =
                 "The planner's LOITER RADIUS: if ON FENCE is HOLD, the vehicle acts while there is still room for this circle.")
         double holdRadius,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            ifAbsent = 0,
-            text = "Wind that may blow a turning aircraft towards the fence.")
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0, text = "Wind towards the fence to allow for.")
         double windAllowance,
     @Variable(
             unit = "m/s^2",

@@ -187,9 +187,4 @@ final class InChannel {
   long nextMicros() {
     return sentMicros + SPACING_MICROS;
   }
-
-  /** Number of the newest line sent. */
-  long count() {
-    return last.count();
-  }
 }

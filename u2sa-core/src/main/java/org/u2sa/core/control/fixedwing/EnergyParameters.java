@@ -22,12 +22,7 @@ record EnergyParameters(
             ifAbsent = 0.8,
             text = "Maximum rate of change of the demanded climb rate.")
         double verticalAccelerationLimit,
-    @Variable(
-            unit = "m/s^2",
-            min = 0.1,
-            max = 5,
-            ifAbsent = 1,
-            text = "Maximum demanded acceleration along the path.")
+    @Variable(unit = "m/s^2", min = 0.1, max = 5, ifAbsent = 1, text = "Maximum acceleration.")
         double accelerationLimit,
     @Variable(
             unit = "s",
@@ -38,12 +33,7 @@ record EnergyParameters(
         double airspeedFilter,
     @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Throttle of level cruise.")
         double throttleTrim,
-    @Variable(
-            unit = "1/rad",
-            min = 0,
-            max = 20,
-            ifAbsent = 2.5,
-            text = "Throttle per demanded energy rate.")
+    @Variable(unit = "1/rad", min = 0, max = 20, ifAbsent = 2.5, text = "Throttle per energy rate.")
         double throttleForwardGain,
     @Variable(
             unit = "1/rad",

@@ -154,10 +154,6 @@ final class GroundSteering {
     return lined;
   }
 
-  double headingRad() {
-    return headingRad;
-  }
-
   /** Distance from the centreline, right positive [m]. */
   double offsetM(FlightState state) {
     double north = state.northM() - northM;

@@ -62,12 +62,7 @@ record PursuitTuning(
         double regulatedRadius,
     @Variable(unit = "deg/s", min = 1, max = 720, ifAbsent = 70, text = "Maximum yaw rate.")
         double turnRate,
-    @Variable(
-            unit = "deg/s^2",
-            min = 1,
-            max = 7200,
-            ifAbsent = 180,
-            text = "Maximum rate of change of the yaw rate.")
+    @Variable(unit = "deg/s^2", min = 1, max = 7200, ifAbsent = 180, text = "Yaw-rate slew limit.")
         double turnRateChange,
     @Variable(
             unit = "1/s",
