@@ -5,7 +5,7 @@ import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.configuration.Configurator;
 
-/** As whom and how the services of this process come to an external broker. */
+/** Credentials and encryption of this process's services at an external broker. */
 record AccessVariables(String user, String passwordFile, boolean tls, String caFile) {
   static AccessVariables of(Configurator configuration) {
     return new AccessVariables(

@@ -1,11 +1,13 @@
 package org.u2sa.core.communication;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
-/** So much a second, and up to a quarter of a second's worth at once. For one thread. */
+/** A rate limit with bursts of up to a quarter of a second's worth. For one thread. */
 final class Allowance {
   private static final double BURST_S = 0.25;
-  private static final double LEAST_BURST = 1.0; // of a slow one, too, at least one goes at once
+  private static final double LEAST_BURST = 1.0; // even of a slow one
 
   private final double perS;
   private final double burst;
@@ -28,5 +30,38 @@ final class Allowance {
 
   void take(double amount) {
     left -= amount;
+  }
+
+  /**
+   * One {@link Allowance} per user, however many connections the user has. Safe for several
+   * threads.
+   */
+  static final class PerUser {
+    private static final int USERS_REMEMBERED = 1_024;
+
+    private final double perS;
+    private final Map<String, Allowance> byUser = // guarded by this
+        new LinkedHashMap<>(16, 0.75f, true) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          protected boolean removeEldestEntry(Map.Entry<String, Allowance> eldest) {
+            return size() > USERS_REMEMBERED;
+          }
+        };
+
+    PerUser(double perS) {
+      this.perS = perS;
+    }
+
+    /** Takes one of the user's allowance if there is any left. */
+    synchronized boolean take(String user, long nowMicros) {
+      Allowance allowance = byUser.computeIfAbsent(user, name -> new Allowance(perS, nowMicros));
+      if (!allowance.isOpen(nowMicros)) {
+        return false;
+      }
+      allowance.take(1.0);
+      return true;
+    }
   }
 }

@@ -16,22 +16,21 @@ import org.u2sa.core.security.User;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Checks passwords on a thread of its own, because one check takes a fifth of a second of a core.
+ * Checks passwords on its own thread, since one check takes a fifth of a second of CPU time.
  *
- * <p>A flood of wrong passwords must not take the machine from control, nor lock those out who know
- * theirs: a password that was right once is known again at once; after a wrong one, the same name
- * from the same address is refused unseen for a time that doubles; who comes from an address
- * without wrong ones is checked before all others; and for the others the thread rests three times
- * as long as it worked. Nobody is refused for good unless the password was checked and wrong, and a
- * name that nobody has is checked as long as any.
+ * <p>A flood of wrong passwords must neither starve control of CPU time nor lock out legitimate
+ * users. A password that was right once is recognised at once. After a wrong one, the same name
+ * from the same address is refused unchecked for a time that doubles. Addresses without wrong
+ * passwords go first; for the others the thread rests three times as long as it worked. A final
+ * refusal always follows a check, and unknown names take as long as known ones.
  */
 final class Authenticator implements AutoCloseable {
   private static final int RESTS_PER_WORK = 3;
 
   /**
-   * What came of it: a user, or the reason why not.
+   * The result: a user, or the reason for the refusal.
    *
-   * @param isFinal whether to come again with the same password is of no use
+   * @param isFinal whether retrying with the same password is pointless
    */
   record Verdict(Optional<User> user, String reason, boolean isFinal) {
     static Verdict wrong(String reason) {
@@ -54,7 +53,7 @@ final class Authenticator implements AutoCloseable {
   private final Clock clock;
   private final Clock.Waiter waiter;
   private final byte[] key = new byte[32];
-  private final PasswordHash nobodys; // in place of the hash of one whom nobody knows
+  private final PasswordHash nobodys; // in place of an unknown user's hash
   private final LoginFailures failures;
   private final LoginQueue queue;
   private final Map<String, Proven> proven = new ConcurrentHashMap<>();

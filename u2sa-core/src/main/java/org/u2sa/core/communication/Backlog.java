@@ -3,9 +3,9 @@ package org.u2sa.core.communication;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Messages that were let into Moquette and have not come out of it yet. Its queues drop what does
- * not fit without a word; so clients are read more slowly before that, and what stays in there is
- * taken for lost. Safe for several threads.
+ * Messages that are inside Moquette. Its queues silently drop what does not fit; so clients are
+ * read more slowly before that, and messages that stay inside count as lost. Safe for several
+ * threads.
  */
 final class Backlog {
   private final AtomicLong in = new AtomicLong();
@@ -42,8 +42,7 @@ final class Backlog {
   }
 
   /**
-   * To be called about every second: if nothing moved since the last call, what is inside will not
-   * come out any more.
+   * Called about once a second: if nothing moved since the last call, what is inside is lost.
    *
    * @return how many were found lost
    */

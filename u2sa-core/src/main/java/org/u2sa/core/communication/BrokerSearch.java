@@ -20,7 +20,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * Looks for brokers on the local networks by multicast DNS: those that serve a U2SA system say so
- * in their announcement. Anybody in the network can announce one; who it really is, TLS proves.
+ * in their announcement. Anybody on the network can announce one; TLS proves its identity.
  */
 public final class BrokerSearch implements ServiceListener {
   /** In the place of a broker's address: look for it. */

@@ -13,32 +13,30 @@ import javax.net.ssl.SSLException;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.BrokerAccess;
-import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 
 /**
  * How the embedded broker is secured: by users and encryption, or by being heard on this host only.
  */
 final class BrokerSecurity {
-  static final VariableDeclaration<String> DIRECTORY =
-      VariableDeclaration.text("SECURITY DIRECTORY")
-          .ifAbsent("")
-          .describedAs(
-              "Folder made by ./u2sa security init; with it the embedded broker takes users with passwords over TLS only.");
-
-  static final VariableDeclaration<Boolean> ALLOW_INSECURE_NETWORK =
-      VariableDeclaration.flag("ALLOW INSECURE NETWORK")
-          .ifAbsent(false)
-          .describedAs(
-              "Whether the embedded broker may listen to a network without SECURITY DIRECTORY: everyone there commands the vehicle.");
-
-  /** Who commands over the loopback address where there are no users. */
-  static final VariableDeclaration<String> LOCAL_COMMANDS =
-      VariableDeclaration.text("LOCAL COMMANDS")
-          .oneOf("account", "everybody")
-          .ifAbsent("account")
-          .describedAs(
-              "Who of this host may command without SECURITY DIRECTORY: the account that started the broker, by a token file of its own that tools read by themselves, or everybody. Everybody may listen.");
+  /** The variables. */
+  record Settings(
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "Folder made by ./u2sa security init; with it the embedded broker accepts only users with passwords, over TLS.")
+          String securityDirectory,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether the embedded broker may listen on a network without SECURITY DIRECTORY: everyone there can command the vehicle.")
+          boolean allowInsecureNetwork,
+      @Variable(
+              oneOf = {"account", "everybody"},
+              ifAbsentText = "account",
+              text =
+                  "Who on this host may command without SECURITY DIRECTORY: the account that started the broker, by a private token file that tools read by themselves, or everybody. Everybody may listen.")
+          String localCommands) {}
 
   private final LocalAccount account; // null: no users, or those of the directory
   private final SecurityDirectory directory; // null: neither users nor encryption
@@ -56,16 +54,6 @@ final class BrokerSecurity {
     own = directory != null ? ProcessAccount.unnamed() : account != null ? account.own() : null;
   }
 
-  /** What the configuration says. */
-  record Settings(String directory, boolean insecureAllowed, boolean everybodyCommands) {}
-
-  static Settings settings(Configurator configuration) {
-    return new Settings(
-        configuration.getVariable(DIRECTORY),
-        configuration.getVariable(ALLOW_INSECURE_NETWORK),
-        configuration.getVariable(LOCAL_COMMANDS).equals("everybody"));
-  }
-
   /**
    * Reads users and certificate.
    *
@@ -73,11 +61,11 @@ final class BrokerSecurity {
    * @throws BadInputException if that would open it to a network unsecured, or a file is wrong
    */
   static BrokerSecurity of(Settings settings, String bindAddress, int port, Consumer<String> log) {
-    if (!settings.directory.isEmpty()) {
-      return secured(settings.directory);
+    if (!settings.securityDirectory.isEmpty()) {
+      return secured(settings.securityDirectory);
     }
     if (!isLoopback(bindAddress)) {
-      if (!settings.insecureAllowed) {
+      if (!settings.allowInsecureNetwork) {
         throw new BadInputException(
             "BIND ADDRESS "
                 + bindAddress
@@ -89,7 +77,7 @@ final class BrokerSecurity {
           "WARNING: ALLOW INSECURE NETWORK: everyone who reaches "
               + bindAddress
               + " hears and commands this vehicle");
-    } else if (!settings.everybodyCommands) {
+    } else if (settings.localCommands.equals("account")) {
       return new BrokerSecurity(null, null, LocalAccount.at(bindAddress, port, log));
     }
     return new BrokerSecurity(null, null);
@@ -136,7 +124,7 @@ final class BrokerSecurity {
     return tls;
   }
 
-  /** Who may come; null: everybody, without a password. */
+  /** The known users; null: anybody may connect without a password. */
   Users users(Consumer<String> log) {
     if (account != null) {
       return new Users(account);
@@ -149,7 +137,7 @@ final class BrokerSecurity {
     return users;
   }
 
-  /** As whom the services of the broker's own process come to it. */
+  /** Credentials of the services of the broker's own process. */
   BrokerAccess ownAccess() {
     if (own == null) {
       return BrokerAccess.open();

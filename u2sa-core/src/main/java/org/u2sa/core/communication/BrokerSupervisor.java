@@ -56,7 +56,7 @@ final class BrokerSupervisor implements AutoCloseable {
       } catch (CommunicationException e) {
         if (!lastFailure.equals(e.getMessage())) {
           lastFailure = e.getMessage(); // said once, however long it lasts
-          log.accept(e.getMessage() + "; services of other processes are cut off, tries on");
+          log.accept(e.getMessage() + "; services of other processes are cut off, retrying");
         }
       }
       try {
@@ -79,7 +79,7 @@ final class BrokerSupervisor implements AutoCloseable {
     }
     endPresent();
     broker = started();
-    log.accept("the broker was started anew at " + address);
+    log.accept("broker restarted at " + address);
   }
 
   private void endPresent() {

@@ -139,7 +139,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
   }
 
-  /** Whether it has not said yet who it is. */
+  /** Whether it has not identified itself yet. */
   boolean isPending() {
     return stage == Stage.STRANGER;
   }

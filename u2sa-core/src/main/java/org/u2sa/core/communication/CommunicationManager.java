@@ -14,8 +14,6 @@ import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
@@ -30,50 +28,6 @@ import org.u2sa.messages.schema.U2SAData;
  */
 public final class CommunicationManager implements AutoCloseable {
   private static final String LOOPBACK = "127.0.0.1";
-
-  /** Which broker carries the messages. */
-  public static final VariableDeclaration<String> BROKER =
-      VariableDeclaration.text("BROKER")
-          .oneOf("embedded", "external", "none")
-          .ifAbsent("embedded")
-          .describedAs(
-              "embedded: a broker in this process; external: another MQTT broker; none: this process only.");
-
-  /** Address on which the embedded broker listens. */
-  public static final VariableDeclaration<String> BIND_ADDRESS =
-      VariableDeclaration.text("BIND ADDRESS")
-          .ifAbsent(LOOPBACK)
-          .describedAs(
-              "Address on which the embedded broker listens; 0.0.0.0 opens it to the network, which needs SECURITY DIRECTORY.");
-
-  static final VariableDeclaration<String> HOST =
-      VariableDeclaration.text("COMMUNICATION MANAGER IP")
-          .ifAbsent("localhost")
-          .describedAs(
-              "Host of the external broker; auto: the one that announces itself by mDNS for this system.");
-
-  /** TCP port of the broker. */
-  public static final VariableDeclaration<Integer> PORT =
-      VariableDeclaration.integer("COMMUNICATION MANAGER PORT")
-          .range(Range.of(1, 65_535))
-          .ifAbsent(1883)
-          .describedAs("TCP port of the broker, embedded or external.");
-
-  /** How long to wait for a broker that is not there yet. */
-  public static final VariableDeclaration<Double> WAIT =
-      VariableDeclaration.number("COMMUNICATION MANAGER WAIT", "s")
-          .range(Range.of(0.0, 3600.0))
-          .ifAbsent(0.0)
-          .describedAs(
-              "How long to wait at the start for an external broker that does not answer yet, so that hosts may be started in any order.");
-
-  /** Whether the embedded broker announces itself by mDNS. */
-  public static final VariableDeclaration<String> ANNOUNCE =
-      VariableDeclaration.text("ANNOUNCE")
-          .oneOf("auto", "yes", "no")
-          .ifAbsent("auto")
-          .describedAs(
-              "Whether the embedded broker announces itself by mDNS; auto: if it listens to a network.");
 
   private static final double SEARCH_AT_LEAST_S = 5.0;
   private static final double OWN_BROKER_WITHIN_S = 30.0; // on a machine that is busy
@@ -105,27 +59,26 @@ public final class CommunicationManager implements AutoCloseable {
    *
    * @param systemId the vehicle
    * @param configuration its variables
-   * @param types the message types that can come in from elsewhere
-   * @param log takes what goes wrong later, a line each
+   * @param types the message types that remote clients may publish
+   * @param log takes later failures, a line each
    * @throws CommunicationException if the port is taken or the external broker does not answer
    * @throws org.u2sa.interfaces.configuration.ConfigurationException if a variable is wrong
    */
   public static CommunicationManager start(
       String systemId, Configurator configuration, MessageTypes types, Consumer<String> log) {
-    String kind = configuration.getVariable(BROKER);
-    String bindAddress = configuration.getVariable(BIND_ADDRESS);
-    String host = configuration.getVariable(HOST);
-    int port = configuration.getVariable(PORT);
-    double patienceS = configuration.getVariable(WAIT);
-    String announce = configuration.getVariable(ANNOUNCE);
-    BrokerLimits limits = BrokerLimits.of(configuration);
-    BrokerSecurity.Settings settings = BrokerSecurity.settings(configuration);
+    ManagerSettings manager = configuration.settings(ManagerSettings.class).get();
+    String bindAddress = manager.bindAddress();
+    int port = manager.communicationManagerPort();
+    double patienceS = manager.communicationManagerWait();
+    BrokerLimits limits = configuration.settings(BrokerLimits.class).get();
+    BrokerSecurity.Settings settings = configuration.settings(BrokerSecurity.Settings.class).get();
     AccessVariables access = AccessVariables.of(configuration);
     MessageCodec codec = new MessageCodec(types);
-    if (kind.equals("external")) {
-      BrokerAccess as = access.beside(settings.directory());
-      InetSocketAddress broker = InetSocketAddress.createUnresolved(host, port);
-      if (host.equals(BrokerSearch.AUTO)) {
+    if (manager.broker().equals("external")) {
+      BrokerAccess as = access.beside(settings.securityDirectory());
+      InetSocketAddress broker =
+          InetSocketAddress.createUnresolved(manager.communicationManagerIp(), port);
+      if (manager.communicationManagerIp().equals(BrokerSearch.AUTO)) {
         FoundBroker found = search(systemId, as, Math.max(patienceS, SEARCH_AT_LEAST_S));
         log.accept("broker found by mDNS: " + found);
         broker = new InetSocketAddress(found.host(), found.port());
@@ -143,7 +96,7 @@ public final class CommunicationManager implements AutoCloseable {
     Supplier<MqttTransport> remote = null;
     Supplier<MqttTransport> own = null;
     BrokerSecurity secured = null;
-    if (kind.equals("embedded")) {
+    if (manager.broker().equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
       secured = security;
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
@@ -158,13 +111,12 @@ public final class CommunicationManager implements AutoCloseable {
       remote =
           () ->
               new MqttTransport(
-                  reached, port, systemId, codec, access.beside(settings.directory()));
+                  reached, port, systemId, codec, access.beside(settings.securityDirectory()));
       own =
           () ->
               new MqttTransport(reached, port, systemId, codec, security.ownAccess())
                   .waiting(OWN_BROKER_WITHIN_S);
-      if (announce.equals("yes")
-          || announce.equals("auto") && !BrokerSecurity.isLoopback(bindAddress)) {
+      if (manager.announces()) {
         announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
       }
     }
@@ -184,14 +136,14 @@ public final class CommunicationManager implements AutoCloseable {
     }
   }
 
-  /** The way to it for the services of this process. */
+  /** The transport of this process's services. */
   public Transport transport() {
     return transport;
   }
 
   /**
-   * The way through the broker for the services of this process, by MQTT even to each other. They
-   * may do everything there; no account need be set up for them. Empty without a broker.
+   * The transport through the broker for this process's services, by MQTT even between them. They
+   * have full access; no account needs to be set up for them. Empty without a broker.
    */
   public Optional<Transport> brokerTransport() {
     return Optional.ofNullable(own).map(Supplier::get);
@@ -203,8 +155,8 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * The way to another system on the same broker, for who wants to hear it. The broker asks for the
-   * same user and encryption there as of anybody.
+   * The transport to another system on the same broker. The broker requires the same user and
+   * encryption as of any client.
    *
    * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all and publish nothing
    * @throws CommunicationException if nothing leaves this process
@@ -222,18 +174,15 @@ public final class CommunicationManager implements AutoCloseable {
     return Optional.ofNullable(broker).map(BrokerSupervisor::address);
   }
 
-  /**
-   * Copies for subscribers elsewhere that were given up because they or the broker were too slow,
-   * so far.
-   */
+  /** Copies for remote subscribers dropped so far because they or the broker were too slow. */
   public long dropped() {
     return broker == null ? 0 : broker.dropped();
   }
 
   /**
-   * Ends the embedded broker and starts a new one at the same address, as happens by itself when it
-   * fails. Services of this process notice nothing; those of others reconnect. Does nothing with
-   * another broker.
+   * Replaces the embedded broker at the same address, as happens automatically when it fails.
+   * Services of this process notice nothing; those of others reconnect. Does nothing with an
+   * external broker.
    *
    * @throws CommunicationException if the port was taken by another program meanwhile
    */
@@ -244,8 +193,7 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * Stops the embedded broker after what waits to be sent was sent. Services should have ended
-   * before.
+   * Stops the embedded broker once everything queued is sent. Services should have ended before.
    */
   @Override
   public void close() {

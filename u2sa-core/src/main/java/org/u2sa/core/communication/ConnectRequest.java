@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.UUID;
 
-/** What a client says of itself in its first packet. */
+/** The contents of a client's first packet. */
 final class ConnectRequest {
   private final MqttConnectMessage packet;
   private final String clientId;
@@ -30,7 +30,7 @@ final class ConnectRequest {
     return new ConnectRequest(packet, id, pass);
   }
 
-  /** Why it cannot be taken, whoever it is. */
+  /** Why it is refused, regardless of the user; empty if it is not. */
   Optional<String> fault() {
     int version = packet.variableHeader().version();
     if (version != MqttVersion.MQTT_3_1_1.protocolLevel()

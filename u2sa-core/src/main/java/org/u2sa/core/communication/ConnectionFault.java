@@ -6,10 +6,10 @@ import java.io.IOException;
 import javax.net.ssl.SSLHandshakeException;
 
 /**
- * What a connection failed by.
+ * Why a connection failed.
  *
- * @param kind what is counted together
- * @param words what the network code said of it, fit for a log
+ * @param kind the counter
+ * @param words what the network code said, sanitised for a log line
  */
 record ConnectionFault(String kind, String words) {
   static final String MALFORMED = "malformed packet";

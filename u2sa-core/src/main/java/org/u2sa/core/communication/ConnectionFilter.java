@@ -24,7 +24,7 @@ import org.u2sa.messages.schema.MessageCodec;
  * it is, and is watched. Moquette itself takes only those whom the connection filter let in.
  */
 final class ConnectionFilter implements AutoCloseable {
-  /** As whom a client goes that need not say its name. */
+  /** User name of anonymous clients. */
   static final String ANONYMOUS = "anonymous";
 
   /**
@@ -48,12 +48,12 @@ final class ConnectionFilter implements AutoCloseable {
       new ConcurrentHashMap<>(); // Moquette's view
   private final AtomicLong connectionsSoFar = new AtomicLong();
   private final RetainedTable retained;
-  private final SharedAllowances questions;
+  private final Allowance.PerUser questions;
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private volatile boolean ending;
 
   /**
-   * @param users who may come; null: everybody, without a password
+   * @param users the known users; null: anybody may connect without a password
    */
   ConnectionFilter(
       BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
@@ -65,7 +65,7 @@ final class ConnectionFilter implements AutoCloseable {
         users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
-    questions = new SharedAllowances(limits.questionsPerS());
+    questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
   }
 
   private static byte[] newPass() {
@@ -107,8 +107,8 @@ final class ConnectionFilter implements AutoCloseable {
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
-      // Who was let in and who has not said who it is are counted apart; more cannot be.
-      if (open.incrementAndGet() > limits.clients() + 2 * BrokerLimits.PENDING || ending) {
+      // Pending and admitted connections are counted apart; this bounds both together.
+      if (open.incrementAndGet() > limits.clientsAtMost() + 2 * BrokerLimits.PENDING || ending) {
         open.decrementAndGet();
         refusals.add(
             "connection refused, " + (ending ? "the broker ends" : "too many"),
@@ -188,7 +188,7 @@ final class ConnectionFilter implements AutoCloseable {
     }
     int others = clients.size() - (before == null ? 0 : 1);
     boolean keepFree = users != null && !session.isOperator();
-    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clients())) {
+    if (others >= (keepFree ? limits.clientsBesidesOperators() : limits.clientsAtMost())) {
       return Entry.FULL;
     }
     if (users != null
@@ -226,13 +226,13 @@ final class ConnectionFilter implements AutoCloseable {
     return retained;
   }
 
-  /** Who listens to what. */
+  /** The subscriptions of remote clients. */
   RemoteSubscriptions subscriptions() {
     return subscriptions;
   }
 
   /** How many questions each user may still ask. */
-  SharedAllowances questions() {
+  Allowance.PerUser questions() {
     return questions;
   }
 
@@ -252,7 +252,7 @@ final class ConnectionFilter implements AutoCloseable {
     return refusals;
   }
 
-  /** Who may come; empty: everybody, without a password. */
+  /** The known users; empty: anybody may connect without a password. */
   Optional<Users> users() {
     return Optional.ofNullable(users);
   }

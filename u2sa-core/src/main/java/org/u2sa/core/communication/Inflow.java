@@ -27,8 +27,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     this.filter = filter;
     this.session = session;
     long now = filter.nowMicros();
-    messages = new Allowance(filter.limits().messagesPerS(), now);
-    bytes = new Allowance(filter.limits().bytesPerS(), now);
+    messages = new Allowance(filter.limits().clientMessagesPerSecond(), now);
+    bytes = new Allowance(filter.limits().clientBytesPerSecond(), now);
   }
 
   @Override

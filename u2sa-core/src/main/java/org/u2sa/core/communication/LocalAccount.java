@@ -17,7 +17,7 @@ import org.u2sa.interfaces.communication.LocalToken;
 
 /**
  * The account under which this program runs, as a user of a broker that only this host can reach:
- * who can read the token's file may do everything, everybody else listens and asks.
+ * whoever can read the token file has full access, everybody else may listen and query.
  */
 final class LocalAccount implements AutoCloseable {
   private final Path file;
@@ -80,7 +80,7 @@ final class LocalAccount implements AutoCloseable {
     return own;
   }
 
-  /** Everybody who says no name. */
+  /** Anonymous clients. */
   User anybody() {
     return anybody;
   }

@@ -3,41 +3,21 @@ package org.u2sa.core.communication;
 import java.net.InetAddress;
 import java.util.function.Consumer;
 
-/** Somebody's wish to be let in under a name. Compared by identity: each is a wish of its own. */
-final class LoginApplication {
-  private final String name;
-  private final byte[] password;
-  private final String from;
-  private final Consumer<Authenticator.Verdict> answer;
-
+/**
+ * A request to log in under a name. Equal only to itself: passwords are compared by identity.
+ *
+ * @param from the address, or for IPv6 its network
+ * @param answer takes the verdict; called once
+ */
+record LoginApplication(
+    String name, byte[] password, String from, Consumer<Authenticator.Verdict> answer) {
   LoginApplication(
       String name, byte[] password, InetAddress from, Consumer<Authenticator.Verdict> answer) {
-    this.name = name;
-    this.password = password;
-    this.from = SourceNetwork.of(from);
-    this.answer = answer;
-  }
-
-  String name() {
-    return name;
-  }
-
-  byte[] password() {
-    return password;
-  }
-
-  /** The address, or for IPv6 its network. */
-  String from() {
-    return from;
+    this(name, password, SourceNetwork.of(from), answer);
   }
 
   /** Name and address together. */
   String key() {
     return from + " " + name;
-  }
-
-  /** Takes the verdict; called once. */
-  Consumer<Authenticator.Verdict> answer() {
-    return answer;
   }
 }

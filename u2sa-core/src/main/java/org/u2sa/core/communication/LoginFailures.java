@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
-/** Who gave wrong passwords, from where, and how often. Safe for several threads. */
+/** Counts wrong passwords by name and address. Safe for several threads. */
 final class LoginFailures {
   private static final int REMEMBERED = 4_096;
   private static final long FIRST_WAIT_MICROS = 250_000;

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Those who wait for their password to be checked: first who comes from an address without wrong
- * ones, in the order in which they came. Safe for several threads.
+ * Login requests that wait for their password check, in order of arrival; those from addresses
+ * without wrong passwords go first. Safe for several threads.
  */
 final class LoginQueue {
   private static final int AT_MOST = 256;
@@ -23,8 +23,8 @@ final class LoginQueue {
   }
 
   /**
-   * Adds one. Returns who has no place, perhaps the one itself: one from the address with most
-   * wrong passwords, and of such with most that wait.
+   * Adds one. Returns the one displaced, perhaps itself: from the address with the most wrong
+   * passwords, then with the most waiting requests.
    */
   synchronized Optional<LoginApplication> add(LoginApplication application) {
     long same = waiting.stream().filter(other -> other.from().equals(application.from())).count();
@@ -50,7 +50,7 @@ final class LoginQueue {
   /**
    * Takes the next one.
    *
-   * @param blamelessOnly whether only those from an address without wrong passwords are to be taken
+   * @param blamelessOnly whether to take only those from addresses without wrong passwords
    */
   synchronized Optional<LoginApplication> poll(boolean blamelessOnly) {
     Optional<LoginApplication> next =

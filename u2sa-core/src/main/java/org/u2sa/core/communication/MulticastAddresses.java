@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** Addresses of this host through which multicast DNS may speak: one each network, IPv4. */
+/** This host's addresses for multicast DNS: one IPv4 address per network. */
 final class MulticastAddresses {
   private MulticastAddresses() {}
 
@@ -38,7 +38,7 @@ final class MulticastAddresses {
   }
 
   /**
-   * Those through which a server is reached that listens there.
+   * Those at which a server bound to that address can be reached.
    *
    * @param bindAddress an address of this host, or the one that stands for all
    */

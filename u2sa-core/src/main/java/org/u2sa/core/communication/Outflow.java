@@ -115,7 +115,7 @@ final class Outflow extends ChannelDuplexHandler {
     ctx.fireChannelRead(message);
   }
 
-  /** Why the client is to be put out; to be asked about every second. */
+  /** Why to disconnect the client; empty to keep it. Asked about once a second. */
   Optional<String> tooSlow(ChannelHandlerContext ctx) {
     long now = filter.nowMicros();
     if (unread(ctx) == 0 || taken != takenBefore) {
@@ -131,8 +131,8 @@ final class Outflow extends ChannelDuplexHandler {
     if (now - oldest.since > filter.limits().patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return filter.backlog().kept() - oldest.keptBefore > filter.limits().unacknowledgedBytes()
-        ? Optional.of("too much waits for its acknowledgement")
+    return filter.backlog().kept() - oldest.keptBefore > filter.limits().unacknowledgedBytesAtMost()
+        ? Optional.of("too many bytes await its acknowledgement")
         : Optional.empty();
   }
 }

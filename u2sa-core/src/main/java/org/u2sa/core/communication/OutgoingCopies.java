@@ -97,7 +97,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     forward(channel, message);
   }
 
-  /** Numbers every message, so that who comes back later knows how many there were meanwhile. */
+  /** Numbers every message, so that a client that reconnects knows how many it missed. */
   private void number(
       OriginNumbers.Stream stream,
       Channel<?> channel,
@@ -136,7 +136,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
       }
       onTheWay.tryAcquire(ON_THE_WAY_AT_MOST, LOST_AFTER_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      log.accept("interrupted: " + waiting.size() + " copies for remote subscribers are given up");
+      log.accept("interrupted: " + waiting.size() + " copies for remote subscribers dropped");
     }
   }
 

@@ -40,7 +40,7 @@ final class PacketRules {
     owner = user == null ? "client " + clientId : "user " + user.name();
     name = user == null ? ConnectionFilter.ANONYMOUS : user.name();
     judge = new TopicPermissions(filter.codec().types(), user);
-    orders = new Allowance(filter.limits().ordersPerS(), filter.nowMicros());
+    orders = new Allowance(filter.limits().clientOrdersPerSecond(), filter.nowMicros());
   }
 
   /** Whether a packet asks something of every service, or of the broker's whole table. */

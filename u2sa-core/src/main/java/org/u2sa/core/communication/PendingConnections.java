@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Connections that have not said yet who they are. They are few: a new one puts out the one that
- * has waited longest of the network with most of them, first of those from which nobody has come
- * in, so that a flood puts out its own, be it from many addresses. Who means well needs
+ * Connections that have not identified themselves yet. They are few: a new one puts out the one
+ * that has waited longest of the network with most of them, first of those from which nobody has
+ * come in, so that a flood puts out its own, be it from many addresses. Who means well needs
  * milliseconds. Safe for several threads.
  *
  * @param <C> a connection

@@ -9,8 +9,8 @@ import org.u2sa.core.security.PasswordHash;
 import org.u2sa.core.security.User;
 
 /**
- * A user of one run of the broker who may do everything, with a password that is made for the run:
- * the services of the broker's own process, and programs of the account that runs it.
+ * A user with full access and a generated password for one run of the broker: its own process's
+ * services, and programs of the account that runs it.
  */
 record ProcessAccount(User user, String password) {
   private static final int PASSWORD_BYTES = 32;
@@ -21,7 +21,7 @@ record ProcessAccount(User user, String password) {
     return with(name, EnumSet.allOf(AccessRole.class));
   }
 
-  /** One whose name no file lists and nobody guesses. */
+  /** One with a random name. */
   static ProcessAccount unnamed() {
     return named("process-" + random());
   }

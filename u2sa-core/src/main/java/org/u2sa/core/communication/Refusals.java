@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.OneLine;
 
 /**
- * Counts and tells what the broker refuses or gives up, each kind at its 1st, 2nd, 4th, 8th … time,
- * so that a flood does not fill the log. Safe for several threads.
+ * Counts what the broker refuses or drops, and logs each kind at its 1st, 2nd, 4th, 8th … time, so
+ * that a flood does not fill the log. Safe for several threads.
  */
 final class Refusals {
   private static final int KINDS_AT_MOST = 512;
@@ -23,8 +23,8 @@ final class Refusals {
   }
 
   /**
-   * @param kind what is counted together; no text of a client's choice
-   * @param details who, from where, on what; may hold what a client said
+   * @param kind the counter; never text from a client
+   * @param details who, from where, on what; may contain text from a client
    */
   void add(String kind, String details) {
     total.incrementAndGet();
@@ -46,7 +46,7 @@ final class Refusals {
     return count == null ? 0 : count.get();
   }
 
-  /** A client's own text, made fit for a line of a log. */
+  /** A client's text, sanitised for a log line. */
   static String shown(String text) {
     String cut = text.length() > LONGEST_NAME ? text.substring(0, LONGEST_NAME) + "…" : text;
     return "\"" + OneLine.of(cut) + "\"";

@@ -10,10 +10,11 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiPredicate;
 
 /**
- * Who elsewhere listens to what, by connection, so that nothing is encoded for nobody. A filter is
- * entered before Moquette sees it: when its client has the answer, it misses nothing any more. A
- * change is compared with the topics on the thread of the client that changed it, so that no number
- * of filters costs the services' threads anything. Safe for several threads.
+ * The subscriptions of remote clients, by connection, so that nothing is encoded without a
+ * subscriber. A filter is entered before Moquette sees it: when its client has the answer, it
+ * misses nothing any more. A change is compared with the topics on the thread of the client that
+ * changed it, so that no number of filters costs the services' threads anything. Safe for several
+ * threads.
  */
 final class RemoteSubscriptions {
   private static final int TOPICS_REMEMBERED = 4_096;

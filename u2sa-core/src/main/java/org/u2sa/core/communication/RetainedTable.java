@@ -34,9 +34,9 @@ final class RetainedTable {
   private final Sum urgent = new Sum();
 
   RetainedTable(BrokerLimits limits) {
-    topicsAtMost = limits.retained().topics();
-    bytesAtMost = limits.retained().bytes();
-    bytesOfOneAtMost = limits.retained().bytesOfOne();
+    topicsAtMost = limits.retainedTopicsAtMost();
+    bytesAtMost = limits.retainedBytesAtMost();
+    bytesOfOneAtMost = limits.clientRetainedBytesAtMost();
   }
 
   /**

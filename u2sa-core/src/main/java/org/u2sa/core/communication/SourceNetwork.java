@@ -4,7 +4,9 @@ import java.net.Inet6Address;
 import java.net.InetAddress;
 import java.util.Arrays;
 
-/** Whom an address is counted as: itself, or for IPv6 its /64, of which one host has all. */
+/**
+ * The key by which addresses are counted: the address, or for IPv6 its /64, which one host owns.
+ */
 final class SourceNetwork {
   private static final int NETWORK_BYTES = 8;
 

@@ -88,9 +88,9 @@ final class Users {
     readAt = changed;
     try {
       ofFile = UserFile.read(file);
-      log.accept("users read again: " + ofFile.size() + " in " + file);
+      log.accept("users reloaded: " + ofFile.size() + " in " + file);
     } catch (BadInputException e) {
-      log.accept("users stay as they were: " + e.getMessage());
+      log.accept("users unchanged: " + e.getMessage());
     }
   }
 

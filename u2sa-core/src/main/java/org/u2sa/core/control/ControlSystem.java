@@ -49,7 +49,7 @@ public abstract class ControlSystem extends EventDrivenService {
               max = 10,
               ifAbsent = 0.5,
               text =
-                  "Time in which commands move over from those of another control system that this one takes over from.")
+                  "Time over which commands blend from those of a control system that this one replaces.")
           double blendTime,
       @Variable(
               unit = "s",
@@ -96,12 +96,12 @@ public abstract class ControlSystem extends EventDrivenService {
 
   private void onState(StateInformation state) {
     if (state.timestamp().isEmpty()) {
-      log(LogLevelEnum.WARN, "state without a timestamp left out: " + state);
+      log(LogLevelEnum.WARN, "ignored a state without a timestamp: " + state);
       return;
     }
     states.span(Clock.micros(limits.get().staleAfter()));
     if (!states.add(state)) {
-      log(LogLevelEnum.DEBUG, "state is not newer than the one before it: left out: " + state);
+      log(LogLevelEnum.DEBUG, "ignored a state that is not newer than the last: " + state);
       return;
     }
     stepS = Clock.seconds(states.lastStepMicros());

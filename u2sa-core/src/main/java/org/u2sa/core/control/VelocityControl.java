@@ -34,53 +34,49 @@ public final class VelocityControl extends ControlSystem {
               min = 0.01,
               max = 100,
               ifAbsent = 5,
-              text = "Speed forward and sideways at 100 %, as the actuators have it.")
+              text = "Forward and sideways speed at 100 %, as set for the actuators.")
           double fullSpeed,
       @Variable(
               unit = "m/s",
               min = 0.01,
               max = 50,
               ifAbsent = 2,
-              text = "Speed upwards at 100 %, as the actuators have it.")
+              text = "Climb speed at 100 %, as set for the actuators.")
           double fullClimb,
       @Variable(
               unit = "rad/s",
               min = 0.01,
               max = 10,
               ifAbsent = 1,
-              text = "Rate of turn at 100 %, as the actuators have it.")
+              text = "Turn rate at 100 %, as set for the actuators.")
           double fullTurn,
       @Variable(
               unit = "m/s",
               min = 0.01,
               max = 100,
               ifAbsent = 2,
-              text = "Speed to a navigation point that says none.")
+              text = "Speed to a navigation point that sets none.")
           double cruiseSpeed,
       @Variable(
               unit = "1/s",
               min = 0.01,
               max = 10,
               ifAbsent = 0.8,
-              text = "Most speed for each metre that is left.")
+              text = "Maximum speed per remaining distance.")
           double approachGain,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 10,
-              ifAbsent = 1,
-              text = "Rate of turn for each radian of the point's direction.")
+      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 1, text = "Turn rate per bearing.")
           double turnGain,
       @Variable(
               unit = "m",
               min = 0,
               max = 100,
               ifAbsent = 1,
-              text = "Nearer points are not turned to: their direction is mostly error.")
+              text =
+                  "Minimum distance of a point to turn to: the bearing of nearer ones is mostly error.")
           double facingDistance,
       @Variable(
               ifAbsentText = "true",
-              text = "Whether the vehicle can go sideways and backwards, as a multicopter.")
+              text = "Whether the vehicle can move sideways and backwards, like a multicopter.")
           boolean sideways) {}
 
   private final Settings<Tuning> tuning = settings(Tuning.class);

@@ -82,7 +82,7 @@ final class Completeness {
     }
     said = what;
     if (what.isEmpty()) {
-      service.log("state has all that is needed again");
+      service.log("state complete again");
       return;
     }
     Set<String> heard = new TreeSet<>();

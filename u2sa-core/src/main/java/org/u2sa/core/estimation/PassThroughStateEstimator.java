@@ -25,46 +25,41 @@ public final class PassThroughStateEstimator extends StateEstimator {
               min = 0,
               ifAbsent = 0.1,
               text =
-                  "Standard deviation of a measured velocity that comes without one: by it a position grows unsure with age.")
+                  "Standard deviation assumed for a measured velocity without one; position uncertainty grows with it over time.")
           double velocitySigma,
       @Variable(
               unit = "m/s^2",
               min = 0,
               ifAbsent = 1,
               text =
-                  "Acceleration that may have gone unmeasured, 1 sigma: by its half times the age's square a position grows unsure.")
+                  "Unmeasured acceleration, 1 sigma: position uncertainty grows by half of it times age squared.")
           double acceleration,
-      @Variable(
-              unit = "m/s",
-              min = 0,
-              ifAbsent = 1,
-              text = "Speed, 1 sigma, that is counted with where none is measured.")
+      @Variable(unit = "m/s", min = 0, ifAbsent = 1, text = "Speed, 1 sigma, if unmeasured.")
           double unknownSpeed,
       @Variable(
               unit = "rad/s",
               min = 0,
               ifAbsent = 0.5,
-              text = "Turn rate, 1 sigma, that is counted with where none is measured.")
+              text = "Assumed turn rate, 1 sigma, where none is measured.")
           double unknownTurnRate,
       @Variable(
               unit = "s",
               min = 0.01,
               max = 60,
               ifAbsent = 2,
-              text =
-                  "Age at which what one sensor measured no longer completes what another measures.")
+              text = "Maximum age of one sensor's measurement to complete another's.")
           double staleAfter,
       @Variable(
               ifAbsentText = "x, y, psi",
               text =
-                  "Numbers that the vehicle cannot do without: health says which are absent for long.")
+                  "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
           String needed,
       @Variable(
               unit = "s",
               min = 0,
               minExcluded = true,
               ifAbsent = 5,
-              text = "How long a needed number may be absent before health says so.")
+              text = "Time for which a needed number may be absent before health reports it.")
           double completeWithin) {
     Limits {
       try {

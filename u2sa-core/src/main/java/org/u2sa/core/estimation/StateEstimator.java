@@ -37,7 +37,7 @@ public abstract class StateEstimator extends EventDrivenService {
 
   private void onMeasurement(StateInformation sensed) {
     if (sensed.timestamp().isEmpty()) {
-      log(LogLevelEnum.WARN, "measurement without a timestamp left out: " + sensed);
+      log(LogLevelEnum.WARN, "ignored a measurement without a timestamp: " + sensed);
       return;
     }
     estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));

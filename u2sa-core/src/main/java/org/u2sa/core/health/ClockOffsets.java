@@ -6,9 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
-import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
@@ -18,13 +15,6 @@ import org.u2sa.messages.contract.HealthReport;
  * arrival.
  */
 final class ClockOffsets {
-  static final VariableDeclaration<Double> CLOCK_TOLERANCE =
-      VariableDeclaration.number("CLOCK TOLERANCE", "s")
-          .range(Range.of(0.01, 60.0))
-          .ifAbsent(1.0)
-          .describedAs(
-              "How far a service's clock may be from the monitor's before that is said as trouble.");
-
   private static final int REPORTS = 8; // 2 s at the usual interval
 
   /** What is known of one service's clock. */
@@ -34,20 +24,15 @@ final class ClockOffsets {
     private OptionalDouble saidS = OptionalDouble.empty(); // empty: that it agrees
   }
 
-  private final Configurator configuration;
   private final Map<String, Source> sources = new TreeMap<>();
-
-  ClockOffsets(Configurator configuration) {
-    this.configuration = configuration;
-    configuration.getVariable(CLOCK_TOLERANCE);
-  }
 
   /**
    * Takes note of a report that a service gave of itself.
    *
-   * @return what is to be said of its clock that was not said before; empty if nothing
+   * @param toleranceS beyond which a clock is reported [s]
+   * @return what to report of its clock that was not reported before; empty if nothing
    */
-  Optional<String> hear(HealthReport report, long nowMicros) {
+  Optional<String> hear(HealthReport report, long nowMicros, double toleranceS) {
     if (report.timestamp().isEmpty()) {
       return Optional.empty();
     }
@@ -64,11 +49,10 @@ final class ClockOffsets {
     double offsetS =
         Clock.seconds(source.offsetsMicros.stream().mapToLong(each -> each).max().orElseThrow());
     source.offsetsMicros.poll();
-    return judge(report.serviceName(), source, offsetS);
+    return judge(report.serviceName(), source, offsetS, toleranceS);
   }
 
-  private Optional<String> judge(String service, Source source, double offsetS) {
-    double toleranceS = configuration.getVariable(CLOCK_TOLERANCE);
+  private Optional<String> judge(String service, Source source, double offsetS, double toleranceS) {
     boolean agrees = Math.abs(offsetS) <= toleranceS;
     boolean same =
         agrees

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConnectionLost;
@@ -20,14 +21,14 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Watches how the services are and has the failed ones started again (thesis 3.5.3). In: health,
- * with the wills of broken connections; stop; service-orders, the results; conditions, those that a
- * monitor before it said. Out: conditions, at each change; service-orders.
+ * Monitors the services and orders restarts of failed ones (thesis 3.5.3). In: health, including
+ * the wills of broken connections; stop; service-orders (results); conditions (of a previous
+ * monitor). Out: conditions, at each change; service-orders.
  *
- * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. What is done is
- * each service's policy. It does not watch itself: its process's {@code HealthWatch} does, or its
- * supervisor. While it is cut off from all others it judges nobody. A service whose clock is not
- * this one's is trouble that it says by name.
+ * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. Each service
+ * has its own policy. The monitor itself is watched by its process's {@code HealthWatch} or its
+ * supervisor. While cut off from all others it judges no service. It reports services whose clocks
+ * differ from its own by name.
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;
@@ -36,18 +37,18 @@ public final class HealthMonitor extends PeriodicService {
   private static final double DEAF_AFTER_PERIODS = 4.0;
 
   private final Map<String, WatchedService> services = new TreeMap<>();
+  private final Settings<MonitorSettings.Limits> limits = settings(MonitorSettings.Limits.class);
   private MonitorSettings settings;
   private final Hearing hearing;
-  private final ClockOffsets clocks;
+  private final ClockOffsets clocks = new ClockOffsets();
   private double lookedS = Double.NaN;
   private long orders;
 
   /** Called by the launcher. */
   public HealthMonitor(ServiceContext context) {
     super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
-    settings = new MonitorSettings(context.configuration());
+    settings = new MonitorSettings(limits.get(), this);
     hearing = new Hearing(nowS());
-    clocks = new ClockOffsets(this);
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
     subscribe(Channels.CONDITIONS, this::remember);
@@ -65,7 +66,7 @@ public final class HealthMonitor extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    settings = new MonitorSettings(context().configuration());
+    settings = new MonitorSettings(limits.get(), this);
     services.keySet().stream().filter(name -> !settings.watches(name)).forEach(this::unwatch);
     services.keySet().removeIf(name -> !settings.watches(name));
     settings.watched().forEach(this::service);
@@ -88,7 +89,7 @@ public final class HealthMonitor extends PeriodicService {
     if (report.serviceName().equals(getServiceName()) && forItself) {
       hearing.hear(report, nowS());
     } else if (forItself) {
-      clocks.hear(report, clock().micros()).ifPresent(this::trouble);
+      clocks.hear(report, clock().micros(), limits.get().clockTolerance()).ifPresent(this::trouble);
     }
     if (!watches(report.serviceName())) {
       return;
@@ -146,7 +147,9 @@ public final class HealthMonitor extends PeriodicService {
   @Override
   protected void step(double nowS) {
     if (nowS - lookedS > DEAF_AFTER_PERIODS * periodS()) {
-      log(LogLevelEnum.WARN, "did not look for " + (nowS - lookedS) + " s: judges nobody by it");
+      log(
+          LogLevelEnum.WARN,
+          "no check for " + (nowS - lookedS) + " s: not judging services by their silence");
       services.values().forEach(service -> service.excuse(nowS));
     }
     lookedS = nowS;
@@ -158,12 +161,12 @@ public final class HealthMonitor extends PeriodicService {
   private boolean hears(double nowS) {
     switch (hearing.look(nowS)) {
       case DEAF:
-        log(LogLevelEnum.WARN, "does not hear even itself: judges nobody until it does");
+        log(LogLevelEnum.WARN, "hears not even its own reports: judging no service until it does");
         return false;
       case STILL_DEAF:
         return false;
       case HEARS_AGAIN:
-        log(LogLevelEnum.WARN, "hears again");
+        log(LogLevelEnum.WARN, "hears reports again");
         services.values().forEach(service -> service.excuse(Hearing.excusedUntilS(nowS)));
         return true;
       default:

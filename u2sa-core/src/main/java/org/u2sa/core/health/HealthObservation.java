@@ -130,9 +130,9 @@ final class HealthObservation {
   }
 
   /** How the service is now. */
-  Finding judge(MonitorSettings settings, double dataTimeoutS, double nowS) {
+  Finding judge(MonitorSettings.Limits limits, double dataTimeoutS, double nowS) {
     if (last == null) {
-      return nowS - sinceS > settings.startWithinS()
+      return nowS - sinceS > limits.startWithin()
           ? finding(Condition.LOST, "not heard for " + seconds(nowS - sinceS))
           : finding(Condition.SILENT, "not heard yet");
     }
@@ -152,14 +152,14 @@ final class HealthObservation {
           : finding(Condition.LOST, processEnd);
     }
     double silentS = nowS - heardS;
-    if (silentS > settings.lostAfterS()) {
+    if (silentS > limits.lostAfter()) {
       return finding(Condition.LOST, "not heard for " + seconds(silentS));
     }
     double runningS = last.callbackRunning().orElse(0.0);
-    if (runningS > settings.hungAfterS()) {
+    if (runningS > limits.hungAfter()) {
       return finding(Condition.HUNG, "its callback has been running for " + seconds(runningS));
     }
-    if (nowS - spokeS > settings.lostAfterS()) { // spoken for, and in no callback that would end
+    if (nowS - spokeS > limits.lostAfter()) { // spoken for, and in no callback that would end
       return finding(Condition.HUNG, "its thread has not come back for " + seconds(nowS - spokeS));
     }
     if (nowS - spokeS > SILENT_AFTER * last.interval().orElse(USUAL_INTERVAL_S)) {

@@ -3,8 +3,8 @@ package org.u2sa.core.health;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * Whether the monitor hears anything at all. Its own reports take the same way as all others, so
- * when they do not come back the way is broken, and the silence of others says nothing.
+ * Whether the monitor hears anything at all. Its own reports take the same way as all others: if
+ * they do not come back, the way is broken and the silence of others means nothing.
  */
 final class Hearing {
   private static final double DEAF_AFTER_INTERVALS = 4.0;

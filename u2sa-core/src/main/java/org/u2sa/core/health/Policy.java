@@ -1,11 +1,11 @@
 package org.u2sa.core.health;
 
-/** What is done about a service that no longer does its work. The names stand in configurations. */
+/** What to do about a service that no longer works. The names stand in configurations. */
 enum Policy {
-  /** It is started anew, a few times; then what follows. */
+  /** Restart it a few times, then do what AFTER RESTARTS says. */
   RESTART,
-  /** It is said, and nothing else. */
+  /** Report it, and nothing else. */
   ALERT,
-  /** It is given up: said at once as a case for the safety manager. */
+  /** Give it up: the Safety Manager acts at once. */
   FAILSAFE
 }

@@ -2,7 +2,7 @@ package org.u2sa.core.health;
 
 import java.util.ArrayDeque;
 
-/** How often a service was started anew lately. */
+/** Counts a service's recent restarts. */
 final class RestartCount {
   private final ArrayDeque<Double> timesS = new ArrayDeque<>();
   private double lastS = Double.NEGATIVE_INFINITY;

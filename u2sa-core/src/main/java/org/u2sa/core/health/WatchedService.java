@@ -98,19 +98,19 @@ final class WatchedService {
   }
 
   /**
-   * Looks at the service anew.
+   * Checks the service.
    *
-   * @return whether it is to be started anew now
+   * @return whether to restart it now
    */
   boolean look(MonitorSettings settings, double nowS) {
     HealthObservation.Finding found =
-        observation.judge(settings, settings.dataTimeoutS(name), nowS);
+        observation.judge(settings.limits(), settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
       found = new HealthObservation.Finding(Condition.STOPPED, "it was told to", false);
     }
     if (isPending()) {
       boolean shown = found.condition() == Condition.ALIVE;
-      if (!shown && nowS - orderedS <= settings.startWithinS()) {
+      if (!shown && nowS - orderedS <= settings.limits().startWithin()) {
         return false; // what was said stands until the new one is heard, or overdue
       }
       orderedS = Double.NaN;
@@ -125,12 +125,12 @@ final class WatchedService {
 
   private boolean isDue(MonitorSettings settings, double nowS) {
     Policy policy = settings.policyOf(name);
-    int before = restarts.within(settings.restartWindowS(), nowS);
+    int before = restarts.within(settings.limits().restartWindow(), nowS);
     if (policy != Policy.RESTART) {
       action = words(policy);
       return false;
     }
-    if (!givenUp && before >= settings.restartLimit()) {
+    if (!givenUp && before >= settings.limits().restartLimit()) {
       givenUp = true;
       givenUpWords =
           words(settings.afterRestarts()) + ", " + GIVEN_UP + " after " + before + " restarts";
@@ -141,12 +141,12 @@ final class WatchedService {
     }
     double delayS = settings.delayS(before);
     if (finding.mayPass()) {
-      delayS = Math.max(delayS, settings.reconnectWithinS());
+      delayS = Math.max(delayS, settings.limits().reconnectWithin());
     }
     if (nowS - Math.max(sinceS, restarts.lastS()) < delayS) {
       return false;
     }
-    action = "restart " + (before + 1) + " of " + settings.restartLimit();
+    action = "restart " + (before + 1) + " of " + settings.limits().restartLimit();
     restarts.add(nowS);
     orderedS = nowS;
     orderedInstance = observation.instance();
@@ -157,7 +157,7 @@ final class WatchedService {
     return policy == Policy.FAILSAFE ? "failsafe" : "alert";
   }
 
-  /** What is to be published because it differs from what was; empty if nothing is new. */
+  /** The condition to publish if it has changed; empty otherwise. */
   Optional<ServiceCondition> news() {
     boolean quiet = said.isEmpty() && finding.condition() == Condition.SILENT;
     String now = finding.condition() + "|" + action + "|" + restarts.total();

@@ -130,7 +130,7 @@ final class HostedServices implements ServiceHost {
               .order()
               .await(SWAP_WITHIN_S);
       if (refusal.isEmpty() && !configuration.withoutEffect().isEmpty()) {
-        made.log("declares no " + configuration.withoutEffect() + ": without effect");
+        made.log("declares no " + configuration.withoutEffect() + ": no effect");
       }
       return refusal;
     } catch (RuntimeException | LinkageError e) { // no such class, wrong variable, half a jar
@@ -193,7 +193,7 @@ final class HostedServices implements ServiceHost {
       ending.join(END_WITHIN_MS);
     } catch (InterruptedException e) {
       interrupted = true;
-      service.kill(); // whoever interrupts wants it to end, not to be given up
+      service.kill(); // an interrupt asks it to end, not to be abandoned
     }
     if (interrupted) {
       Thread.currentThread().interrupt();

@@ -124,6 +124,6 @@ final class RollCall implements Transport, Receiver {
 
   @Override
   public void trouble(String what) {
-    log.accept("asking who runs already: " + what);
+    log.accept("looking for running services: " + what);
   }
 }

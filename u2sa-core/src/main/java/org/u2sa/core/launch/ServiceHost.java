@@ -22,7 +22,7 @@ public interface ServiceHost {
   Optional<String> start(String serviceName);
 
   /**
-   * Ends a service, whatever state it is in, and starts it anew with its configuration read again.
+   * Restarts a service, whatever state it is in, with its configuration read again.
    *
    * @return why it was refused or could not be done; empty if it runs now
    */

@@ -94,7 +94,7 @@ final class FailsafeMissions {
     }
     List<GoalInformation> own = goals.get(action);
     if (own.isEmpty() && action == FailsafeAction.LAND) {
-      manager.log(LogLevelEnum.ERROR, "told to land, but there is no LAND MISSION: returns");
+      manager.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
       own = goals.get(FailsafeAction.RETURN);
     }
     if (own.isEmpty() && home.isPresent()) {
@@ -103,7 +103,7 @@ final class FailsafeMissions {
     if (own.isEmpty()) {
       manager.log(
           LogLevelEnum.ERROR,
-          "told to " + action + ", but there is neither a RETURN MISSION nor a home: holds");
+          "failsafe " + action + " without a RETURN MISSION or a home: holding");
       return Optional.of(ended());
     }
     return Optional.of(new GoalSequence(own, false, GoalSequence.Options.ALL));

@@ -20,8 +20,8 @@ final class HomeReader {
     double x = number(home, "x", horizontal, horizontal).orElseThrow(() -> missing(home, "x"));
     double y = number(home, "y", horizontal, horizontal).orElseThrow(() -> missing(home, "y"));
     if (global) {
-      Coordinates.checkLongitude(home.child("x").orElseThrow(), x);
-      Coordinates.checkLatitude(home.child("y").orElseThrow(), y);
+      MissionNumbers.checkLongitude(home.child("x").orElseThrow(), x);
+      MissionNumbers.checkLatitude(home.child("y").orElseThrow(), y);
     }
     Optional<Double> z = number(home, "z", "m", "m");
     Optional<Double> psi = number(home, "psi", "deg", "rad");

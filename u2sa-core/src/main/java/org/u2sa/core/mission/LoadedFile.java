@@ -10,9 +10,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A file that something was loaded from: says when it is no longer what it was then. What was
- * loaded stays in force; but whoever starts the service anew would get something else, or nothing.
- * Belongs to one thread.
+ * A loaded file: tells when it has changed since. What was loaded stays in force, but a restart of
+ * the service would load something else, or fail. Belongs to one thread.
  */
 public final class LoadedFile {
   private record Stamp(FileTime modified, long bytes, Object key) {}
@@ -42,11 +41,6 @@ public final class LoadedFile {
     } catch (IOException e) {
       return Optional.empty(); // the reader says why
     }
-  }
-
-  /** The file. */
-  public Path file() {
-    return file;
   }
 
   /** What is wrong with the file now, beginning with its name; empty if it is as it was loaded. */

@@ -22,19 +22,19 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Keeps the goals of the mission and says which are current (thesis 3.2.3.2). In: goal-reports,
+ * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
  * goal-updates, goal-commands, failsafe. Out: goals, at the start, at each change, and in answer to
  * a report of a goal that is not current.
  *
  * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A list
  * without goals says that the mission is over. A failsafe to return or to land has goals of its
- * own; when it is over, the mission is resumed where it was left. Started anew in the same run, it
- * goes on where the one before was, unless the mission is another file now.
+ * own; afterwards the mission resumes where it was left. After a restart in the same run it resumes
+ * where it was, unless the mission file has changed.
  */
 public final class MissionManager extends EventDrivenService {
   /**
-   * What stands in for what a mission leaves open. Without a default of its own: what is near
-   * enough for an aircraft is another place for a rover.
+   * Defaults for what a mission omits. Itself required: near enough for an aircraft is another
+   * place for a rover.
    *
    * @param defaultThreshold horizontal threshold of waypoints that give none [m]
    */
@@ -43,7 +43,7 @@ public final class MissionManager extends EventDrivenService {
               unit = "m",
               min = 0,
               minExcluded = true,
-              text = "Horizontal threshold of waypoints that give none.")
+              text = "Horizontal threshold of waypoints without one.")
           double defaultThreshold) {}
 
   /** The goal to which a vehicle returns on command. */
@@ -120,7 +120,7 @@ public final class MissionManager extends EventDrivenService {
     try {
       failsafes.load();
     } catch (BadInputException e) {
-      log(LogLevelEnum.ERROR, e.getMessage() + ": the failsafe missions stay as they were");
+      log(LogLevelEnum.ERROR, e.getMessage() + ": failsafe missions unchanged");
     }
   }
 
@@ -128,7 +128,7 @@ public final class MissionManager extends EventDrivenService {
     try {
       progress.begin(load());
     } catch (BadInputException e) {
-      log(LogLevelEnum.ERROR, e.getMessage() + ": goes on with the mission before");
+      log(LogLevelEnum.ERROR, e.getMessage() + ": mission unchanged");
       return;
     }
     publishGoals();
@@ -147,7 +147,7 @@ public final class MissionManager extends EventDrivenService {
         state.text(MissionSettings.MISSION).filter(settings.get().mission()::equals).isPresent()
             && state.number(MissionSettings.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
-      log(LogLevelEnum.WARN, "the mission is another one now: it begins");
+      log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
       return;
     }
     progress =
@@ -176,7 +176,7 @@ public final class MissionManager extends EventDrivenService {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,
-          resumes ? "resumes the mission" : "leaves the mission: " + action);
+          resumes ? "resuming the mission" : "leaving the mission: " + action);
       publishGoals();
     }
   }
@@ -194,7 +194,7 @@ public final class MissionManager extends EventDrivenService {
     if (!progress.finish(goal)) {
       boolean known = progress.pursued().knows(uid);
       String what = known ? "is not current" : "is not known";
-      log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" left out: it " + what);
+      log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" ignored: it " + what);
       if (known) {
         repeatGoals();
       }
@@ -227,7 +227,7 @@ public final class MissionManager extends EventDrivenService {
       return;
     }
     progress.pursued().changeTo(uid);
-    log("changes to goal \"" + uid + "\" on command");
+    log("changing to goal \"" + uid + "\" on command");
     publishGoals();
   }
 

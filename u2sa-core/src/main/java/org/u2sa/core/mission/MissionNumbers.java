@@ -4,7 +4,7 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.configuration.Units;
 import org.u2sa.interfaces.xml.XmlElement;
 
-/** MissionNumbers with units in files. */
+/** Numbers with units in files. */
 public final class MissionNumbers {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
@@ -35,11 +35,21 @@ public final class MissionNumbers {
     }
   }
 
+  /** Refuses what is no longitude. */
+  public static void checkLongitude(XmlElement element, double longitudeDeg) {
+    within(element, longitudeDeg, -180.0, 180.0, "deg of longitude");
+  }
+
+  /** Refuses what is no latitude. */
+  public static void checkLatitude(XmlElement element, double latitudeDeg) {
+    within(element, latitudeDeg, -90.0, 90.0, "deg of latitude (x is longitude, y is latitude)");
+  }
+
   /** Refuses a number outside a range. */
-  static double within(XmlElement element, double value, double min, double max, String what) {
+  private static void within(
+      XmlElement element, double value, double min, double max, String what) {
     if (!(value >= min && value <= max)) {
       throw element.error(value + " is outside " + min + "…" + max + " " + what);
     }
-    return value;
   }
 }

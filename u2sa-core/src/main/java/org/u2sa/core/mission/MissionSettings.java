@@ -6,27 +6,24 @@ import org.u2sa.interfaces.configuration.Variable;
 record MissionSettings(
     @Variable(
             text =
-                "The mission's XML file, relative to the configuration file. Changed while running: the new mission begins.")
+                "Mission XML file, relative to the configuration file. If changed while running, the new mission starts.")
         String mission,
-    @Variable(
-            ifAbsentText = "false",
-            text =
-                "Whether the mission begins anew after its last goal (thesis 4.5.2.3 did for ever).")
+    @Variable(ifAbsentText = "false", text = "Whether the mission repeats (as in thesis 4.5.2.3).")
         boolean loop,
     @Variable(
             ifAbsentText = "ALL",
             text =
-                "Of several next goals, whether ALL are to be finished before what follows, or ANY one.")
+                "Of several next goals, whether ALL must be finished before what follows, or ANY one.")
         GoalSequence.Options options,
     @Variable(
             ifAbsentText = "",
             text =
-                "The mission's XML file for the failsafe RETURN, relative to the configuration file; empty: to the mission's home.")
+                "Mission XML file for the failsafe RETURN, relative to the configuration file; empty: return to the mission's home.")
         String returnMission,
     @Variable(
             ifAbsentText = "",
             text =
-                "The mission's XML file for the failsafe LAND, relative to the configuration file; empty: it returns instead.")
+                "Mission XML file for the failsafe LAND, relative to the configuration file; empty: return instead.")
         String landMission) {
   static final String MISSION = "MISSION";
   static final String RETURN_MISSION = "RETURN MISSION";

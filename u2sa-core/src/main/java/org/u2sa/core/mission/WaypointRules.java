@@ -43,8 +43,8 @@ final class WaypointRules {
       throw goal.element().error("lacks x or y; UTM needs both");
     }
     if (frame.equals(ReferenceFrame.GLOBAL)) {
-      goal.field("x").ifPresent(x -> Coordinates.checkLongitude(x, waypoint.x().orElseThrow()));
-      goal.field("y").ifPresent(y -> Coordinates.checkLatitude(y, waypoint.y().orElseThrow()));
+      goal.field("x").ifPresent(x -> MissionNumbers.checkLongitude(x, waypoint.x().orElseThrow()));
+      goal.field("y").ifPresent(y -> MissionNumbers.checkLatitude(y, waypoint.y().orElseThrow()));
     }
   }
 

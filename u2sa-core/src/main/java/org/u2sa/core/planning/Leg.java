@@ -57,16 +57,19 @@ record Leg(double startNorthM, double startEastM, double endNorthM, double endEa
     return startEastM + alongM * Math.sin(bearingRad());
   }
 
-  /**
-   * By how much the direction changes from this leg to the next [rad, -π…π], positive to the right.
-   */
+  /** Change of direction from this leg to the next [rad, -π…π], positive to the right. */
   double turnToRad(Leg next) {
-    return Angles.wrapped(next.bearingRad() - bearingRad());
+    return wrapped(next.bearingRad() - bearingRad());
   }
 
   /** The shortest distance from a point to the leg between its ends [m]. */
   double distanceM(double northM, double eastM) {
     double along = Math.max(0.0, Math.min(lengthM(), alongM(northM, eastM)));
     return Math.hypot(northM - northAtM(along), eastM - eastAtM(along));
+  }
+
+  /** The same direction in -π…π [rad]. */
+  static double wrapped(double angleRad) {
+    return Math.IEEEremainder(angleRad, 2.0 * Math.PI);
   }
 }

@@ -51,7 +51,7 @@ final class LineGuidance implements WaypointGuidance {
 
   /** Leads to a point on the line. */
   LineGuidance(Supplier<LineSettings> settings) {
-    this(settings, new CarrotLaw());
+    this(settings, LineLaw.carrot());
   }
 
   LineGuidance(Supplier<LineSettings> settings, LineLaw law) {
@@ -153,8 +153,7 @@ final class LineGuidance implements WaypointGuidance {
 
   private boolean isHeadingFor(Vehicle vehicle, Point to) {
     double bearing = Math.atan2(to.y(), to.x());
-    return turnsOnTheSpot()
-        || Math.abs(Angles.wrapped(bearing - vehicle.courseRad())) < ALIGNED_RAD;
+    return turnsOnTheSpot() || Math.abs(Leg.wrapped(bearing - vehicle.courseRad())) < ALIGNED_RAD;
   }
 
   /**

@@ -8,6 +8,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
@@ -43,17 +44,15 @@ public class PathPlanner extends EventDrivenService {
   private final PlannerStates states;
   private final EndOfMission end;
   private Optional<GoalList> goals = Optional.empty();
-  private Optional<GoalList> takenOver =
-      Optional.empty(); // which comes once more, as it is retained
+  // The list that was taken over comes once more, as it is retained.
+  private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
-  private Optional<GoalInformation> finished =
-      Optional.empty(); // reported, and still the newest such
+  private Optional<GoalInformation> finished = Optional.empty(); // the newest reported
   private Optional<Place> holdAt = Optional.empty(); // the last place reached or given up
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private String foreseen = ""; // UID of the goal that the pursuit expects next
   private long reportedMicros;
-  private String complaint =
-      ""; // the last thing that was said to be wrong, so that it is said once
+  private String complaint = ""; // the last one logged, so that it is logged once
 
   /** Called by the launcher. */
   public PathPlanner(ServiceContext context) {
@@ -93,7 +92,11 @@ public class PathPlanner extends EventDrivenService {
 
   @Override
   protected final void handOver(HandOver state) {
-    new PlannerProgress(goals, goal, finished, reportedMicros, holdAt, foreseen).handOver(state);
+    goals.ifPresent(list -> state.message("GOALS", list));
+    goal.ifPresent(pursued -> state.message("GOAL", pursued));
+    finished.ifPresent(done -> state.message("FINISHED", done));
+    holdAt.ifPresent(place -> place.handOver(state, "HOLD AT"));
+    state.number("REPORTED AT", Clock.seconds(reportedMicros)).text("FORESEEN", foreseen);
     goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
     end.handOver(state);
     state.text("FAILSAFE", failsafe.name());
@@ -101,16 +104,15 @@ public class PathPlanner extends EventDrivenService {
 
   @Override
   protected final void takeOver(HandOver state) {
-    PlannerProgress before = PlannerProgress.takenOver(state);
-    goals = before.goals();
+    goals = state.message("GOALS", GoalList.class);
     takenOver = goals;
-    finished = before.finished();
-    reportedMicros = before.reportedMicros();
-    holdAt = before.holdAt();
-    foreseen = before.foreseen();
-    goal = before.goal();
+    finished = state.message("FINISHED", GoalInformation.class);
+    reportedMicros = Clock.micros(state.number("REPORTED AT").orElse(0.0));
+    holdAt = Place.takenOver(state, "HOLD AT");
+    foreseen = state.text("FORESEEN").orElse("");
+    goal = state.message("GOAL", GoalInformation.class);
     if (goal.flatMap(states::forGoal).filter(planner -> planner.takeOver(state)).isEmpty()) {
-      foreseen = goal.map(GoalInformation::uid).orElse(foreseen); // begins it anew
+      foreseen = goal.map(GoalInformation::uid).orElse(foreseen); // enters it again
       goal = Optional.empty();
     }
     end.takeOver(state);
@@ -139,7 +141,7 @@ public class PathPlanner extends EventDrivenService {
     if (Vehicle.of(state).isPresent()) {
       plan(state);
     } else {
-      complain("state lacks x, y or psi: not planned from: " + state, "state incomplete");
+      complain("no plan from a state without x, y or psi: " + state, "state incomplete");
     }
   }
 

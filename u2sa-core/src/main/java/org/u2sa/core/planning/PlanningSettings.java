@@ -20,58 +20,49 @@ record PlanningSettings(
             min = 0,
             ifAbsent = 0,
             text =
-                "Time from the order to turn until the turn is under way: the roll-in of an aircraft.")
+                "Delay from the command to turn until the turn is established: an aircraft's roll-in.")
         double turnLag,
     @Variable(
             unit = "m",
             min = 0,
             ifAbsent = 60,
             text =
-                "Most by which a turn may cut the corner at a waypoint, however large its threshold.")
+                "Maximum distance by which a turn may cut the corner at a waypoint, however large its threshold.")
         double cornerLimit,
     @Variable(
             unit = "m",
             min = 0,
             minExcluded = true,
             ifAbsent = 1,
-            text =
-                "Least distance ahead, on the line, of the point to go to. Shorter holds the line tighter.")
+            text = "Minimum look-ahead distance along the line. Shorter holds the line tighter.")
         double lookAhead,
     @Variable(
             unit = "s",
             min = 0,
             ifAbsent = 1,
             text =
-                "The same as a time: the point is at least as far ahead as the vehicle gets in it.")
+                "Look-ahead time: the point is at least the distance that the vehicle covers in it ahead.")
         double lookAheadTime,
     @Variable(
             ifAbsentText = "IMMEDIATE",
             text =
-                "Whether a leg's altitude is that of its end at once, or changes in proportion to the way.")
+                "IMMEDIATE takes the altitude of a leg's end at once, LINEAR changes it in proportion to the distance flown.")
         AltitudeProfile altitudeProfile,
-    @Variable(
-            min = 1,
-            max = 1000,
-            ifAbsent = 3,
-            text = "Passes at a waypoint before it is given up.")
+    @Variable(min = 1, max = 1000, ifAbsent = 3, text = "Passes at a waypoint before giving up.")
         int attempts,
     @Variable(
             ifAbsentText = "STOP",
             text =
-                "What follows the last goal: HOLD stays at the last waypoint, STOP gives no navigation points.")
+                "After the last goal: HOLD stays at the last waypoint, STOP sends no navigation points.")
         AtEnd atEnd,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text = "Radius of the circle on which to hold; 0 holds the place itself.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0, text = "Holding-circle radius; 0: hold in place.")
         double loiterRadius,
     @Variable(
             unit = "s",
             min = 0,
             minExcluded = true,
             ifAbsent = 1,
-            text = "Age at which a state is too old to plan from.")
+            text = "Maximum age of a state to plan from.")
         double staleAfter,
     @Variable(
             unit = "s",
@@ -79,7 +70,7 @@ record PlanningSettings(
             minExcluded = true,
             ifAbsent = 1,
             text =
-                "Time after which a report of a finished goal is repeated if the Mission Manager did not react.")
+                "Time after which the report of a finished goal is repeated unless the Mission Manager reacts.")
         double reportInterval) {
   /** What follows the last goal. */
   enum AtEnd {

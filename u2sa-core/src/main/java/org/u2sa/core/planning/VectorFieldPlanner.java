@@ -5,9 +5,9 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A {@link PathPlanner} that follows lines by a field of courses instead of a point on the line:
- * far off the line it comes back at an angle that can be set. In and out as there; either takes the
- * other's place in motion.
+ * A {@link PathPlanner} that follows lines by a field of courses instead of a point on the line: it
+ * returns from far off at a configured angle. In and out as there; either may replace the other in
+ * motion.
  */
 public final class VectorFieldPlanner extends PathPlanner {
   private record Field(
@@ -16,7 +16,7 @@ public final class VectorFieldPlanner extends PathPlanner {
               min = 5,
               max = 90,
               ifAbsent = 60,
-              text = "Course relative to the line at which a vehicle far off comes back to it.")
+              text = "Angle at which a vehicle far off the line returns to it.")
           double interceptAngle) {}
 
   /** Called by the launcher. */
@@ -27,6 +27,6 @@ public final class VectorFieldPlanner extends PathPlanner {
   private static WaypointGuidance guidance(PathPlanner planner) {
     Settings<Field> field = planner.settings(Field.class);
     return new LineGuidance(
-        planner::lines, new VectorFieldLaw(() -> Math.toRadians(field.get().interceptAngle())));
+        planner::lines, LineLaw.vectorField(() -> Math.toRadians(field.get().interceptAngle())));
   }
 }

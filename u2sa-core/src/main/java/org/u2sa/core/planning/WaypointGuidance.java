@@ -47,6 +47,6 @@ interface WaypointGuidance {
   /** Writes down how the present leg stands, for a planner that takes over. */
   default void handOver(HandOver state) {}
 
-  /** Goes on with the leg of the planner before; what that one did not know begins anew. */
+  /** Resumes the leg of the previous planner; what it did not hand over starts fresh. */
   default void takeOver(HandOver state) {}
 }

@@ -3,27 +3,18 @@ package org.u2sa.core.safety;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Whether actuators obey: by the health of the services that have them, which count the commands
- * that they obeyed and refused. Trouble is one that refuses and obeys none, for a time. What was
- * refused while the vehicle was not armed does not count.
+ * Whether actuators obey, by the counts of obeyed and refused commands in their services' health
+ * reports. Trouble is a service that has only refused for a time. What it refused while the vehicle
+ * was not armed does not count.
  */
 final class ActuationWatch implements Watch {
-  static final VariableDeclaration<Double> REFUSAL_TIME =
-      VariableDeclaration.number("REFUSAL TIME", "s")
-          .range(Range.of(0.1, 3600.0))
-          .ifAbsent(2.0)
-          .describedAs(
-              "Time for which the actuators of a service must have refused all commands while the vehicle is armed.");
-
   /** What one service reported last. */
   private static final class Heard {
     private String instance = "";
@@ -34,13 +25,12 @@ final class ActuationWatch implements Watch {
     private long refusedMicros; // when it was heard to refuse last
   }
 
-  private final Configurator configuration;
+  private final Supplier<SafetySettings> settings;
   private final Map<String, Heard> services = new TreeMap<>();
   private boolean armed;
 
-  ActuationWatch(Configurator configuration) {
-    this.configuration = configuration;
-    configuration.getVariable(REFUSAL_TIME);
+  ActuationWatch(Supplier<SafetySettings> settings) {
+    this.settings = settings;
   }
 
   @Override
@@ -82,7 +72,7 @@ final class ActuationWatch implements Watch {
 
   @Override
   public Optional<String> trouble(long nowMicros) {
-    long timeMicros = Clock.micros(configuration.getVariable(REFUSAL_TIME));
+    long timeMicros = Clock.micros(settings.get().refusalTime());
     for (Map.Entry<String, Heard> each : services.entrySet()) {
       Heard service = each.getValue();
       boolean refusesStill = nowMicros - service.refusedMicros <= timeMicros;

@@ -6,7 +6,10 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Whether the vehicle may move: not before all checks have passed once, and somebody wants it. */
+/**
+ * Whether the vehicle may move: once all checks have passed and an operator, or ARM AT START, armed
+ * it.
+ */
 final class Arming {
   private final SafetyManager manager;
   private final ArmingChecks checks;
@@ -16,10 +19,13 @@ final class Arming {
   private boolean saidArmed;
   private int saidReasons = -1;
 
-  Arming(SafetyManager manager, ArmingChecks checks) {
+  /**
+   * @param atStart whether to arm by itself, once, as soon as the checks pass
+   */
+  Arming(SafetyManager manager, ArmingChecks checks, boolean atStart) {
     this.manager = manager;
     this.checks = checks;
-    waits = manager.getVariable(SafetyVariables.ARM_AT_START);
+    waits = atStart;
   }
 
   void see(U2SAData message, long nowMicros) {
@@ -30,7 +36,7 @@ final class Arming {
     return armed;
   }
 
-  /** Arms if nothing speaks against it; who is armed stays so. */
+  /** Arms if nothing speaks against it. */
   void arm(long nowMicros) {
     if (armed) {
       return;
@@ -45,11 +51,11 @@ final class Arming {
     }
   }
 
-  /** Stays armed, as it was by a Safety Manager before this one. */
+  /** Stays armed, as the previous Safety Manager was. */
   void stayArmed() {
     armed = true;
     waits = false;
-    manager.log("stays armed");
+    manager.log("still armed, as the previous Safety Manager was");
   }
 
   /** Arms as soon as the checks pass, once, if ARM AT START. */
@@ -60,8 +66,8 @@ final class Arming {
     List<String> reasons = checks.reasons(nowMicros);
     if (reasons.isEmpty()) {
       arm(nowMicros);
-    } else if (reasons.size() != waitsForReasons) { // they change their numbers all the time
-      manager.log("waits to arm: " + String.join("; ", reasons));
+    } else if (reasons.size() != waitsForReasons) { // their figures change all the time
+      manager.log("waiting to arm: " + String.join("; ", reasons));
       waitsForReasons = reasons.size();
     }
   }

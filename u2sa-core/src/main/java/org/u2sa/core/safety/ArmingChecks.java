@@ -1,50 +1,54 @@
 package org.u2sa.core.safety;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EmergencyLatch;
 
-/** What must be before the vehicle may move, and why not if it is not. */
+/** What speaks against arming. */
 final class ArmingChecks {
   /** Actuators announce themselves every 5 s; one that did not for three times is gone. */
   private static final double GONE_AFTER_S = 15.0;
 
-  private final Configurator configuration;
+  private final Configurator matrix;
+  private final Supplier<SafetySettings> settings;
   private final List<Watch> watches;
   private final Conditions conditions;
   private final EmergencyLatch emergency;
-  private final LandMission landMission;
   private final Map<String, Long> actuators = new TreeMap<>(); // when each was heard last [µs]
   private boolean mission;
+  private OptionalLong landGoals = OptionalLong.empty(); // empty: nobody has said
   private List<String> fileFaults = List.of();
 
   ArmingChecks(
-      Configurator configuration,
+      Configurator matrix,
+      Supplier<SafetySettings> settings,
       List<Watch> watches,
       Conditions conditions,
-      EmergencyLatch emergency,
-      LandMission landMission) {
-    this.configuration = configuration;
+      EmergencyLatch emergency) {
+    this.matrix = matrix;
+    this.settings = settings;
     this.watches = watches;
     this.conditions = conditions;
     this.emergency = emergency;
-    this.landMission = landMission;
-    configuration.getVariable(SafetyVariables.MISSION_REQUIRED);
-    configuration.getVariable(SafetyVariables.REQUIRED_ACTUATORS);
   }
 
   void see(U2SAData message, long nowMicros) {
     if (message instanceof GoalList goals) {
       mission = !goals.goals().isEmpty();
       fileFaults = goals.fileFaults();
+      landGoals = goals.landGoals().isPresent() ? goals.landGoals() : landGoals;
     } else if (message instanceof ActuatorAnnouncement announcement) {
       actuators.put(announcement.actuatorName(), nowMicros);
     }
@@ -63,23 +67,38 @@ final class ArmingChecks {
           .objection(nowMicros)
           .ifPresent(words -> reasons.add(watch.hazard().words() + ": " + words));
     }
-    if (!mission && configuration.getVariable(SafetyVariables.MISSION_REQUIRED)) {
+    if (!mission && settings.get().missionRequired()) {
       reasons.add("mission: no goals");
     }
     fileFaults.forEach(fault -> reasons.add("mission: " + fault));
     actuators(nowMicros).ifPresent(reasons::add);
-    landMission.objection().ifPresent(reasons::add);
+    landMission().ifPresent(reasons::add);
     return reasons;
   }
 
   private Optional<String> actuators(long nowMicros) {
     actuators.values().removeIf(heard -> nowMicros - heard > Clock.micros(GONE_AFTER_S));
-    List<String> required =
-        Words.names(configuration.getVariable(SafetyVariables.REQUIRED_ACTUATORS));
+    List<String> required = Words.names(settings.get().requiredActuators());
     required.removeAll(actuators.keySet());
     if (!required.isEmpty()) {
-      return Optional.of("actuators: not there: " + String.join(", ", required));
+      return Optional.of("actuators: missing: " + String.join(", ", required));
     }
-    return actuators.isEmpty() ? Optional.of("actuators: none is there") : Optional.empty();
+    return actuators.isEmpty() ? Optional.of("actuators: none announced") : Optional.empty();
+  }
+
+  /** A mission to land by must be loaded if the matrix says LAND anywhere. */
+  private Optional<String> landMission() {
+    return Arrays.stream(Hazard.values())
+        .filter(hazard -> hazard.action(matrix) == FailsafeAction.LAND)
+        .filter(hazard -> landGoals.orElse(0) == 0)
+        .map(
+            hazard ->
+                "failsafe matrix: "
+                    + hazard.variable()
+                    + " is LAND, but "
+                    + (landGoals.isPresent()
+                        ? "the Mission Manager has loaded no LAND MISSION"
+                        : "no Mission Manager has said that it has loaded a LAND MISSION"))
+        .findFirst();
   }
 }

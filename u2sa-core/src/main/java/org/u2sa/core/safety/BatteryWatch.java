@@ -4,35 +4,49 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
-import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import java.util.function.Supplier;
+import java.util.function.ToDoubleFunction;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Whether a battery has been below a level, by voltage or charge, for long enough to mean it. */
+/** Whether a battery has been below a threshold, of voltage or charge, for BATTERY TIME. */
 final class BatteryWatch implements Watch {
-  /** Since when which battery is below the level, and by which word of its own. */
+  /** Since when a battery has been below, and what is below what, in words. */
   private record Low(long sinceMicros, String words) {}
 
   private final Hazard hazard;
-  private final Configurator configuration;
-  private final VariableDeclaration<Double> voltage;
-  private final VariableDeclaration<Double> remaining;
+  private final Supplier<SafetySettings> settings;
+  private final ToDoubleFunction<SafetySettings> leastVolts;
+  private final ToDoubleFunction<SafetySettings> leastPercent;
   private final Map<String, Low> low = new TreeMap<>();
   private boolean heard;
 
-  BatteryWatch(
+  private BatteryWatch(
       Hazard hazard,
-      Configurator configuration,
-      VariableDeclaration<Double> voltage,
-      VariableDeclaration<Double> remaining) {
+      Supplier<SafetySettings> settings,
+      ToDoubleFunction<SafetySettings> leastVolts,
+      ToDoubleFunction<SafetySettings> leastPercent) {
     this.hazard = hazard;
-    this.configuration = configuration;
-    this.voltage = voltage;
-    this.remaining = remaining;
-    configuration.getVariable(SafetyVariables.BATTERY_TIME);
-    isConfigured();
+    this.settings = settings;
+    this.leastVolts = leastVolts;
+    this.leastPercent = leastPercent;
+  }
+
+  static BatteryWatch low(Supplier<SafetySettings> settings) {
+    return new BatteryWatch(
+        Hazard.LOW_BATTERY,
+        settings,
+        SafetySettings::lowBatteryVoltage,
+        SafetySettings::lowBatteryRemaining);
+  }
+
+  static BatteryWatch critical(Supplier<SafetySettings> settings) {
+    return new BatteryWatch(
+        Hazard.CRITICAL_BATTERY,
+        settings,
+        SafetySettings::criticalBatteryVoltage,
+        SafetySettings::criticalBatteryRemaining);
   }
 
   @Override
@@ -41,9 +55,8 @@ final class BatteryWatch implements Watch {
   }
 
   private boolean isConfigured() {
-    double volts = configuration.getVariable(voltage);
-    double percent = configuration.getVariable(remaining);
-    return volts > 0.0 || percent > 0.0;
+    SafetySettings now = settings.get();
+    return leastVolts.applyAsDouble(now) > 0.0 || leastPercent.applyAsDouble(now) > 0.0;
   }
 
   @Override
@@ -53,8 +66,8 @@ final class BatteryWatch implements Watch {
     }
     heard = true;
     String words =
-        below("voltage", battery.voltage(), voltage)
-            + below("remaining", battery.remaining(), remaining);
+        below("voltage", battery.voltage(), leastVolts, "V")
+            + below("remaining", battery.remaining(), leastPercent, "%");
     if (words.isEmpty()) {
       low.remove(battery.sensorName());
     } else {
@@ -64,16 +77,17 @@ final class BatteryWatch implements Watch {
     }
   }
 
-  private String below(String what, OptionalDouble value, VariableDeclaration<Double> level) {
-    double least = configuration.getVariable(level);
+  private String below(
+      String what, OptionalDouble value, ToDoubleFunction<SafetySettings> level, String unit) {
+    double least = level.applyAsDouble(settings.get());
     return value.isPresent() && value.getAsDouble() < least
-        ? ", " + what + " " + value.getAsDouble() + " below " + least + " " + level.unit()
+        ? ", " + what + " " + value.getAsDouble() + " below " + least + " " + unit
         : "";
   }
 
   @Override
   public Optional<String> trouble(long nowMicros) {
-    long time = Clock.micros(configuration.getVariable(SafetyVariables.BATTERY_TIME));
+    long time = Clock.micros(settings.get().batteryTime());
     for (Low each : low.values()) {
       if (nowMicros - each.sinceMicros() >= time) {
         return Optional.of(each.words());
@@ -85,7 +99,7 @@ final class BatteryWatch implements Watch {
   @Override
   public Optional<String> objection(long nowMicros) {
     if (isConfigured() && !heard) {
-      return Optional.of("a level is configured, but no battery was heard");
+      return Optional.of("a threshold is set, but no battery heard");
     }
     return low.values().stream().findFirst().map(Low::words);
   }

@@ -10,7 +10,7 @@ import java.util.TreeMap;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceCondition;
 
-/** How the services are, as the health monitor says it. */
+/** The condition of each service, by the health monitor. */
 final class Conditions {
   /** A service that is silent may yet turn out to be alive. */
   private static final Set<Condition> WORKING = EnumSet.of(Condition.ALIVE, Condition.SILENT);
@@ -28,14 +28,21 @@ final class Conditions {
     }
   }
 
-  /** What is wrong with a service; empty if it works, or nobody has said anything of it. */
-  Optional<String> failure(String service) {
-    return Optional.ofNullable(newest.get(service))
+  /**
+   * What is wrong with the first of these services that fails; empty if all work as far as known.
+   *
+   * @param services names with commas between
+   */
+  Optional<String> failure(String services) {
+    return Words.names(services).stream()
+        .filter(newest::containsKey)
+        .map(newest::get)
         .filter(condition -> !WORKING.contains(condition.condition()))
-        .map(Conditions::words);
+        .map(Conditions::words)
+        .findFirst();
   }
 
-  /** A service of which the health monitor says that it is a case for a failsafe; empty if none. */
+  /** A service that the health monitor has given up, by its policy or after its restarts. */
   Optional<String> givenUp() {
     return newest.values().stream()
         .filter(condition -> condition.action().startsWith(GIVEN_UP))

@@ -6,43 +6,39 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BinaryOperator;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /**
- * What is to be done because of the hazards at hand: the most severe of what the matrix says of
- * each. A cause counts until it has been gone for CLEAR AFTER. RETURN and what is more severe stays
- * until {@link #acknowledge}, unless RESUME. What is done about the fence stays in any case: the
- * mission that led to it once would do so again.
+ * The action on the present hazards: the most severe of those in the matrix. A cause counts until
+ * it has been gone for CLEAR AFTER. RETURN and more severe actions stay until {@link #acknowledge},
+ * unless RESUME is set. The action on the fence always stays: the mission that led there once would
+ * do so again.
  */
 final class FailsafeDecision {
   /** A hazard that counts. */
   private record Cause(Hazard hazard, FailsafeAction action, String words, long seenMicros) {}
 
-  private static final String OVER = " (over; goes on until armed anew)";
+  private static final String OVER = " (over; stays until armed again)";
 
-  private final Configurator configuration;
+  private final Configurator matrix;
+  private final Supplier<SafetySettings> settings;
   private final Map<Hazard, Cause> causes = new EnumMap<>(Hazard.class);
   private Cause kept; // the most severe of those that stay though they are gone; null if none does
 
-  FailsafeDecision(Configurator configuration) {
-    this.configuration = configuration;
-    configuration.getVariable(SafetyVariables.CLEAR_AFTER);
-    configuration.getVariable(SafetyVariables.RESUME);
+  FailsafeDecision(Configurator matrix, Supplier<SafetySettings> settings) {
+    this.matrix = matrix;
+    this.settings = settings;
     for (Hazard hazard : Hazard.values()) {
-      configuration.getVariable(hazard.action());
+      hazard.action(matrix); // declares it
     }
-  }
-
-  /** What the matrix says of a hazard. */
-  FailsafeAction matrix(Hazard hazard) {
-    return FailsafeAction.valueOf(configuration.getVariable(hazard.action()));
   }
 
   /** Takes note of a hazard that is there now. */
   void present(Hazard hazard, String words, long nowMicros) {
-    Cause cause = new Cause(hazard, matrix(hazard), words, nowMicros);
+    Cause cause = new Cause(hazard, hazard.action(matrix), words, nowMicros);
     causes.put(hazard, cause);
     if (stays(cause) && (kept == null || cause.action().compareTo(kept.action()) > 0)) {
       kept = cause;
@@ -53,13 +49,12 @@ final class FailsafeDecision {
     if (cause.hazard() == Hazard.FENCE) {
       return cause.action() != FailsafeAction.CONTINUE;
     }
-    return cause.action().compareTo(FailsafeAction.RETURN) >= 0
-        && !configuration.getVariable(SafetyVariables.RESUME);
+    return cause.action().compareTo(FailsafeAction.RETURN) >= 0 && !settings.get().resume();
   }
 
   /** Forgets causes that have been gone for long enough. */
   void forgetUntil(long nowMicros) {
-    long clearMicros = Clock.micros(configuration.getVariable(SafetyVariables.CLEAR_AFTER));
+    long clearMicros = Clock.micros(settings.get().clearAfter());
     causes
         .values()
         .removeIf(
@@ -67,7 +62,7 @@ final class FailsafeDecision {
                 cause.seenMicros() < nowMicros && nowMicros - cause.seenMicros() >= clearMicros);
   }
 
-  /** Goes on with what a Safety Manager before this one demanded, if that is to stay. */
+  /** Keeps an action of the previous Safety Manager, if it is one that stays. */
   void adopt(FailsafeAction action, List<String> words) {
     for (Hazard hazard : Hazard.values()) {
       String prefix = hazard.words() + ": ";
@@ -79,7 +74,7 @@ final class FailsafeDecision {
     }
   }
 
-  /** Begins anew: nothing counts but what is present from now on. */
+  /** Forgets everything: only what is present from now on counts. */
   void acknowledge() {
     causes.clear();
     kept = null;

@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.core.mission.LoadedFile;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 
 /** The file that the variable FENCE names, as it was loaded and as it is now. */
@@ -22,9 +21,9 @@ final class FenceFile {
    *
    * @throws BadInputException naming the variable, the file and what is wrong in it
    */
-  Optional<Fence> load(Configurator variables) {
-    String path = variables.getVariable(SafetyVariables.FENCE);
-    double marginM = variables.getVariable(SafetyVariables.FENCE_MARGIN);
+  Optional<Fence> load(SafetySettings settings) {
+    String path = settings.fence();
+    double marginM = settings.fenceMargin();
     if (path.isEmpty()) {
       loaded = Optional.empty();
       return Optional.empty();
@@ -41,7 +40,7 @@ final class FenceFile {
       return drawnIn(file, FenceReader.read(file), marginM);
     } catch (BadInputException e) {
       throw new BadInputException(
-          "variable \"" + SafetyVariables.FENCE.name() + "\": " + e.getMessage(), e);
+          "variable \"" + SafetySettings.FENCE + "\": " + e.getMessage(), e);
     }
   }
 
@@ -50,7 +49,7 @@ final class FenceFile {
       return fence.drawnInBy(marginM);
     } catch (IllegalArgumentException e) {
       throw new BadInputException(
-          file + ": " + SafetyVariables.FENCE_MARGIN.name() + ": " + e.getMessage(), e);
+          file + ": " + SafetySettings.FENCE_MARGIN + ": " + e.getMessage(), e);
     }
   }
 
@@ -59,12 +58,10 @@ final class FenceFile {
    *
    * @param before the present values: a fence that they give already is not read again
    */
-  Optional<String> refusal(Map<String, Object> values, Configurator before) {
-    String path = (String) values.get(SafetyVariables.FENCE.name());
-    double marginM = (Double) values.get(SafetyVariables.FENCE_MARGIN.name());
-    boolean same =
-        path.equals(before.getVariable(SafetyVariables.FENCE))
-            && marginM == before.getVariable(SafetyVariables.FENCE_MARGIN);
+  Optional<String> refusal(Map<String, Object> values, SafetySettings before) {
+    String path = (String) values.get(SafetySettings.FENCE);
+    double marginM = (Double) values.get(SafetySettings.FENCE_MARGIN);
+    boolean same = path.equals(before.fence()) && marginM == before.fenceMargin();
     if (path.isEmpty() || same) {
       return Optional.empty();
     }

@@ -10,7 +10,6 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.operation.valid.IsValidOp;
 import org.locationtech.jts.operation.valid.TopologyValidationError;
-import org.u2sa.core.mission.Coordinates;
 import org.u2sa.core.mission.MissionNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -125,8 +124,8 @@ final class FenceReader {
     if (!onEarth) {
       return new Coordinate(x, y);
     }
-    Coordinates.checkLongitude(element.child("x").orElseThrow(), x);
-    Coordinates.checkLatitude(element.child("y").orElseThrow(), y);
+    MissionNumbers.checkLongitude(element.child("x").orElseThrow(), x);
+    MissionNumbers.checkLatitude(element.child("y").orElseThrow(), y);
     if (origin == null) {
       origin = new Geodetic(x, y, 0.0);
     }

@@ -2,6 +2,7 @@ package org.u2sa.core.safety;
 
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmingState;
@@ -9,11 +10,12 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Acts before the fence is reached, if there is one: when the vehicle could no longer stop or turn
- * round inside. The floor counts once the armed vehicle has been above it, so that it can take off.
+ * Whether the vehicle can still stop or turn round inside the fence, if there is one. The floor
+ * counts once the armed vehicle has been above it, so that it can take off.
  */
 final class FenceWatch implements Watch {
-  private final Configurator configuration;
+  private final Configurator matrix;
+  private final Supplier<SafetySettings> settings;
   private final FenceFile file;
   private final PositionWatch states;
   private volatile Fence fence; // null: none; written by the Safety Manager's thread
@@ -24,12 +26,16 @@ final class FenceWatch implements Watch {
    *
    * @throws org.u2sa.interfaces.BadInputException if its file is wrong
    */
-  FenceWatch(Configurator configuration, FenceFile file, PositionWatch states) {
-    this.configuration = configuration;
+  FenceWatch(
+      Configurator matrix,
+      Supplier<SafetySettings> settings,
+      FenceFile file,
+      PositionWatch states) {
+    this.matrix = matrix;
+    this.settings = settings;
     this.file = file;
     this.states = states;
     load();
-    Manoeuvre.of(configuration); // declared with and without a fence
   }
 
   /**
@@ -38,7 +44,7 @@ final class FenceWatch implements Watch {
    * @throws org.u2sa.interfaces.BadInputException if its file is wrong; then nothing has changed
    */
   void load() {
-    fence = file.load(configuration).orElse(null);
+    fence = file.load(settings.get()).orElse(null);
   }
 
   /** As it is watched: drawn in by its margin; empty if there is none. Safe from any thread. */
@@ -75,7 +81,7 @@ final class FenceWatch implements Watch {
   }
 
   private Optional<String> trouble(StateInformation state) {
-    Manoeuvre manoeuvre = Manoeuvre.of(configuration);
+    Manoeuvre manoeuvre = Manoeuvre.of(settings.get(), Hazard.FENCE.action(matrix));
     Point place = fence.place(state);
     Point velocity = fence.velocity(state);
     if (!fence.allows(manoeuvre.region(place, velocity))) {

@@ -1,9 +1,11 @@
 package org.u2sa.core.safety;
 
+import java.util.Arrays;
+import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.contract.FailsafeAction;
 
-/** What can be wrong with a vehicle on its way, each with its entry in the failsafe matrix. */
+/** What can go wrong with a moving vehicle, each with its entry in the failsafe matrix. */
 enum Hazard {
   OPERATOR("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN),
   POSITION("position", "ON POSITION LOSS", FailsafeAction.HOLD),
@@ -24,13 +26,11 @@ enum Hazard {
     action =
         VariableDeclaration.text(variable)
             .oneOf(
-                FailsafeAction.CONTINUE.name(),
-                FailsafeAction.HOLD.name(),
-                FailsafeAction.RETURN.name(),
-                FailsafeAction.LAND.name(),
-                FailsafeAction.STOP.name())
+                Arrays.stream(FailsafeAction.values())
+                    .map(FailsafeAction::name)
+                    .toArray(String[]::new))
             .ifAbsent(ifAbsent.name())
-            .describedAs("Failsafe matrix: what the vehicle does because of this: " + words + ".");
+            .describedAs("Failsafe matrix: action on " + words + ".");
   }
 
   /** What it is called in causes. */
@@ -38,8 +38,13 @@ enum Hazard {
     return words;
   }
 
-  /** The variable that says what is done about it. */
-  VariableDeclaration<String> action() {
-    return action;
+  /** What the matrix says to do about it. */
+  FailsafeAction action(Configurator matrix) {
+    return FailsafeAction.valueOf(matrix.getVariable(action));
+  }
+
+  /** The name of its variable. */
+  String variable() {
+    return action.name();
   }
 }

@@ -6,7 +6,6 @@ import org.locationtech.jts.algorithm.ConvexHull;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
-import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
@@ -35,19 +34,16 @@ record Manoeuvre(
   private static final int ARC_CORNERS = 12;
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
 
-  /** Declares and reads the variables. */
-  static Manoeuvre of(Configurator configuration) {
-    double holdRadiusM = configuration.getVariable(SafetyVariables.HOLD_RADIUS);
-    boolean holds =
-        configuration.getVariable(Hazard.FENCE.action()).equals(FailsafeAction.HOLD.name());
+  /** As configured; room for the holding circle is needed only where the fence makes it hold. */
+  static Manoeuvre of(SafetySettings settings, FailsafeAction onFence) {
     return new Manoeuvre(
-        configuration.getVariable(SafetyVariables.FENCE_MANOEUVRE).equals(SafetyVariables.TURN),
-        configuration.getVariable(SafetyVariables.REACTION_TIME),
-        configuration.getVariable(SafetyVariables.BRAKING),
-        configuration.getVariable(SafetyVariables.TURN_BANK),
-        holds ? holdRadiusM : 0.0,
-        configuration.getVariable(SafetyVariables.WIND_ALLOWANCE),
-        configuration.getVariable(SafetyVariables.VERTICAL_ACCELERATION));
+        settings.fenceManoeuvre().equals("TURN"),
+        settings.reactionTime(),
+        settings.braking(),
+        settings.turnBank(),
+        onFence == FailsafeAction.HOLD ? settings.holdRadius() : 0.0,
+        settings.windAllowance(),
+        settings.verticalAcceleration());
   }
 
   /** Distance from the first braking until it stands [m]: v²/2a. */

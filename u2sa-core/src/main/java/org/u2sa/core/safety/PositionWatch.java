@@ -1,7 +1,7 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import org.u2sa.interfaces.configuration.Configurator;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
@@ -9,14 +9,12 @@ import org.u2sa.service.MessageAge;
 
 /** Whether the vehicle knows where it is: lost with fresh states, their x and y, or certainty. */
 final class PositionWatch implements Watch {
-  private final Configurator configuration;
+  private final Supplier<SafetySettings> settings;
   private StateInformation newest; // null until the first
   private long heardMicros; // when the newest came
 
-  PositionWatch(Configurator configuration) {
-    this.configuration = configuration;
-    configuration.getVariable(SafetyVariables.STATE_DEADLINE);
-    configuration.getVariable(SafetyVariables.POSITION_SIGMA_LIMIT);
+  PositionWatch(Supplier<SafetySettings> settings) {
+    this.settings = settings;
   }
 
   @Override
@@ -34,8 +32,7 @@ final class PositionWatch implements Watch {
 
   /** The newest state, unless it is older than its deadline. */
   Optional<StateInformation> fresh(long nowMicros) {
-    return newest != null
-            && ageS(nowMicros) <= configuration.getVariable(SafetyVariables.STATE_DEADLINE)
+    return newest != null && ageS(nowMicros) <= settings.get().stateDeadline()
         ? Optional.of(newest)
         : Optional.empty();
   }
@@ -56,7 +53,7 @@ final class PositionWatch implements Watch {
       return Optional.of("state lacks x or y");
     }
     double sigmaM = Math.max(newest.xSigma().orElse(0.0), newest.ySigma().orElse(0.0));
-    double limitM = configuration.getVariable(SafetyVariables.POSITION_SIGMA_LIMIT);
+    double limitM = settings.get().positionSigmaLimit();
     return sigmaM > limitM
         ? Optional.of("uncertain by " + Words.metres(sigmaM) + ", limit " + Words.metres(limitM))
         : Optional.empty();

@@ -8,9 +8,9 @@ import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What a Safety Manager before this one said last, which is retained: one that is started anew in
- * flight must neither disarm the vehicle nor forget a failsafe. Words that are older than it takes
- * to start anew, or as far ahead of this clock, are of another run.
+ * The last retained messages of the previous Safety Manager: one that restarts in flight must
+ * neither disarm the vehicle nor forget a failsafe. Messages older than a restart takes, or as far
+ * ahead of this clock, are from another run.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent what it retained
@@ -45,7 +45,7 @@ final class Predecessor {
     return awaited;
   }
 
-  /** Whatever is heard of it from now on does not count. */
+  /** Ignores it from now on. */
   void end() {
     awaited = false;
     armed = false;

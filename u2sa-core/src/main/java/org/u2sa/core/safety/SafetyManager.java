@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ArmCommand;
 import org.u2sa.messages.contract.EmergencyStop;
@@ -29,12 +30,12 @@ import org.u2sa.service.ServiceRole;
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
 
+  private final Settings<SafetySettings> settings = settings(SafetySettings.class);
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
   private final FenceFile fence;
   private final List<Watch> watches;
   private final FailsafeDecision decision;
-  private final LandMission landMission;
   private final Arming arming;
   private final Predecessor predecessor;
   private boolean begun;
@@ -50,12 +51,11 @@ public final class SafetyManager extends PeriodicService {
   public SafetyManager(ServiceContext context) {
     super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S);
     emergency = new EmergencyLatch(clock(), context.systemId());
-    decision = new FailsafeDecision(this);
-    landMission = new LandMission(decision);
+    decision = new FailsafeDecision(this, settings);
     fence = new FenceFile(context.configuration());
-    watches = Watches.of(this, conditions, fence);
-    getVariable(SafetyVariables.REPEAT_INTERVAL);
-    arming = new Arming(this, new ArmingChecks(this, watches, conditions, emergency, landMission));
+    watches = Watches.of(this, settings, conditions, fence);
+    ArmingChecks checks = new ArmingChecks(this, settings, watches, conditions, emergency);
+    arming = new Arming(this, checks, settings.get().armAtStart());
     predecessor = new Predecessor(clock().micros());
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);
@@ -70,7 +70,7 @@ public final class SafetyManager extends PeriodicService {
     subscribe(Channels.ACTUATORS, this::see);
     subscribe(Channels.GOALS, this::see);
     subscribe(Channels.ARMING, this::obey);
-    subscribe(Channels.ARMING_STATE, this::see); // of a Safety Manager before this one
+    subscribe(Channels.ARMING_STATE, this::see); // of the previous Safety Manager
     subscribe(Channels.FAILSAFE, this::see); // likewise
     subscribe(Channels.EMERGENCY_STOP, this::stopOrGo);
   }
@@ -94,18 +94,18 @@ public final class SafetyManager extends PeriodicService {
   /** Refuses a fence that cannot be read, before it takes the place of one that can. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    return fence.refusal(values, this);
+    return fence.refusal(values, settings.get());
   }
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(SafetyVariables.FENCE.name())
-        || variableNames.contains(SafetyVariables.FENCE_MARGIN.name())) {
+    if (variableNames.contains(SafetySettings.FENCE)
+        || variableNames.contains(SafetySettings.FENCE_MARGIN)) {
       try {
         fenceWatch().load();
-        log("fence " + getVariable(SafetyVariables.FENCE) + " loaded");
+        log("fence " + settings.get().fence() + " loaded");
       } catch (BadInputException e) {
-        log(LogLevelEnum.ERROR, e.getMessage() + ": the fence stays as it was");
+        log(LogLevelEnum.ERROR, e.getMessage() + ": fence unchanged");
       }
     }
   }
@@ -115,7 +115,7 @@ public final class SafetyManager extends PeriodicService {
     if (predecessor.wasArmed() && !emergency.isStopped()) {
       arming.stayArmed();
     }
-    if (predecessor.action() != FailsafeAction.STOP) { // that is the emergency stop's matter
+    if (predecessor.action() != FailsafeAction.STOP) { // the emergency stop outlives it by itself
       decision.adopt(predecessor.action(), predecessor.causes());
     }
   }
@@ -123,7 +123,6 @@ public final class SafetyManager extends PeriodicService {
   private void see(U2SAData message) {
     long now = clock().micros();
     predecessor.see(message, now);
-    landMission.see(message);
     arming.see(message, now);
     watches.forEach(watch -> watch.see(message, now));
   }
@@ -150,7 +149,7 @@ public final class SafetyManager extends PeriodicService {
     boolean changed = emergency.accept(message);
     heedsEmergencyStops(emergency.identities());
     if (!message.active() && emergency.isStopped()) {
-      // The clear is retained: who comes late must not take it for the end of what it left.
+      // The clear is retained: late subscribers must not take it for the end of the stops it left.
       publish(Channels.EMERGENCY_STOP, emergency.stop().orElseThrow());
     }
     if (!changed) {
@@ -177,7 +176,7 @@ public final class SafetyManager extends PeriodicService {
     }
     boolean repeat = nowS >= repeatDueS;
     if (repeat) {
-      repeatDueS = nowS + getVariable(SafetyVariables.REPEAT_INTERVAL);
+      repeatDueS = nowS + settings.get().repeatInterval();
     }
     if (arming.isArmed()) {
       decide(now);

@@ -1,42 +1,22 @@
 package org.u2sa.core.safety;
 
 import java.util.Optional;
-import java.util.function.Supplier;
+import java.util.function.LongFunction;
 
-/** Whether services without which a vehicle is lame still work, by the health monitor's word. */
-final class ServiceWatch implements Watch {
-  private final Hazard hazard;
-  private final Conditions conditions;
-  private final Supplier<String> services;
-
-  /**
-   * @param services names with commas between
-   */
-  ServiceWatch(Hazard hazard, Conditions conditions, Supplier<String> services) {
-    this.hazard = hazard;
-    this.conditions = conditions;
-    this.services = services;
-    services.get(); // declared before the first message comes
-  }
-
-  @Override
-  public Hazard hazard() {
-    return hazard;
-  }
-
+/**
+ * Whether essential services work. Never objects to arming: {@link ArmingChecks} lists all services
+ * that are not alive.
+ *
+ * @param failure what is wrong at a time of the run's clock [µs], in words; empty if nothing
+ */
+record ServiceWatch(Hazard hazard, LongFunction<Optional<String>> failure) implements Watch {
   @Override
   public Optional<String> trouble(long nowMicros) {
-    for (String service : Words.names(services.get())) {
-      Optional<String> failure = conditions.failure(service);
-      if (failure.isPresent()) {
-        return failure;
-      }
-    }
-    return Optional.empty();
+    return failure.apply(nowMicros);
   }
 
   @Override
   public Optional<String> objection(long nowMicros) {
-    return Optional.empty(); // all that are not alive are listed
+    return Optional.empty();
   }
 }

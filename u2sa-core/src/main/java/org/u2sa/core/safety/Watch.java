@@ -3,14 +3,11 @@ package org.u2sa.core.safety;
 import java.util.Optional;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Looks out for one hazard. Belongs to the Safety Manager's thread. */
+/** Watches for one hazard, on the Safety Manager's thread. */
 interface Watch {
-  /** What it looks out for. */
   Hazard hazard();
 
-  /**
-   * Takes note of a message, of whatever kind; a watch that goes by what others note needs none.
-   */
+  /** Takes note of a message of any kind. */
   default void see(U2SAData message, long nowMicros) {}
 
   /** What is wrong now, in words; empty if nothing is. */

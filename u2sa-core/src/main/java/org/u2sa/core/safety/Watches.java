@@ -1,46 +1,38 @@
 package org.u2sa.core.safety;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 
-/** Makes the watches that a configuration asks for. */
+/** Makes the watches of all hazards. */
 final class Watches {
   private Watches() {}
 
-  static List<Watch> of(Configurator variables, Conditions conditions, FenceFile fence) {
-    PositionWatch position = new PositionWatch(variables);
-    List<Watch> watches = new ArrayList<>();
-    watches.add(new OperatorWatch(variables));
-    watches.add(position);
-    watches.add(
-        new EstimatorWatch(
-            position,
-            new ServiceWatch(
-                Hazard.ESTIMATOR,
-                conditions,
-                () -> variables.getVariable(SafetyVariables.ESTIMATOR_SERVICE))));
-    watches.add(
+  static List<Watch> of(
+      Configurator matrix,
+      Supplier<SafetySettings> settings,
+      Conditions conditions,
+      FenceFile fence) {
+    PositionWatch position = new PositionWatch(settings);
+    return List.of(
+        HeartbeatWatch.ofOperators(settings),
+        position,
         new ServiceWatch(
-            Hazard.ACTUATOR_LINK,
-            conditions,
-            () -> variables.getVariable(SafetyVariables.ACTUATOR_SERVICES)));
-    watches.add(new ActuationWatch(variables));
-    watches.add(new MonitorWatch(variables));
-    watches.add(new GivenUpWatch(conditions));
-    watches.add(
-        new BatteryWatch(
-            Hazard.LOW_BATTERY,
-            variables,
-            SafetyVariables.LOW_VOLTAGE,
-            SafetyVariables.LOW_REMAINING));
-    watches.add(
-        new BatteryWatch(
-            Hazard.CRITICAL_BATTERY,
-            variables,
-            SafetyVariables.CRITICAL_VOLTAGE,
-            SafetyVariables.CRITICAL_REMAINING));
-    watches.add(new FenceWatch(variables, fence, position));
-    return watches;
+            Hazard.ESTIMATOR,
+            now -> {
+              Optional<String> failure = conditions.failure(settings.get().estimatorService());
+              return failure.isEmpty() && position.fresh(now).isEmpty()
+                  ? Optional.of("no fresh states")
+                  : failure;
+            }),
+        new ServiceWatch(
+            Hazard.ACTUATOR_LINK, now -> conditions.failure(settings.get().actuatorServices())),
+        new ActuationWatch(settings),
+        HeartbeatWatch.ofMonitor(settings),
+        new ServiceWatch(Hazard.SERVICE, now -> conditions.givenUp()),
+        BatteryWatch.low(settings),
+        BatteryWatch.critical(settings),
+        new FenceWatch(matrix, settings, fence, position));
   }
 }

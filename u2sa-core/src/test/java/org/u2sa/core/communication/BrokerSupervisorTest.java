@@ -48,7 +48,7 @@ class BrokerSupervisorTest {
         new MessageCodec(StandardTypes.registry()),
         address,
         new BrokerSecurity(null, null),
-        BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),
+        XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get(),
         log::add,
         whenDead);
   }
@@ -63,7 +63,7 @@ class BrokerSupervisorTest {
   }
 
   private long anew() {
-    return log.stream().filter(line -> line.contains("started anew")).count();
+    return log.stream().filter(line -> line.contains("restarted")).count();
   }
 
   private void connect() throws IOException {
@@ -91,7 +91,7 @@ class BrokerSupervisorTest {
     died.get(0).run();
 
     awaitBrokers(2);
-    assertThat(log.get(0)).contains("the port is taken").contains("tries on");
+    assertThat(log.get(0)).contains("the port is taken").contains("retrying");
     assertThat(log).filteredOn(line -> line.contains("the port is taken")).hasSize(1);
     connect();
   }

@@ -147,7 +147,7 @@ class CountersTest {
 
   @Test
   void take_ofOneUser_leavesTheOthersAlone() {
-    SharedAllowances allowances = new SharedAllowances(4.0);
+    Allowance.PerUser allowances = new Allowance.PerUser(4.0);
     assertThat(allowances.take("ann", 0)).isTrue();
     assertThat(allowances.take("ann", 0)).isFalse();
     assertThat(allowances.take("bob", 0)).isTrue();
@@ -157,7 +157,7 @@ class CountersTest {
 
   @Test
   void take_moreUsersThanAreRemembered_theOneNotSeenLongestBeginsAnew() {
-    SharedAllowances allowances = new SharedAllowances(1.0);
+    Allowance.PerUser allowances = new Allowance.PerUser(1.0);
     for (int i = 1; i <= 1_024; i++) {
       allowances.take("u" + i, 0);
     }

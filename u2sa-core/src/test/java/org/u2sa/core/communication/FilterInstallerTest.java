@@ -41,7 +41,7 @@ class FilterInstallerTest {
     port = FreePort.find();
     filter =
         new ConnectionFilter(
-            BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of())),
+            XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get(),
             CODEC,
             new SystemClock(),
             null,

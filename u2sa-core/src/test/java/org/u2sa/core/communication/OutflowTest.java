@@ -34,7 +34,8 @@ class OutflowTest {
 
   @Test
   void tooSlow_clientThatReadsAll_never() {
-    BrokerLimits limits = BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of()));
+    BrokerLimits limits =
+        XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get();
     MessageCodec codec = new MessageCodec(StandardTypes.registry());
     ConnectionFilter filter =
         new ConnectionFilter(limits, codec, new TestClock(), null, line -> {});

@@ -9,13 +9,14 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 class RetainedTableTest {
   private final RetainedTable table =
       new RetainedTable(
-          BrokerLimits.of(
-              XmlConfiguration.inMemory(
+          XmlConfiguration.inMemory(
                   "test",
                   Map.of(
                       "RETAINED TOPICS AT MOST", 16,
                       "RETAINED BYTES AT MOST", 65_536,
-                      "CLIENT RETAINED BYTES AT MOST", 40_000))));
+                      "CLIENT RETAINED BYTES AT MOST", 40_000))
+              .settings(BrokerLimits.class)
+              .get());
 
   private boolean enters(String topic, String owner, int bytes) {
     return table.enter(topic, owner, bytes, false).isEmpty();

@@ -15,7 +15,9 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 /** What a connection failed by, whom an address is counted as, which limits follow from others. */
 class SmallPartsTest {
   private static BrokerLimits limits(int clients) {
-    return BrokerLimits.of(XmlConfiguration.inMemory("test", Map.of("CLIENTS AT MOST", clients)));
+    return XmlConfiguration.inMemory("test", Map.of("CLIENTS AT MOST", clients))
+        .settings(BrokerLimits.class)
+        .get();
   }
 
   private static String fault(Throwable error) {

@@ -198,7 +198,7 @@ class SeveralSensorsTest {
         .hasSize(1);
     sense(5 * SECOND + 2, heading(1.0));
     assertThat(kit.log("StateEstimator"))
-        .anySatisfy(line -> assertThat(line).contains("state has all that is needed again"));
+        .anySatisfy(line -> assertThat(line).contains("state complete again"));
   }
 
   @Test

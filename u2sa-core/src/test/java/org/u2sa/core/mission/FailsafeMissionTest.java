@@ -115,8 +115,8 @@ class FailsafeMissionTest {
 
     assertThat(goals()).isEmpty();
     assertThat(kit.log("MissionManager"))
-        .anyMatch(line -> line.contains("there is no LAND MISSION: returns"))
-        .anyMatch(line -> line.contains("neither a RETURN MISSION nor a home: holds"));
+        .anyMatch(line -> line.contains("without a LAND MISSION: returning"))
+        .anyMatch(line -> line.contains("without a RETURN MISSION or a home: holding"));
   }
 
   @Test

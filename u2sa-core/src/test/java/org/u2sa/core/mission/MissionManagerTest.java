@@ -63,7 +63,7 @@ class MissionManagerTest extends ThreeWaypoints {
     kit.publish(Channels.GOAL_REPORTS, report("1").completed(true));
 
     assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("2");
-    assertThat(logged("report of goal \"1\" left out: it is not current")).isTrue();
+    assertThat(logged("report of goal \"1\" ignored: it is not current")).isTrue();
   }
 
   @Test
@@ -98,7 +98,7 @@ class MissionManagerTest extends ThreeWaypoints {
     kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("3"));
 
     assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("3");
-    assertThat(logged("changes to goal \"3\" on command")).isTrue();
+    assertThat(logged("changing to goal \"3\" on command")).isTrue();
   }
 
   @Test

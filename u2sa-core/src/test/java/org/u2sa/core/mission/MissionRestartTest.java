@@ -51,7 +51,7 @@ class MissionRestartTest extends ThreeWaypoints {
     kit.restart(before, MissionManager::new);
 
     assertThat(current()).containsExactly("A");
-    assertThat(logged("the mission is another one now")).isTrue();
+    assertThat(logged("mission changed since the last run")).isTrue();
   }
 
   @Test

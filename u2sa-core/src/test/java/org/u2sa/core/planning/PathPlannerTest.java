@@ -117,7 +117,7 @@ class PathPlannerTest extends PlannedVehicle {
     kit.publish(Channels.STATE, new StateInformation().x(1.0).y(2.0));
 
     assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
-    assertThat(logged("state lacks x, y or psi")).isEqualTo(1);
+    assertThat(logged("state without x, y or psi")).isEqualTo(1);
   }
 
   @Test

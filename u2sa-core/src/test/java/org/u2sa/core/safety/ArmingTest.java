@@ -41,13 +41,13 @@ class ArmingTest extends WatchedVehicle {
     assertThat(state.reasons())
         .containsExactly(
             "service PathPlanner is HUNG: seen so",
-            "operator link: no operator was heard",
+            "operator link: no operator heard",
             "position: no state yet",
-            "health monitor: no HealthMonitor was heard",
-            "low battery: a level is configured, but no battery was heard",
-            "critical battery: a level is configured, but no battery was heard",
+            "health monitor: no HealthMonitor heard",
+            "low battery: a threshold is set, but no battery heard",
+            "critical battery: a threshold is set, but no battery heard",
             "mission: no goals",
-            "actuators: none is there",
+            "actuators: none announced",
             "failsafe matrix: ON FENCE is LAND, but no Mission Manager has said that it has loaded a LAND MISSION");
   }
 
@@ -72,7 +72,7 @@ class ArmingTest extends WatchedVehicle {
 
     live(1.0);
 
-    assertThat(arm(true).reasons()).containsExactly("actuators: none is there");
+    assertThat(arm(true).reasons()).containsExactly("actuators: none announced");
   }
 
   @Test
@@ -125,7 +125,7 @@ class ArmingTest extends WatchedVehicle {
             "position: uncertain by 60 m, limit 50 m",
             "low battery: main, voltage 10.5 below 11.0 V",
             "geofence: outside the keep-in area, or inside a keep-out one",
-            "actuators: not there: RUDDER");
+            "actuators: missing: RUDDER");
   }
 
   @Test

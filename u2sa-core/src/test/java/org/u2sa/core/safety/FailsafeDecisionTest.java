@@ -13,10 +13,11 @@ import org.u2sa.messages.contract.FailsafeAction;
 /** Which of several causes decides, how long a cause counts, and what stays though it is gone. */
 class FailsafeDecisionTest {
   private static final long SECOND = 1_000_000; // µs
-  private static final String OVER = " (over; goes on until armed anew)";
+  private static final String OVER = " (over; stays until armed again)";
 
   private static FailsafeDecision decision(Map<String, ?> values) {
-    return new FailsafeDecision(XmlConfiguration.inMemory("test", values));
+    XmlConfiguration configuration = XmlConfiguration.inMemory("test", values);
+    return new FailsafeDecision(configuration, configuration.settings(SafetySettings.class));
   }
 
   @Test

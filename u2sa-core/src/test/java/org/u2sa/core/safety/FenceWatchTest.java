@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,8 +55,9 @@ class FenceWatchTest {
 
   private FenceWatch watch() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
-    states = new PositionWatch(configuration);
-    return new FenceWatch(configuration, new FenceFile(configuration), states);
+    Supplier<SafetySettings> settings = configuration.settings(SafetySettings.class);
+    states = new PositionWatch(settings);
+    return new FenceWatch(configuration, settings, new FenceFile(configuration), states);
   }
 
   private static StateInformation at(double x, double y) {

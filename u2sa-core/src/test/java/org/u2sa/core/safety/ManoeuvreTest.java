@@ -11,6 +11,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.util.AffineTransformation;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.frame.Point;
 
 /** Distances worked out by hand, and what a region covers. */
@@ -26,6 +27,10 @@ class ManoeuvreTest {
     return new Manoeuvre(true, 1.0, 1.0, BANK_OF_ONE_G, leastRadiusM, windMps, 0.5);
   }
 
+  private static SafetySettings settings(Map<String, ?> values) {
+    return XmlConfiguration.inMemory("test", values).settings(SafetySettings.class).get();
+  }
+
   @Test
   void of_configuration_takesEachVariable() {
     Map<String, Object> values =
@@ -35,13 +40,12 @@ class ManoeuvreTest {
             "BRAKING", 3.0,
             "TURN BANK", 0.5,
             "HOLD RADIUS", 70.0,
-            "ON FENCE", "HOLD",
             "WIND ALLOWANCE", 4.0,
             "VERTICAL ACCELERATION", 0.6);
 
-    assertThat(Manoeuvre.of(XmlConfiguration.inMemory("test", values)))
+    assertThat(Manoeuvre.of(settings(values), FailsafeAction.HOLD))
         .isEqualTo(new Manoeuvre(true, 2.0, 3.0, 0.5, 70.0, 4.0, 0.6));
-    assertThat(Manoeuvre.of(XmlConfiguration.inMemory("test", Map.of("HOLD RADIUS", 70.0))))
+    assertThat(Manoeuvre.of(settings(Map.of("HOLD RADIUS", 70.0)), FailsafeAction.RETURN))
         .as("returns instead of circling")
         .isEqualTo(new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.0, 0.8));
   }

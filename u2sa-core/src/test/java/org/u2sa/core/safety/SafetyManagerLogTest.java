@@ -48,10 +48,10 @@ class SafetyManagerLogTest extends WatchedVehicle {
     live(2.0);
 
     assertThat(told())
-        .filteredOn(line -> line.contains("waits to arm"))
+        .filteredOn(line -> line.contains("waiting to arm"))
         .hasSize(3) // without a state, without a battery, without actuators
         .last()
-        .isEqualTo("INFO waits to arm: actuators: none is there");
+        .isEqualTo("INFO waiting to arm: actuators: none announced");
   }
 
   @Test

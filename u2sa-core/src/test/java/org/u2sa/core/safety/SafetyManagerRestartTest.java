@@ -30,7 +30,7 @@ class SafetyManagerRestartTest extends WatchedVehicle {
         .allMatch(state -> state.action() == FailsafeAction.RETURN);
     assertThat(failsafe().causes().get(0))
         .startsWith("operator link: \"Ann\" silent for ")
-        .endsWith("s (over; goes on until armed anew)");
+        .endsWith("s (over; stays until armed again)");
     assertThat(kit.published(Channels.ARMING_STATE)).isNotEmpty().allMatch(ArmingState::armed);
     arm(true);
     live(0.2);

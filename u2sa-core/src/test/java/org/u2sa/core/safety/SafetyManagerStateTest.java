@@ -69,7 +69,8 @@ class SafetyManagerStateTest extends WatchedVehicle {
     kit.advance(0.3);
 
     assertThat(kit.published(Channels.ARMING_STATE)).isNotEmpty().allMatch(ArmingState::armed);
-    assertThat(kit.log("SafetyManager")).anyMatch(line -> line.endsWith("stays armed"));
+    assertThat(kit.log("SafetyManager"))
+        .anyMatch(line -> line.endsWith("still armed, as the previous Safety Manager was"));
   }
 
   @Test

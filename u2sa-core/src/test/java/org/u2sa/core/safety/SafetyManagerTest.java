@@ -44,7 +44,7 @@ class SafetyManagerTest extends WatchedVehicle {
     kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
     live(4.5);
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
-    assertThat(failsafe().causes().get(0)).contains("over; goes on until armed anew");
+    assertThat(failsafe().causes().get(0)).contains("over; stays until armed again");
     kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
     arm(true);
     live(0.2);

@@ -3,6 +3,7 @@ package org.u2sa.core.safety;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,13 +20,13 @@ import org.u2sa.messages.frame.ReferenceFrame;
 class WatchLimitsTest {
   private static final long SECOND = 1_000_000; // µs
 
-  private static XmlConfiguration with(Map<String, ?> values) {
-    return XmlConfiguration.inMemory("test", values);
+  private static Supplier<SafetySettings> with(Map<String, ?> values) {
+    return XmlConfiguration.inMemory("test", values).settings(SafetySettings.class);
   }
 
   @Test
   void operator_heardAtTimeZero_isLostOnlyBeyondItsDeadline() {
-    OperatorWatch watch = new OperatorWatch(with(Map.of("OPERATOR DEADLINE", 5.0)));
+    HeartbeatWatch watch = HeartbeatWatch.ofOperators(with(Map.of("OPERATOR DEADLINE", 5.0)));
     watch.see(new OperatorHeartbeat().operator("Ann"), 0);
 
     assertThat(watch.trouble(5 * SECOND)).isEmpty();
@@ -34,8 +35,8 @@ class WatchLimitsTest {
 
   @Test
   void operator_heardAtTimeZeroAndRequired_isThere() {
-    OperatorWatch watch = new OperatorWatch(with(Map.of("OPERATOR REQUIRED", true)));
-    assertThat(watch.objection(0)).contains("no operator was heard");
+    HeartbeatWatch watch = HeartbeatWatch.ofOperators(with(Map.of("OPERATOR REQUIRED", true)));
+    assertThat(watch.objection(0)).contains("no operator heard");
 
     watch.see(new OperatorHeartbeat().operator("Ann"), 0);
 
@@ -44,7 +45,7 @@ class WatchLimitsTest {
 
   @Test
   void monitor_heardAtTimeZero_isLostOnlyBeyondItsDeadline() {
-    MonitorWatch watch = new MonitorWatch(with(Map.of("HEALTH MONITOR DEADLINE", 4.0)));
+    HeartbeatWatch watch = HeartbeatWatch.ofMonitor(with(Map.of("HEALTH MONITOR DEADLINE", 4.0)));
     HealthReport report = new HealthReport().serviceName("HealthMonitor");
     watch.see(report.status(ServiceStatus.RUNNING), 0);
 
@@ -54,12 +55,12 @@ class WatchLimitsTest {
 
   @Test
   void monitor_reportsThatItStopsOrAnotherServiceReports_isNotHeard() {
-    MonitorWatch watch = new MonitorWatch(with(Map.of("HEALTH MONITOR REQUIRED", true)));
+    HeartbeatWatch watch = HeartbeatWatch.ofMonitor(with(Map.of("HEALTH MONITOR REQUIRED", true)));
     HealthReport stops = new HealthReport().serviceName("HealthMonitor");
     watch.see(stops.status(ServiceStatus.STOPPING), 0);
     watch.see(new HealthReport().serviceName("Control").status(ServiceStatus.RUNNING), 0);
 
-    assertThat(watch.objection(0)).contains("no HealthMonitor was heard");
+    assertThat(watch.objection(0)).contains("no HealthMonitor heard");
   }
 
   private static StateInformation state(long timestampMicros) {
@@ -109,15 +110,12 @@ class WatchLimitsTest {
   }
 
   private static BatteryWatch battery(double volts, double percent, double seconds) {
-    return new BatteryWatch(
-        Hazard.LOW_BATTERY,
+    return BatteryWatch.low(
         with(
             Map.of(
                 "LOW BATTERY VOLTAGE", volts,
                 "LOW BATTERY REMAINING", percent,
-                "BATTERY TIME", seconds)),
-        SafetyVariables.LOW_VOLTAGE,
-        SafetyVariables.LOW_REMAINING);
+                "BATTERY TIME", seconds)));
   }
 
   private static BatteryState state(String name, double volts, double percent) {
@@ -148,7 +146,7 @@ class WatchLimitsTest {
   void battery_oneLevelConfiguredAndNoneHeard_isSaidBeforeArming(double volts, double percent) {
     BatteryWatch watch = battery(volts, percent, 0.0);
 
-    assertThat(watch.objection(0)).contains("a level is configured, but no battery was heard");
+    assertThat(watch.objection(0)).contains("a threshold is set, but no battery heard");
     assertThat(watch.trouble(SECOND)).isEmpty();
   }
 

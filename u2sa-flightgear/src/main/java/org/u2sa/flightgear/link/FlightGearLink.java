@@ -94,7 +94,7 @@ public final class FlightGearLink implements AircraftLink {
       thread.join(END_MS);
     } catch (InterruptedException e) {
       Thread.currentThread()
-          .interrupt(); // the thread ends by itself; whoever interrupted does not want to wait
+          .interrupt(); // the thread ends by itself; an interrupt asks not to wait
     }
   }
 }

@@ -66,7 +66,7 @@ final class FlightGearThread extends Thread {
     try {
       return new OutChannel(address, selector, clock, troubles);
     } catch (CommunicationException e) {
-      Closing.quietly(selector, troubles);
+      troubles.close(selector);
       throw e;
     }
   }
@@ -107,7 +107,7 @@ final class FlightGearThread extends Thread {
       seen = new Seen(seen.reading(), false, seen.lastLineMicros());
       out.close();
       in.drop();
-      Closing.quietly(selector, troubles);
+      troubles.close(selector);
     }
   }
 

@@ -166,7 +166,7 @@ final class InChannel {
   void drop() {
     retryMicros = 0;
     if (channel != null) {
-      Closing.quietly(channel, troubles);
+      troubles.close(channel);
     }
     channel = null;
     open = false;
@@ -183,17 +183,8 @@ final class InChannel {
     return open && pending.hasRemaining();
   }
 
-  boolean isFailing() {
-    return failing;
-  }
-
   /** When the next line may go [µs]. */
   long nextMicros() {
     return sentMicros + SPACING_MICROS;
-  }
-
-  /** Number of the newest line sent. */
-  long count() {
-    return last.count();
   }
 }

@@ -5,7 +5,7 @@ import org.u2sa.interfaces.time.Clock;
 /**
  * When a line was measured, by the run's clock: an anchor (arrival of one line) plus FlightGear's
  * own time since then, so that steps between readings are steps of the flight, not of the network.
- * Three rules keep it right for whoever asks how old a reading is:
+ * Three rules keep the age of a reading right:
  *
  * <ul>
  *   <li>Never later than the arrival. A line that comes sooner than expected (less delay than the

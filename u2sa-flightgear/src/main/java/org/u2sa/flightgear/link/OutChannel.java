@@ -20,7 +20,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Where FlightGear's lines come in. We listen; whoever sends the first good line while nobody else
+ * Where FlightGear's lines come in. We listen; the first peer to send a good line while no other
  * does is FlightGear, so neither a stray connection nor a dead one keeps the real one out. Belongs
  * to the link's thread.
  */
@@ -223,14 +223,14 @@ final class OutChannel {
 
   private void close(Peer peer) {
     peers.remove(peer);
-    Closing.quietly(peer.channel, troubles);
+    troubles.close(peer.channel);
   }
 
   void close() {
-    peers.forEach(peer -> Closing.quietly(peer.channel, troubles));
+    peers.forEach(peer -> troubles.close(peer.channel));
     peers.clear();
     flightGear = null;
-    Closing.quietly(server, troubles);
+    troubles.close(server);
   }
 
   /** One connection. */

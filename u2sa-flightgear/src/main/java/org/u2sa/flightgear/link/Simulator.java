@@ -65,7 +65,7 @@ public final class Simulator extends ProprioceptiveSensor {
     announce();
   }
 
-  /** Again now and then: over a broker, who comes late gets the last announcement of all only. */
+  /** Repeated: over a broker, late subscribers receive only the last announcement. */
   private void announce() {
     new TreeMap<>(CONTROLS)
         .forEach(
@@ -114,7 +114,7 @@ public final class Simulator extends ProprioceptiveSensor {
       connected = reading.connected();
       log(
           connected ? LogLevelEnum.INFO : LogLevelEnum.WARN,
-          connected ? "the aircraft is there" : "the aircraft is lost");
+          connected ? "aircraft connected" : "aircraft lost");
     }
   }
 

@@ -30,7 +30,7 @@ final class StandInInput implements StandInChannel {
    * @throws IOException if the port is taken
    */
   StandInInput(String host, int port) throws IOException {
-    server = StandInPort.listen(host, port);
+    server = StandInChannel.listen(host, port);
   }
 
   int port() {

@@ -36,7 +36,7 @@ final class StandInProperties implements Closeable {
    * @throws IOException if the port is taken
    */
   StandInProperties(String host, int port) throws IOException {
-    server = StandInPort.listen(host, port);
+    server = StandInChannel.listen(host, port);
   }
 
   int port() {

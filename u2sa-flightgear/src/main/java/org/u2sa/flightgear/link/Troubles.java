@@ -1,11 +1,13 @@
 package org.u2sa.flightgear.link;
 
+import java.io.Closeable;
+import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * What is to be said about the link: each event once, refused lines at most once in {@link
+ * What to report about the link: each event once, refused lines at most once in {@link
  * #PAUSE_MICROS}. Safe for several threads.
  */
 final class Troubles {
@@ -29,6 +31,15 @@ final class Troubles {
       events.removeFirst(); // nobody asks: the newest are worth more
     }
     events.addLast(what);
+  }
+
+  /** Closes what is given up anyway; a failure is only reported. */
+  void close(Closeable thing) {
+    try {
+      thing.close();
+    } catch (IOException e) {
+      event("closing a connection failed: " + e.getMessage());
+    }
   }
 
   synchronized void refusedLine(String why) {

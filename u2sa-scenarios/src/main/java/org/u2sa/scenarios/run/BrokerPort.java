@@ -6,7 +6,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.util.Map;
-import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.communication.ManagerSettings;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.terminal.Terminal;
@@ -56,24 +56,24 @@ final class BrokerPort {
     if (asked == null) {
       evadeTakenPort(system, launch, terminal);
     } else if (asked == 0) {
-      launch.override(MANAGER, CommunicationManager.BROKER.name(), "none");
+      launch.override(MANAGER, ManagerSettings.BROKER, "none");
     } else {
-      launch.override(MANAGER, CommunicationManager.PORT.name(), asked);
+      launch.override(MANAGER, ManagerSettings.PORT, asked);
     }
   }
 
   private static void evadeTakenPort(SystemFile system, LaunchOptions launch, Terminal terminal) {
-    XmlConfiguration configured =
+    ManagerSettings configured =
         system
             .communication()
             .map(XmlConfiguration::load)
-            .orElseGet(() -> XmlConfiguration.inMemory(MANAGER, Map.of()));
-    String address = configured.getVariable(CommunicationManager.BIND_ADDRESS);
-    int port = configured.getVariable(CommunicationManager.PORT);
-    if (configured.getVariable(CommunicationManager.BROKER).equals("embedded")
-        && isTaken(address, port)) {
+            .orElseGet(() -> XmlConfiguration.inMemory(MANAGER, Map.of()))
+            .settings(ManagerSettings.class)
+            .get();
+    int port = configured.communicationManagerPort();
+    if (configured.broker().equals("embedded") && isTaken(configured.bindAddress(), port)) {
       int free = freePort();
-      launch.override(MANAGER, CommunicationManager.PORT.name(), free);
+      launch.override(MANAGER, ManagerSettings.PORT, free);
       terminal
           .out()
           .println(

@@ -183,7 +183,7 @@ class FailsafeMatrixTest {
       assertThat(flight.witness().causes())
           .singleElement()
           .asString()
-          .endsWith("(over; goes on until armed anew)");
+          .endsWith("(over; stays until armed again)");
 
       flight
           .witness()

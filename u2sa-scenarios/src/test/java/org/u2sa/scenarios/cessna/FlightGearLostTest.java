@@ -77,7 +77,7 @@ class FlightGearLostTest {
     assertThat(Summary.in(directory.resolve("out")).number("waypointsCaptured")).isZero();
     assertThat(directory.resolve("out/logs/Simulator.log"))
         .content(UTF_8)
-        .contains("the aircraft is there", "the aircraft is lost", "ended: STOPPED");
+        .contains("aircraft connected", "aircraft lost", "ended: STOPPED");
   }
 
   /** A stray client before the real one: no FlightGear, and not for long. */

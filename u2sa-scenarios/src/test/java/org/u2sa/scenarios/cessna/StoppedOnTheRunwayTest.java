@@ -35,7 +35,7 @@ class StoppedOnTheRunwayTest {
       flight.fly(10.0);
 
       assertThat(flight.witness().arming().armed()).isFalse();
-      assertThat(flight.witness().arming().reasons()).containsExactly("actuators: not there: GEAR");
+      assertThat(flight.witness().arming().reasons()).containsExactly("actuators: missing: GEAR");
       requireStanding(flight);
     }
   }

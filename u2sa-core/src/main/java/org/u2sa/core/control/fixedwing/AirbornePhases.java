@@ -8,6 +8,7 @@ final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
 
   private final Tuning tuning;
+  private final GuidanceParameters guidance;
   private final GroundSteering steering;
   private final InnerLoops loops;
   private final LateralGuidance lateral;
@@ -28,14 +29,15 @@ final class AirbornePhases {
       WindEstimate wind,
       TakeOffRotation rotation) {
     this.tuning = tuning;
+    guidance = tuning.guidance();
     this.steering = steering;
     this.loops = loops;
     this.wind = wind;
     this.rotation = rotation;
-    lateral = new LateralGuidance(tuning.shortestL1M());
-    stall = new StallGuard(tuning.stall());
+    lateral = new LateralGuidance(guidance.shortestLookAhead());
+    stall = new StallGuard(guidance);
     energy = new EnergyLaw(tuning.energy());
-    speedDemandMps = tuning.cruiseMps();
+    speedDemandMps = guidance.cruiseSpeed();
   }
 
   /** The altitude to hold without navigation is the present one, or a safe one above it. */
@@ -44,7 +46,7 @@ final class AirbornePhases {
   }
 
   private double safeAltitudeM(FlightState state) {
-    return state.altitudeM() - state.heightM() + tuning.takeOff().safeHeightM();
+    return state.altitudeM() - state.heightM() + tuning.takeOff().safeHeight();
   }
 
   /** Begins to balance energy at a pitch, with the throttle where it is. */
@@ -54,25 +56,25 @@ final class AirbornePhases {
 
   Surfaces climbOut(FlightState state, double dtS) {
     Tuning.ClimbOut climb = tuning.climbOut();
-    double look = climb.lookAheadM();
+    double look = climb.climbOutLookAhead();
     double bank =
         lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
     altitudeDemandM = safeAltitudeM(state);
-    speedDemandMps = climb.speedMps();
+    speedDemandMps = Tuning.KNOT_MPS * climb.climbOutSpeed();
     // Near the ground the nose stays where it was raised to, whatever the airspeed asks for.
     double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
-    double least =
-        climb.leastPitchRad() + low * Math.max(0.0, rotation.pitchRad() - climb.leastPitchRad());
-    return surfaces(state, bank, climb.bankLimitRad(), true, least, dtS);
+    double lower = Math.toRadians(climb.climbOutPitchLowerLimit());
+    double least = lower + low * Math.max(0.0, rotation.pitchRad() - lower);
+    return surfaces(state, bank, Math.toRadians(climb.climbOutBankLimit()), true, least, dtS);
   }
 
   /**
    * @param circles whether to turn where there is nothing to follow
    */
   Surfaces fly(FlightState state, Optional<GuidanceTarget> target, boolean circles, double dtS) {
-    double bank = circles ? tuning.hold().bankRad() : 0.0;
+    double bank = circles ? Math.toRadians(tuning.hold().holdBank()) : 0.0;
     altitudeDemandM = holdAltitudeM;
-    speedDemandMps = tuning.cruiseMps();
+    speedDemandMps = guidance.cruiseSpeed();
     if (target.isPresent()) {
       GuidanceTarget ahead = target.get();
       bank = lateral.bankRad(state, ahead.northM(), ahead.eastM());
@@ -82,7 +84,13 @@ final class AirbornePhases {
               / state.trueOverCalibrated();
       holdAltitudeM = altitudeDemandM;
     }
-    return surfaces(state, bank, tuning.bankLimitRad(), false, tuning.leastPitchRad(), dtS);
+    return surfaces(
+        state,
+        bank,
+        Math.toRadians(guidance.bankLimit()),
+        false,
+        Math.toRadians(guidance.pitchLowerLimit()),
+        dtS);
   }
 
   /** Follows navigation sideways, and down to the safe height. */
@@ -107,10 +115,10 @@ final class AirbornePhases {
     loops.bankTowards(Limit.symmetric(bank, limit), dtS);
     double slowest =
         stall.leastSpeedMps(loops.bankRad())
-            + 0.5 * tuning.stall().bandMps()
-            + tuning.gustShare() * wind.speedMps();
-    speedDemandMps = Limit.within(slowest, speedDemandMps, tuning.fastestMps());
-    double most = Math.min(tuning.mostPitchRad(), stall.pitchLimitRad(state));
+            + 0.5 * guidance.stallBand()
+            + guidance.gustShare() * wind.speedMps();
+    speedDemandMps = Limit.within(slowest, speedDemandMps, guidance.fastestSpeed());
+    double most = Math.min(Math.toRadians(guidance.pitchUpperLimit()), stall.pitchLimitRad(state));
     EnergyLaw.Command command =
         energy.step(
             state,
@@ -124,7 +132,8 @@ final class AirbornePhases {
             dtS);
     loops.throttle(command.throttle());
     double load = 1.0 / Math.max(0.5, StrictMath.cos(state.rollRad()));
-    loops.pitch(Math.min(most, command.pitchRad() + tuning.turnPitch() * (load - 1.0)));
+    loops.pitch(
+        Math.min(most, command.pitchRad() + Math.toRadians(guidance.turnPitch()) * (load - 1.0)));
     double aileron = loops.aileron(state, dtS);
     double elevator = loops.elevator(state, dtS);
     loops.coordinate(state, aileron, dtS);
@@ -152,7 +161,7 @@ final class AirbornePhases {
   void takeOver(HandOver state) {
     holdAltitudeM = state.number("HOLD ALTITUDE").orElse(0.0);
     altitudeDemandM = state.number("ALTITUDE DEMAND").orElse(0.0);
-    speedDemandMps = state.number("SPEED DEMAND").orElse(tuning.cruiseMps());
+    speedDemandMps = state.number("SPEED DEMAND").orElse(guidance.cruiseSpeed());
     energy.takeOver(state);
   }
 }

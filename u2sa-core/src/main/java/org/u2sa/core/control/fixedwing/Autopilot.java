@@ -41,7 +41,7 @@ final class Autopilot {
     touchDown = new TouchDown(tuning.touchDown(), tuning.flare(), steering, loops);
     refusal =
         new LandingRefusal(
-            tuning.maxCrosswindMps(), tuning.takeOff().safeHeightM(), touchDown.heightM());
+            tuning.touchDown().maxCrosswind(), tuning.takeOff().safeHeight(), touchDown.heightM());
   }
 
   /**
@@ -87,7 +87,7 @@ final class Autopilot {
   }
 
   private boolean isLost(FlightState state) {
-    return state.timeS() - navigatedS > tuning.hold().levelS();
+    return state.timeS() - navigatedS > tuning.hold().holdLevelTime();
   }
 
   private boolean isLanding(FlightState state, Optional<GuidanceTarget> target) {

@@ -4,9 +4,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.u2sa.core.control.ControlSystem;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -24,12 +25,17 @@ public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
 
-  private static final VariableDeclaration<Double> POWER_EXPIRY =
-      VariableDeclaration.number("POWER EXPIRY", "s")
-          .range(Range.of(0.02, 60.0))
-          .ifAbsent(10.0)
-          .describedAs("How long throttle, mixture and flaps obey a command that is not renewed.");
+  private record Power(
+      @Variable(
+              unit = "s",
+              min = 0.02,
+              max = 60,
+              ifAbsent = 10,
+              text = "How long throttle, mixture and flaps obey a command that is not renewed.")
+          double powerExpiry) {}
 
+  private final Settings<Power> power = settings(Power.class);
+  private final Supplier<Tuning> tuning = Tuning.in(this);
   private final FlightStateReader reader = new FlightStateReader();
   private Autopilot autopilot;
   private FlightPhase loggedPhase;
@@ -40,14 +46,8 @@ public final class CessnaControl extends ControlSystem {
   /** Called by the launcher. */
   public CessnaControl(ServiceContext context) {
     super(context, "Control");
-    getVariable(POWER_EXPIRY); // a wrong value must fail before the flight
-    autopilot = new Autopilot(GuidanceVariables.tuning(this));
+    autopilot = new Autopilot(tuning.get());
     registerPublisher(ControlStatus.CHANNEL);
-  }
-
-  @Override
-  protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    return GuidanceVariables.refusal(values);
   }
 
   /** Flies on with other gains and limits, from where it is. */
@@ -55,7 +55,7 @@ public final class CessnaControl extends ControlSystem {
   protected void configurationChanged(Set<String> variableNames) {
     HandOver state = new HandOver(getClass().getName());
     autopilot.handOver(state);
-    autopilot = new Autopilot(GuidanceVariables.tuning(this));
+    autopilot = new Autopilot(tuning.get());
     autopilot.takeOver(state);
   }
 
@@ -73,7 +73,7 @@ public final class CessnaControl extends ControlSystem {
     for (AircraftActuator actuator : AircraftActuator.values()) {
       double percentage = FULL_PERCENT * actuator.of(surfaces);
       if (actuator.holdsThroughSilence()) {
-        command(actuator.actuatorName(), percentage, getVariable(POWER_EXPIRY));
+        command(actuator.actuatorName(), percentage, power.get().powerExpiry());
       } else {
         command(actuator.actuatorName(), percentage);
       }
@@ -120,11 +120,11 @@ public final class CessnaControl extends ControlSystem {
 
   private static String without(FlightPhase phase) {
     return switch (phase) {
-      case RUN_UP -> "waits on the brakes";
-      case STOPPED -> "stands on the brakes";
+      case RUN_UP -> "waiting on the brakes";
+      case STOPPED -> "stopped on the brakes";
       case HOLD -> "wings level, later a circle, altitude held";
-      case FLARE -> "touches down";
-      case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "goes on to the safe height";
+      case FLARE -> "touching down";
+      case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "climbing to the safe height";
     };
   }
 

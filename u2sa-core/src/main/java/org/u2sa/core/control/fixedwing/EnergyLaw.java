@@ -73,21 +73,21 @@ final class EnergyLaw {
     if (Double.isNaN(filteredAirspeed)) {
       restart(state, state.pitchRad(), parameters.throttleTrim());
     }
-    double speed = Math.max(parameters.slowestMps(), state.trueAirspeedMps());
+    double speed = Math.max(parameters.slowestSpeed(), state.trueAirspeedMps());
     double acceleration = acceleration(state, dtS);
     double path = flightPath(state);
 
     double climb =
         Limit.within(
-            -parameters.sinkLimitMps(),
-            (demand.altitudeM() - state.altitudeM()) / parameters.altitudeTimeConstantS(),
-            parameters.climbLimitMps());
-    climbDemand = Limit.approach(climbDemand, climb, parameters.verticalAccelerationMps2() * dtS);
+            -parameters.sinkLimit(),
+            (demand.altitudeM() - state.altitudeM()) / parameters.altitudeTimeConstant(),
+            parameters.climbLimit());
+    climbDemand = Limit.approach(climbDemand, climb, parameters.verticalAccelerationLimit() * dtS);
     double pathDemand = climbDemand / speed;
     double accelerationDemand =
         Limit.symmetric(
-                (demand.airspeedMps() - filteredAirspeed) / parameters.speedTimeConstantS(),
-                parameters.accelerationLimitMps2())
+                (demand.airspeedMps() - filteredAirspeed) / parameters.speedTimeConstant(),
+                parameters.accelerationLimit())
             / Gravity.STANDARD_MPS2;
 
     double speedShare = demand.speedOnly() ? 2.0 : 1.0 + urgency; // of the two that are shared out
@@ -114,46 +114,49 @@ final class EnergyLaw {
     double turning = parameters.turnDrag() * (1.0 / (cosine * cosine) - 1.0);
     double error = demanded - measured;
     double direct =
-        parameters.throttleForward() * (demanded + turning) + parameters.throttleDamping() * error;
-    double next = throttleIntegral + parameters.throttleIntegral() * error * dtS;
+        parameters.throttleForwardGain() * (demanded + turning)
+            + parameters.throttleDamping() * error;
+    double next = throttleIntegral + parameters.throttleIntegralGain() * error * dtS;
     double raw = direct + next;
     boolean deeper =
-        (raw > parameters.throttleMost() && error > 0.0)
-            || (raw < parameters.throttleLeast() && error < 0.0);
+        (raw > parameters.throttleUpperLimit() && error > 0.0)
+            || (raw < parameters.throttleLowerLimit() && error < 0.0);
     if (!deeper && urgency < 1.0) {
       throttleIntegral = Limit.within(0.0, next, 1.0);
     }
     double wanted =
         Limit.within(
-            parameters.throttleLeast(), direct + throttleIntegral, parameters.throttleMost());
-    double urgent = wanted + urgency * (parameters.throttleMost() - wanted);
-    return Limit.approach(throttle, urgent, parameters.throttleRate() * dtS);
+            parameters.throttleLowerLimit(),
+            direct + throttleIntegral,
+            parameters.throttleUpperLimit());
+    double urgent = wanted + urgency * (parameters.throttleUpperLimit() - wanted);
+    return Limit.approach(throttle, urgent, parameters.throttleRateLimit() * dtS);
   }
 
   private double pitch(Demand demand, double demanded, double measured, double dtS) {
     // A change of the flight path moves the balance by twice as much, whatever the shares.
     double error = 0.5 * (demanded - measured);
-    double direct = 0.5 * demanded + parameters.pitchDamping() * error;
-    double next = pitchIntegral + parameters.pitchIntegral() * error * dtS;
+    double direct = 0.5 * demanded + parameters.energyBalanceGain() * error;
+    double next = pitchIntegral + parameters.energyBalanceIntegralGain() * error * dtS;
     double raw = direct + next;
     boolean deeper = (raw > demand.most() && error > 0.0) || (raw < demand.least() && error < 0.0);
     if (!deeper) {
       pitchIntegral = Limit.within(demand.least() - 0.2, next, demand.most() + 0.2);
     }
     double wanted = Limit.within(demand.least(), direct + pitchIntegral, demand.most());
-    return Limit.approach(pitch, wanted, parameters.pitchRate() * dtS);
+    return Limit.approach(pitch, wanted, Math.toRadians(parameters.pitchDemandRateLimit()) * dtS);
   }
 
   /** V̇/g of a low-passed airspeed: gusts come and go faster than the aircraft can answer. */
   private double acceleration(FlightState state, double dtS) {
     double difference = state.trueAirspeedMps() - filteredAirspeed;
-    double share = dtS / (parameters.airspeedFilterS() + dtS);
+    double share = dtS / (parameters.airspeedFilter() + dtS);
     double change = share * difference;
     filteredAirspeed += change;
     return change / dtS / Gravity.STANDARD_MPS2;
   }
 
   private double flightPath(FlightState state) {
-    return state.climbMps() / Math.max(parameters.slowestMps(), state.trueAirspeedMps());
+    return state.climbMps() / Math.max(parameters.slowestSpeed(), state.trueAirspeedMps());
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /**
@@ -8,21 +9,41 @@ import org.u2sa.service.HandOver;
  * that, in proportion and by an integral; once the wheels carry, it is let down.
  */
 final class FlareLaw {
-  /**
-   * @param heightM above ground, at which the flare begins [m]
-   * @param timeConstantS τ [s]
-   * @param leastSinkMps at which the wheels are to touch [m/s]
-   * @param damping pitch per difference of sink [rad s/m]
-   * @param gain pitch rate per difference of sink [rad/m]
-   * @param mostPitchRad so that the tail stays off the ground [rad]
-   */
+  /** Of the flare; it starts only where navigation leads to the ground. */
   record Parameters(
-      double heightM,
-      double timeConstantS,
-      double leastSinkMps,
-      double damping,
-      double gain,
-      double mostPitchRad) {}
+      @Variable(
+              unit = "m",
+              min = 1,
+              max = 30,
+              ifAbsent = 9,
+              text =
+                  "Height above ground at which the flare starts, if navigation leads to the ground.")
+          double flareHeight,
+      @Variable(
+              unit = "s",
+              min = 0.5,
+              max = 10,
+              ifAbsent = 4,
+              text = "Flare time constant: the demanded sink rate is height over this time.")
+          double flareTimeConstant,
+      @Variable(unit = "m/s", min = 0.1, max = 2, ifAbsent = 0.5, text = "Sink rate at touchdown.")
+          double flareSink,
+      @Variable(unit = "rad s/m", min = 0, max = 1, ifAbsent = 0.04, text = "Pitch per sink error.")
+          double flareDamping,
+      @Variable(
+              unit = "rad/m",
+              min = 0.001,
+              max = 1,
+              ifAbsent = 0.03,
+              text = "Pitch rate per sink-rate error.")
+          double flareGain,
+      @Variable(
+              unit = "deg",
+              min = 2,
+              max = 14,
+              ifAbsent = 10,
+              text = "Maximum pitch in the flare: the tail clears the ground.")
+          double flarePitchLimit) {}
 
   private static final double LEAST_PITCH_RAD = Math.toRadians(-2.0);
   private static final double LET_DOWN_RAD_PER_S = Math.toRadians(3.0);
@@ -52,12 +73,13 @@ final class FlareLaw {
 
   /** Height at which it begins [m]. */
   double heightM() {
-    return parameters.heightM();
+    return parameters.flareHeight();
   }
 
   /** How much faster it sinks than it should at its height [m/s]. */
   double excessSinkMps(FlightState state) {
-    double sink = Math.max(parameters.leastSinkMps(), state.heightM() / parameters.timeConstantS());
+    double sink =
+        Math.max(parameters.flareSink(), state.heightM() / parameters.flareTimeConstant());
     return -sink - state.climbMps();
   }
 
@@ -68,13 +90,13 @@ final class FlareLaw {
       return pitchRad;
     }
     double excess = excessSinkMps(state);
-    double direct = parameters.damping() * excess;
+    double direct = parameters.flareDamping() * excess;
     if (Double.isNaN(trimRad)) {
       trimRad = pitchRad - direct; // begins without a bump
     }
-    trimRad =
-        Limit.within(0.0, trimRad + parameters.gain() * excess * dtS, parameters.mostPitchRad());
-    pitchRad = Limit.within(LEAST_PITCH_RAD, trimRad + direct, parameters.mostPitchRad());
+    double mostPitchRad = Math.toRadians(parameters.flarePitchLimit());
+    trimRad = Limit.within(0.0, trimRad + parameters.flareGain() * excess * dtS, mostPitchRad);
+    pitchRad = Limit.within(LEAST_PITCH_RAD, trimRad + direct, mostPitchRad);
     return pitchRad;
   }
 }

@@ -19,7 +19,7 @@ final class GroundPhases {
     this.sequence = sequence;
     this.steering = steering;
     this.loops = loops;
-    stall = new StallGuard(tuning.stall());
+    stall = new StallGuard(tuning.guidance());
     this.rotation = rotation;
   }
 
@@ -45,8 +45,7 @@ final class GroundPhases {
     double elevator = 0.0;
     double level = 0.0;
     if (rotating) {
-      Tuning.ClimbOut climb = tuning.climbOut();
-      double step = climb.rotateRate() * dtS;
+      double step = Math.toRadians(tuning.climbOut().rotationRate()) * dtS;
       double pitch = Limit.approach(loops.pitchRad(), rotation.pitchRad(), step);
       loops.pitch(Math.min(pitch, stall.pitchLimitRad(state)));
       elevator = loops.elevator(state, dtS);

@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /**
@@ -9,30 +10,78 @@ import org.u2sa.service.HandOver;
  * likewise; the integral meets propeller and crosswind.
  */
 final class GroundSteering {
-  /**
-   * @param lookAheadS point ahead, in seconds at the present speed
-   * @param shortestM least distance to it [m]
-   * @param headingGain yaw rate per heading error [1/s]
-   * @param steeringLengthM wheel base over the nose wheel's full angle [m/rad]
-   * @param damping rudder per yaw rate error at 10 m/s, nose wheel down [s/rad]
-   * @param integral rudder per integrated yaw rate error at 10 m/s [1/rad]
-   * @param airDamping rudder per yaw rate error, nose wheel up [s/rad]
-   * @param airIntegral rudder per integrated yaw rate error, nose wheel up [1/rad]
-   * @param weathercock rudder against the wind's push on the fin, per sideslip, nose wheel up
-   *     [1/rad]
-   * @param intoWind aileron per metre per second of crosswind when standing, less with speed [s/m]
-   */
+  /** Gains on the runway. */
   record Parameters(
-      double lookAheadS,
-      double shortestM,
-      double headingGain,
-      double steeringLengthM,
-      double damping,
-      double integral,
-      double airDamping,
-      double airIntegral,
-      double weathercock,
-      double intoWind) {}
+      @Variable(
+              unit = "s",
+              min = 0.5,
+              max = 10,
+              ifAbsent = 2.5,
+              text = "Time at the present speed to the aim point on the runway centreline.")
+          double centrelineLookAheadTime,
+      @Variable(
+              unit = "m",
+              min = 5,
+              max = 200,
+              ifAbsent = 40,
+              text = "Minimum distance to the aim point on the runway centreline.")
+          double centrelineLookAhead,
+      @Variable(
+              unit = "1/s",
+              min = 0.1,
+              max = 5,
+              ifAbsent = 1.8,
+              text = "Yaw rate per heading error on the runway.")
+          double centrelineHeadingGain,
+      @Variable(
+              unit = "m/rad",
+              min = 1,
+              max = 50,
+              ifAbsent = 9.5,
+              text = "Wheelbase over the nose-wheel angle at full rudder.")
+          double steeringLength,
+      @Variable(
+              unit = "s/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.6,
+              text = "Rudder per yaw-rate error at 10 m/s, nose wheel down.")
+          double steeringDamping,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.2,
+              text = "Rudder per integrated yaw-rate error at 10 m/s, nose wheel down.")
+          double steeringIntegralGain,
+      @Variable(
+              unit = "s/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.5,
+              text = "Rudder per yaw-rate error, nose wheel up.")
+          double rotationYawDamping,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.5,
+              text = "Rudder per integrated yaw-rate error, nose wheel up.")
+          double rotationYawIntegralGain,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.2,
+              text = "Rudder per sideslip, nose wheel up, against weathercocking.")
+          double weathercockGain,
+      @Variable(
+              unit = "s/m",
+              min = 0,
+              max = 1,
+              ifAbsent = 0.1,
+              text = "Aileron per crosswind at a standstill; less with speed.")
+          double aileronIntoWind) {}
 
   private static final double SLOWEST_MPS = 4.0; // slower, the wheel's geometry would ask too much
   private static final double GENTLE_MPS2 = 55.0; // sideways, per radian of heading error
@@ -105,10 +154,6 @@ final class GroundSteering {
     return lined;
   }
 
-  double headingRad() {
-    return headingRad;
-  }
-
   /** Distance from the centreline, right positive [m]. */
   double offsetM(FlightState state) {
     double north = state.northM() - northM;
@@ -135,10 +180,11 @@ final class GroundSteering {
    */
   double rudder(FlightState state, boolean noseDown, double dtS) {
     double ground = state.groundSpeedMps();
-    double look = Math.max(parameters.shortestM(), parameters.lookAheadS() * ground);
+    double look =
+        Math.max(parameters.centrelineLookAhead(), parameters.centrelineLookAheadTime() * ground);
     double wanted = headingRad - StrictMath.atan2(offsetM(state), look);
-    double rate = parameters.headingGain() * Limit.angle(wanted - state.headingRad());
-    double vane = noseDown ? 0.0 : -parameters.weathercock() * state.betaRad();
+    double rate = parameters.centrelineHeadingGain() * Limit.angle(wanted - state.headingRad());
+    double vane = noseDown ? 0.0 : -parameters.weathercockGain() * state.betaRad();
     return rudder(state, rate, noseDown, vane, dtS);
   }
 
@@ -150,12 +196,12 @@ final class GroundSteering {
    */
   double gentleRudder(FlightState state, boolean noseDown, double dtS) {
     double speed = Math.max(SLOWEST_MPS, state.groundSpeedMps());
-    double gain = Math.min(parameters.headingGain(), GENTLE_MPS2 / speed);
+    double gain = Math.min(parameters.centrelineHeadingGain(), GENTLE_MPS2 / speed);
     double closing = Limit.symmetric(-offsetM(state) * gain * GENTLE_SHARE, CLOSING_MPS);
     double wanted = headingRad + StrictMath.atan2(closing, speed);
     double rate = gain * Limit.angle(wanted - state.headingRad());
     double vane =
-        -parameters.weathercock() * Limit.symmetric(state.betaRad(), VANE_RAD) * VANE_SHARE;
+        -parameters.weathercockGain() * Limit.symmetric(state.betaRad(), VANE_RAD) * VANE_SHARE;
     return rudder(state, rate, noseDown, vane, dtS);
   }
 
@@ -164,9 +210,13 @@ final class GroundSteering {
     double speed = Math.max(SLOWEST_MPS, ground);
     double error = rate - state.yawRate();
     double perSpeed = REFERENCE_MPS / speed;
-    double damping = noseDown ? parameters.damping() * perSpeed : parameters.airDamping();
-    double gain = noseDown ? parameters.integral() * perSpeed : parameters.airIntegral();
-    double direct = rate * parameters.steeringLengthM() / speed + damping * error + vane;
+    double damping =
+        noseDown ? parameters.steeringDamping() * perSpeed : parameters.rotationYawDamping();
+    double gain =
+        noseDown
+            ? parameters.steeringIntegralGain() * perSpeed
+            : parameters.rotationYawIntegralGain();
+    double direct = rate * parameters.steeringLength() / speed + damping * error + vane;
     double next = integral + gain * error * dtS;
     double raw = direct + next;
     boolean deeper = (raw > 1.0 && error > 0.0) || (raw < -1.0 && error < 0.0);
@@ -179,10 +229,10 @@ final class GroundSteering {
 
   /** Rudder in the air that turns the nose along the line, −1…1, positive turns right. */
   double align(FlightState state, double dtS) {
-    double rate = parameters.headingGain() * Limit.angle(headingRad - state.headingRad());
+    double rate = parameters.centrelineHeadingGain() * Limit.angle(headingRad - state.headingRad());
     double error = rate - state.yawRate();
-    double next = integral + parameters.airIntegral() * error * dtS;
-    double direct = parameters.airDamping() * error;
+    double next = integral + parameters.rotationYawIntegralGain() * error * dtS;
+    double direct = parameters.rotationYawDamping() * error;
     if (Math.abs(direct + next) < 1.0 || error * next < 0.0) {
       integral = Limit.symmetric(next, 1.0);
     }
@@ -192,6 +242,6 @@ final class GroundSteering {
   /** Aileron into the wind, −1…1: much when slow, less as the ailerons gain effect. */
   double aileron(FlightState state) {
     double share = Limit.within(0.0, 1.0 - state.calibratedAirspeedMps() / AILERON_WORKS_MPS, 1.0);
-    return Limit.symmetric(parameters.intoWind() * state.crosswindMps() * share, 1.0);
+    return Limit.symmetric(parameters.aileronIntoWind() * state.crosswindMps() * share, 1.0);
   }
 }

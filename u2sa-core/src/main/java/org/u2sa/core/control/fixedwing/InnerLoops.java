@@ -31,7 +31,7 @@ final class InnerLoops {
   /** Surface gains hold at one speed: at others the same surface does more or less. */
   private double scale(FlightState state) {
     double speed = Math.max(1.0, state.calibratedAirspeedMps());
-    return Limit.within(LEAST_SCALE, tuning.referenceSpeedMps() / speed, MOST_SCALE);
+    return Limit.within(LEAST_SCALE, tuning.guidance().referenceSpeed() / speed, MOST_SCALE);
   }
 
   /** Bank held [rad]. */
@@ -46,7 +46,8 @@ final class InnerLoops {
 
   /** Moves the bank held towards another [rad] at the pace of the tuning. */
   void bankTowards(double wantedRad, double dtS) {
-    bankRad = Limit.approach(bankRad, wantedRad, tuning.bankRate() * dtS);
+    bankRad =
+        Limit.approach(bankRad, wantedRad, Math.toRadians(tuning.guidance().bankRateLimit()) * dtS);
   }
 
   /** Pitch held [rad]. */
@@ -70,7 +71,7 @@ final class InnerLoops {
 
   /** Moves the throttle at the pace of a hand. */
   void throttleTowards(double wanted, double dtS) {
-    throttle = Limit.approach(throttle, wanted, tuning.climbOut().throttleRate() * dtS);
+    throttle = Limit.approach(throttle, wanted, tuning.climbOut().throttleOpeningRate() * dtS);
   }
 
   /** Rudder, −1…1, positive yaws right. */

@@ -51,7 +51,7 @@ final class LandingRefusal {
   String words() {
     return String.format(
         Locale.ROOT,
-        "does not land: %.1f m/s of wind from the %s across the approach, MAX CROSSWIND is %.1f m/s;"
+        "not landing: %.1f m/s of wind from the %s across the approach, MAX CROSSWIND is %.1f m/s;"
             + " keeps %.0f m above ground until navigation leads higher",
         Math.abs(crosswindMps),
         crosswindMps > 0.0 ? "left" : "right",

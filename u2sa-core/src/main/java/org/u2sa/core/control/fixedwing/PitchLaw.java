@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
@@ -9,12 +10,35 @@ import org.u2sa.service.HandOver;
  * Aerodynamics, Aeronautics, and Flight Mechanics, section 7) is demanded beside.
  */
 final class PitchLaw {
-  /**
-   * @param timeConstantS of the pitch error [s]
-   * @param rateLimit most pitch rate demanded for the error [rad/s]
-   * @param rate the inner loop
-   */
-  record Parameters(double timeConstantS, double rateLimit, RateLoop.Gains rate) {}
+  /** Of the pitch loop and the pitch-rate loop inside it. */
+  record Parameters(
+      @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.8, text = "Pitch-error time constant.")
+          double pitchTimeConstant,
+      @Variable(
+              unit = "deg/s",
+              min = 1,
+              max = 30,
+              ifAbsent = 10,
+              text = "Maximum pitch rate demanded for a pitch error.")
+          double pitchRateLimit,
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 0.5, text = "Elevator per pitch rate.")
+          double pitchRateForwardGain,
+      @Variable(
+              unit = "s/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 0.18,
+              text = "Elevator per pitch-rate error.")
+          double pitchRateGain,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 0.7,
+              text = "Elevator per integrated pitch-rate error.")
+          double pitchRateIntegralGain,
+      @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Maximum elevator of the integral.")
+          double elevatorTrimLimit) {}
 
   private static final double STEEPEST_RAD =
       Math.toRadians(60.0); // of the turn that is compensated
@@ -25,13 +49,21 @@ final class PitchLaw {
 
   PitchLaw(Parameters parameters) {
     this.parameters = parameters;
-    this.loop = new RateLoop(parameters.rate());
+    this.loop =
+        new RateLoop(
+            new RateLoop.Gains(
+                parameters.pitchRateForwardGain(),
+                parameters.pitchRateGain(),
+                parameters.pitchRateIntegralGain(),
+                parameters.elevatorTrimLimit()));
   }
 
   /** Elevator, −1…1, positive lowers the nose. */
   double elevator(FlightState state, double pitchRad, double scale, double dtS) {
     double error = pitchRad - state.pitchRad();
-    double rate = Limit.symmetric(error / parameters.timeConstantS(), parameters.rateLimit());
+    double rate =
+        Limit.symmetric(
+            error / parameters.pitchTimeConstant(), Math.toRadians(parameters.pitchRateLimit()));
     return -loop.step(rate + turnRate(state), state.pitchRate(), scale, dtS);
   }
 

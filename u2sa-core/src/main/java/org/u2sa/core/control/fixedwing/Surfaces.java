@@ -18,10 +18,4 @@ record Surfaces(
     double throttle,
     double mixture,
     double flaps,
-    double brakes) {
-
-  /** Standing still: everything centred, engine idling, brakes on. */
-  static Surfaces parked() {
-    return new Surfaces(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0);
-  }
-}
+    double brakes) {}

@@ -16,12 +16,13 @@ final class TakeOffRotation {
 
   /** Calibrated airspeed at which it begins [m/s]. */
   double speedMps() {
-    return tuning.takeOff().rotateMps() + tuning.gustShare() * wind.speedMps();
+    return Tuning.KNOT_MPS * tuning.takeOff().rotationSpeed()
+        + tuning.guidance().gustShare() * wind.speedMps();
   }
 
   /** Pitch to which the nose is raised [rad]. */
   double pitchRad() {
-    double slower = tuning.takeOff().rotateMps() / speedMps();
-    return tuning.climbOut().rotatePitchRad() * slower * slower;
+    double slower = Tuning.KNOT_MPS * tuning.takeOff().rotationSpeed() / speedMps();
+    return Math.toRadians(tuning.climbOut().rotationPitch()) * slower * slower;
   }
 }

@@ -1,28 +1,44 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /** Knows which {@link FlightPhase} the aircraft is in. */
 final class TakeOffSequence {
-  /**
-   * @param readyRpm engine speed from which it runs by itself [1/min]
-   * @param readyForS how long engine and navigation must be there before the throttle opens [s]
-   * @param releaseThrottle at which the brakes are let go, 0…1
-   * @param rotateMps calibrated airspeed at which the nose is raised [m/s]
-   * @param safeHeightM above ground, at which the climb-out ends [m]
-   */
+  /** When one phase ends and the next begins. */
   record Parameters(
-      double readyRpm,
-      double readyForS,
-      double releaseThrottle,
-      double rotateMps,
-      double safeHeightM) {}
+      @Variable(
+              unit = "rpm",
+              min = 0,
+              max = 2000,
+              ifAbsent = 600,
+              text = "Engine speed above which the engine counts as running.")
+          double readyRpm,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 60,
+              ifAbsent = 1,
+              text = "Time that engine and navigation must be ready before the throttle opens.")
+          double readyTime,
+      @Variable(min = 0.1, max = 1, ifAbsent = 0.5, text = "Throttle that releases the brakes.")
+          double releaseThrottle,
+      @Variable(unit = "kt", min = 40, max = 80, ifAbsent = 55, text = "Calibrated rotation speed.")
+          double rotationSpeed,
+      @Variable(
+              unit = "m",
+              min = 20,
+              max = 500,
+              ifAbsent = 100,
+              text = "Height above ground at which the climb-out ends.")
+          double safeHeight) {}
 
   private static final double FLYING_HEIGHT_M = 15.0; // no wheel comes so high without flying
   private static final double LIFTED_FOR_S = 0.3; // shorter is a hop
   private static final double LANDED_FOR_S = 1.0;
 
   private final Parameters parameters;
+  private final double rotationMps; // without wind
   private FlightPhase phase;
   private double readySinceS = Double.NaN;
   private double liftedSinceS = Double.NaN;
@@ -30,6 +46,7 @@ final class TakeOffSequence {
 
   TakeOffSequence(Parameters parameters) {
     this.parameters = parameters;
+    rotationMps = Tuning.KNOT_MPS * parameters.rotationSpeed();
   }
 
   void handOver(HandOver state) {
@@ -94,12 +111,11 @@ final class TakeOffSequence {
       }
       case ROTATE ->
           lasting(liftedSinceS, state, LIFTED_FOR_S) ? FlightPhase.CLIMB_OUT : FlightPhase.ROTATE;
-      case CLIMB_OUT ->
-          state.heightM() >= parameters.safeHeightM() ? flying : FlightPhase.CLIMB_OUT;
+      case CLIMB_OUT -> state.heightM() >= parameters.safeHeight() ? flying : FlightPhase.CLIMB_OUT;
       case CRUISE, HOLD, GO_AROUND -> {
         boolean landed =
             lasting(landedSinceS, state, LANDED_FOR_S)
-                && state.calibratedAirspeedMps() < parameters.rotateMps();
+                && state.calibratedAirspeedMps() < rotationMps;
         yield landed ? FlightPhase.STOPPED : landing ? FlightPhase.FLARE : flying;
       }
       case FLARE -> {
@@ -115,7 +131,7 @@ final class TakeOffSequence {
    * engine are right for one that stands, and for one too slow to fly.
    */
   private FlightPhase first(FlightState state, boolean landing) {
-    if (state.calibratedAirspeedMps() < parameters.rotateMps()) {
+    if (state.calibratedAirspeedMps() < rotationMps) {
       return FlightPhase.RUN_UP;
     }
     if (landing) {
@@ -131,7 +147,7 @@ final class TakeOffSequence {
 
   /** Whether engine and navigation have been there long enough to open the throttle. */
   boolean cleared(FlightState state) {
-    return lasting(readySinceS, state, parameters.readyForS());
+    return lasting(readySinceS, state, parameters.readyTime());
   }
 
   private static boolean lasting(double sinceS, FlightState state, double forS) {

@@ -3,8 +3,6 @@ package org.u2sa.core.control.fixedwing;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.core.control.ControlSystem;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -17,48 +15,6 @@ import org.u2sa.service.ServiceContext;
  * commands nothing, and actuators fall back when their commands expire.
  */
 public final class ThesisControl extends ControlSystem {
-  static final VariableDeclaration<Double> DIRECTION_GAIN =
-      VariableDeclaration.number("DIRECTION GAIN", "")
-          .range(Range.of(0.0, 5.0))
-          .ifAbsent(1.0)
-          .describedAs("Aileron at a direction of 180 degrees, of full; thesis: 1.");
-
-  static final VariableDeclaration<Double> DIRECTION_LIMIT =
-      VariableDeclaration.number("DIRECTION LIMIT", "deg")
-          .range(Range.of(1.0, 180.0))
-          .ifAbsent(30.0)
-          .describedAs("Direction beyond which the aileron moves no further; thesis: 180.");
-
-  static final VariableDeclaration<Double> BANK_GAIN =
-      VariableDeclaration.number("BANK GAIN", "1/rad")
-          .range(Range.of(0.0, 5.0))
-          .ifAbsent(0.4)
-          .describedAs("Aileron against the bank; thesis: 0.");
-
-  static final VariableDeclaration<Double> ALTITUDE_GAIN =
-      VariableDeclaration.number("ALTITUDE GAIN", "")
-          .range(Range.of(0.0, 1.0))
-          .ifAbsent(0.3)
-          .describedAs("Elevator at an altitude differential of 1000 ft or more, of full.");
-
-  static final VariableDeclaration<Double> PITCH_GAIN =
-      VariableDeclaration.number("PITCH GAIN", "1/rad")
-          .range(Range.of(0.0, 5.0))
-          .ifAbsent(1.5)
-          .describedAs("Elevator against the pitch; thesis: 0.");
-
-  static final VariableDeclaration<Double> LEVEL_PITCH =
-      VariableDeclaration.number("LEVEL PITCH", "deg")
-          .range(Range.of(-5.0, 15.0))
-          .ifAbsent(6.0)
-          .describedAs("Pitch at which the elevator is centred.");
-
-  static final VariableDeclaration<Double> CRUISE_THROTTLE =
-      VariableDeclaration.number("CRUISE THROTTLE", "")
-          .range(Range.of(0.1, 1.0))
-          .ifAbsent(0.6)
-          .describedAs("Throttle of level flight.");
-
   private static final double FULL_PERCENT = 100.0;
 
   private final FlightStateReader reader = new FlightStateReader();
@@ -67,16 +23,7 @@ public final class ThesisControl extends ControlSystem {
   /** Called by the launcher. */
   public ThesisControl(ServiceContext context) {
     super(context, "Control");
-    law =
-        new ThesisLaw(
-            new ThesisLaw.Parameters(
-                getVariable(DIRECTION_GAIN),
-                Math.toRadians(getVariable(DIRECTION_LIMIT)),
-                getVariable(BANK_GAIN),
-                getVariable(ALTITUDE_GAIN),
-                getVariable(PITCH_GAIN),
-                Math.toRadians(getVariable(LEVEL_PITCH)),
-                getVariable(CRUISE_THROTTLE)));
+    law = new ThesisLaw(settings(ThesisLaw.Parameters.class).get());
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Variable;
+
 /**
  * The proportional controllers of thesis 4.5.2.4 and 4.5.2.5: the direction to go moves the
  * aileron, the altitude differential the elevator. Two damping terms that the thesis does not have
@@ -7,23 +9,45 @@ package org.u2sa.core.control.fixedwing;
  * own.
  */
 final class ThesisLaw {
-  /**
-   * @param directionGain aileron at a direction of 180°, 0…1 of full
-   * @param directionLimitRad direction beyond which the aileron moves no further [rad]
-   * @param bankGain aileron against the bank [1/rad]; 0: the thesis's own
-   * @param altitudeGain elevator at the full altitude differential
-   * @param pitchGain elevator against the pitch [1/rad]; 0: the thesis's own
-   * @param levelPitchRad pitch of level flight [rad]
-   * @param cruiseThrottle throttle of level flight, 0…1
-   */
+  /** At 0, BANK GAIN and PITCH GAIN leave the thesis's own law. */
   record Parameters(
-      double directionGain,
-      double directionLimitRad,
-      double bankGain,
-      double altitudeGain,
-      double pitchGain,
-      double levelPitchRad,
-      double cruiseThrottle) {}
+      @Variable(
+              min = 0,
+              max = 5,
+              ifAbsent = 1,
+              text = "Fraction of full aileron at a direction of 180 degrees; thesis: 1.")
+          double directionGain,
+      @Variable(
+              unit = "deg",
+              min = 1,
+              max = 180,
+              ifAbsent = 30,
+              text = "Direction beyond which the aileron moves no further; thesis: 180.")
+          double directionLimit,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 0.4,
+              text = "Aileron against bank; thesis: 0.")
+          double bankGain,
+      @Variable(
+              min = 0,
+              max = 1,
+              ifAbsent = 0.3,
+              text = "Fraction of full elevator at an altitude difference of 1000 ft or more.")
+          double altitudeGain,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.5,
+              text = "Elevator against pitch; thesis: 0.")
+          double pitchGain,
+      @Variable(unit = "deg", min = -5, max = 15, ifAbsent = 6, text = "Pitch in level flight.")
+          double levelPitch,
+      @Variable(min = 0.1, max = 1, ifAbsent = 0.6, text = "Throttle of level flight.")
+          double cruiseThrottle) {}
 
   private static final double FULL_DIFFERENTIAL_M = 1_000.0 * 0.3048; // 4.5.2.4: full climb
   private static final double LEAST_DIFFERENTIAL_M = 10.0 * 0.3048; // 4.5.2.4: hold altitude
@@ -38,15 +62,16 @@ final class ThesisLaw {
     double bearing = StrictMath.atan2(target.eastM(), target.northM());
     double direction = Limit.angle(bearing - state.headingRad());
     double climb = differential(target.altitudeM() - state.altitudeM());
-    double limited = Limit.symmetric(direction, parameters.directionLimitRad());
+    double limit = Math.toRadians(parameters.directionLimit());
+    double limited = Limit.symmetric(direction, limit);
     double aileron =
         parameters.directionGain() * limited / Math.PI - parameters.bankGain() * state.rollRad();
     double elevator =
         -parameters.altitudeGain() * climb
-            + parameters.pitchGain() * (state.pitchRad() - parameters.levelPitchRad());
+            + parameters.pitchGain() * (state.pitchRad() - Math.toRadians(parameters.levelPitch()));
     double cruise = parameters.cruiseThrottle();
     double throttle = cruise + climb * (climb > 0.0 ? 1.0 - cruise : cruise);
-    double rudder = state.onGround() ? limited / parameters.directionLimitRad() : 0.0;
+    double rudder = state.onGround() ? limited / limit : 0.0;
     return new Surfaces(
         Limit.symmetric(aileron, 1.0),
         Limit.symmetric(elevator, 1.0),

@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
 /**
@@ -11,19 +12,48 @@ import org.u2sa.service.HandOver;
  * Airplane Flying Handbook, chapter 9).
  */
 final class TouchDown {
-  /**
-   * @param alignHeightM above ground, at which the nose is turned along the runway [m]
-   * @param bankLimitRad most bank near the ground [rad]
-   * @param lookAheadM to the point steered for on the centreline [m]
-   * @param aileronPerSideslip that holds the wings level in a sideslip [1/rad]
-   * @param brakeMps speed over ground above which the brakes are hardly used [m/s]
-   */
+  /** Of the last metres, and the crosswind in which it may land. */
   record Parameters(
-      double alignHeightM,
-      double bankLimitRad,
-      double lookAheadM,
-      double aileronPerSideslip,
-      double brakeMps) {}
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 10,
+              ifAbsent = 1.5,
+              text = "Height above ground at which the nose is aligned with the runway.")
+          double alignHeight,
+      @Variable(unit = "deg", min = 0, max = 12, ifAbsent = 8, text = "Maximum bank in the flare.")
+          double flareBankLimit,
+      @Variable(
+              unit = "m",
+              min = 50,
+              max = 500,
+              ifAbsent = 120,
+              text = "Distance to the aim point on the runway centreline in the flare.")
+          double flareLookAhead,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 1.6,
+              text =
+                  "Aileron that holds the wings level in a sideslip: dihedral effect over aileron effect.")
+          double aileronPerSideslip,
+      @Variable(
+              unit = "m/s",
+              min = 10,
+              max = 40,
+              ifAbsent = 28,
+              text =
+                  "Ground speed above which the brakes are hardly used; below it they come on gradually.")
+          double brakeSpeed,
+      @Variable(
+              unit = "m/s",
+              min = 0,
+              max = 20,
+              ifAbsent = 15,
+              text =
+                  "Maximum crosswind for landing, as felt by the aircraft; in more it stays at SAFE HEIGHT.")
+          double maxCrosswind) {}
 
   private static final double LEVEL_MPS = 10.0; // slower, ailerons level nothing
   private static final double LIGHT_BRAKES = 0.15;
@@ -50,7 +80,7 @@ final class TouchDown {
     this.steering = steering;
     this.loops = loops;
     this.flare = new FlareLaw(flare);
-    lateral = new LateralGuidance(parameters.lookAheadM());
+    lateral = new LateralGuidance(parameters.flareLookAhead());
   }
 
   /** Height above ground at which it begins [m]. */
@@ -71,7 +101,7 @@ final class TouchDown {
 
   /** From the flare until the wheels have carried for a while. */
   Surfaces flare(FlightState state, double dtS) {
-    double look = parameters.lookAheadM();
+    double look = parameters.flareLookAhead();
     double bank =
         lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
     boolean wheels = state.onGround();
@@ -87,9 +117,9 @@ final class TouchDown {
       return new Surfaces(
           ailerons(state, dtS), elevator, steer(state, dtS), loops.throttle(), 1.0, 0.0, 0.0);
     }
-    loops.bankTowards(Limit.symmetric(bank, parameters.bankLimitRad()), dtS);
+    loops.bankTowards(Limit.symmetric(bank, Math.toRadians(parameters.flareBankLimit())), dtS);
     double aileron = loops.aileron(state, dtS);
-    if (state.heightM() < parameters.alignHeightM()) {
+    if (state.heightM() < parameters.alignHeight()) {
       aileron = Limit.symmetric(aileron + intoWind(state), 1.0);
       loops.rudder(steering.align(state, dtS));
     } else {
@@ -115,7 +145,9 @@ final class TouchDown {
     }
     double share =
         Limit.within(
-            0.0, (parameters.brakeMps() - speed) / (parameters.brakeMps() - FULL_BRAKES_MPS), 1.0);
+            0.0,
+            (parameters.brakeSpeed() - speed) / (parameters.brakeSpeed() - FULL_BRAKES_MPS),
+            1.0);
     double brakes = state.onGround() ? LIGHT_BRAKES + (1.0 - LIGHT_BRAKES) * share : 0.0;
     return new Surfaces(ailerons(state, dtS), elevator, steer(state, dtS), 0.0, 1.0, 0.0, brakes);
   }

@@ -1,70 +1,100 @@
 package org.u2sa.core.control.fixedwing;
 
-/**
- * Every gain and limit of {@link Autopilot}.
- *
- * @param referenceSpeedMps calibrated airspeed at which the surface gains hold [m/s]
- * @param cruiseMps calibrated airspeed of the cruise [m/s]
- * @param fastestMps most calibrated airspeed demanded [m/s]
- * @param bankLimitRad most bank demanded [rad]
- * @param rollRateLimit how fast the bank demand moves [rad/s]
- * @param turnPitch pitch added per excess load factor [rad]
- * @param leastPitchRad demanded in the cruise
- * @param mostPitchRad demanded ever
- * @param maxCrosswindMps most wind across the approach in which it lands [m/s]
- * @param gustShare of the wind's speed that is added to speeds near the stall
- */
+import java.util.function.Supplier;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+
+/** Every gain and limit of {@link Autopilot}, in the units of the configuration. */
 record Tuning(
-    double referenceSpeedMps,
-    double cruiseMps,
-    double fastestMps,
-    double bankLimitRad,
-    double bankRate,
-    double turnPitch,
-    double leastPitchRad,
-    double mostPitchRad,
-    double shortestL1M,
+    GuidanceParameters guidance,
     RollLaw.Parameters roll,
     PitchLaw.Parameters pitch,
     YawLaw.Parameters yaw,
-    StallGuard.Parameters stall,
     EnergyParameters energy,
     TakeOffSequence.Parameters takeOff,
     GroundSteering.Parameters ground,
     ClimbOut climbOut,
     Hold hold,
     FlareLaw.Parameters flare,
-    TouchDown.Parameters touchDown,
-    double maxCrosswindMps,
-    double gustShare) {
+    TouchDown.Parameters touchDown) {
+  /** One knot [m/s]. */
+  static final double KNOT_MPS = 1852.0 / 3600.0;
 
-  /**
-   * What the aircraft does without navigation.
-   *
-   * @param levelS how long the wings stay level [s]
-   * @param bankRad then, right wing down positive [rad]
-   */
-  record Hold(double levelS, double bankRad) {}
+  /** What the aircraft does without navigation. */
+  record Hold(
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 60,
+              ifAbsent = 5,
+              text =
+                  "Time without navigation before the aircraft circles; until then the wings stay level.")
+          double holdLevelTime,
+      @Variable(
+              unit = "deg",
+              min = 0,
+              max = 30,
+              ifAbsent = 15,
+              text = "Bank to the right when circling without navigation; 0 flies straight on.")
+          double holdBank) {}
 
-  /**
-   * How the aircraft leaves the ground.
-   *
-   * @param startThrottle while the engine starts, 0…1
-   * @param throttleRate how fast the throttle opens [1/s]
-   * @param rotatePitchRad to which the nose is raised [rad]
-   * @param rotateRate how fast [rad/s]
-   * @param speedMps calibrated airspeed of the climb-out [m/s]
-   * @param leastPitchRad demanded in the climb-out [rad]
-   * @param bankLimitRad most bank demanded in the climb-out [rad]
-   * @param lookAheadM to the point steered for on the extended centreline [m]
-   */
+  /** How the aircraft leaves the ground. */
   record ClimbOut(
-      double startThrottle,
-      double throttleRate,
-      double rotatePitchRad,
-      double rotateRate,
-      double speedMps,
-      double leastPitchRad,
-      double bankLimitRad,
-      double lookAheadM) {}
+      @Variable(min = 0.1, max = 0.5, ifAbsent = 0.2, text = "Throttle while the engine starts.")
+          double startThrottle,
+      @Variable(unit = "1/s", min = 0.05, max = 5, ifAbsent = 0.3, text = "Take-off throttle rate.")
+          double throttleOpeningRate,
+      @Variable(unit = "deg", min = 5, max = 13, ifAbsent = 10, text = "Pitch at rotation.")
+          double rotationPitch,
+      @Variable(unit = "deg/s", min = 1, max = 10, ifAbsent = 5, text = "Pitch rate at rotation.")
+          double rotationRate,
+      @Variable(
+              unit = "kt",
+              min = 60,
+              max = 100,
+              ifAbsent = 74,
+              text = "Calibrated airspeed of the climb-out.")
+          double climbOutSpeed,
+      @Variable(unit = "deg", min = 0, max = 10, ifAbsent = 6, text = "Minimum climb-out pitch.")
+          double climbOutPitchLowerLimit,
+      @Variable(unit = "deg", min = 0, max = 30, ifAbsent = 10, text = "Maximum climb-out bank.")
+          double climbOutBankLimit,
+      @Variable(
+              unit = "m",
+              min = 50,
+              max = 2000,
+              ifAbsent = 250,
+              text = "Distance to the aim point on the extended centreline.")
+          double climbOutLookAhead) {}
+
+  /** Declares all variables; what it returns supplies their newest values. */
+  static Supplier<Tuning> in(Configurator variables) {
+    Settings<GuidanceParameters> guidance = variables.settings(GuidanceParameters.class);
+    Settings<RollLaw.Parameters> roll = variables.settings(RollLaw.Parameters.class);
+    Settings<PitchLaw.Parameters> pitch = variables.settings(PitchLaw.Parameters.class);
+    Settings<YawLaw.Parameters> yaw = variables.settings(YawLaw.Parameters.class);
+    Settings<EnergyParameters> energy = variables.settings(EnergyParameters.class);
+    Settings<TakeOffSequence.Parameters> takeOff =
+        variables.settings(TakeOffSequence.Parameters.class);
+    Settings<GroundSteering.Parameters> ground =
+        variables.settings(GroundSteering.Parameters.class);
+    Settings<ClimbOut> climbOut = variables.settings(ClimbOut.class);
+    Settings<Hold> hold = variables.settings(Hold.class);
+    Settings<FlareLaw.Parameters> flare = variables.settings(FlareLaw.Parameters.class);
+    Settings<TouchDown.Parameters> touchDown = variables.settings(TouchDown.Parameters.class);
+    return () ->
+        new Tuning(
+            guidance.get(),
+            roll.get(),
+            pitch.get(),
+            yaw.get(),
+            energy.get(),
+            takeOff.get(),
+            ground.get(),
+            climbOut.get(),
+            hold.get(),
+            flare.get(),
+            touchDown.get());
+  }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
@@ -9,19 +10,28 @@ import org.u2sa.service.HandOver;
  * the sideslip out slowly, which trims the propeller's swirl.
  */
 final class YawLaw {
-  /**
-   * @param damping rudder per yaw rate error [s/rad] at the reference speed
-   * @param sideslip rudder per sideslip [1/rad]
-   * @param sideslipIntegral rudder per integrated sideslip [1/(rad s)]
-   * @param integralLimit most of the rudder that the integral may hold, 0…1
-   * @param aileronShare rudder per aileron
-   */
+  /** Gains at the reference speed. */
   record Parameters(
-      double damping,
-      double sideslip,
-      double sideslipIntegral,
-      double integralLimit,
-      double aileronShare) {}
+      @Variable(
+              unit = "s/rad",
+              min = 0,
+              max = 5,
+              ifAbsent = 0.5,
+              text = "Rudder per deviation from the yaw rate of a coordinated turn.")
+          double yawDamping,
+      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.8, text = "Rudder per sideslip.")
+          double sideslipGain,
+      @Variable(
+              unit = "1/rad/s",
+              min = 0,
+              max = 5,
+              ifAbsent = 0.4,
+              text = "Rudder per integrated sideslip.")
+          double sideslipIntegralGain,
+      @Variable(min = 0, max = 1, ifAbsent = 0.5, text = "Maximum rudder of the integral.")
+          double rudderTrimLimit,
+      @Variable(min = 0, max = 1, ifAbsent = 0.45, text = "Rudder per aileron: adverse yaw.")
+          double aileronToRudder) {}
 
   private static final double SLOWEST_MPS = 20.0;
 
@@ -35,14 +45,14 @@ final class YawLaw {
   /** Rudder, −1…1, positive yaws right. */
   double rudder(FlightState state, double aileron, double scale, double dtS) {
     double wanted = coordinatedRate(state);
-    double damping = parameters.damping() * scale * (wanted - state.yawRate());
-    double next = integral + parameters.sideslipIntegral() * state.betaRad() * dtS;
-    integral = Limit.symmetric(next, parameters.integralLimit());
+    double damping = parameters.yawDamping() * scale * (wanted - state.yawRate());
+    double next = integral + parameters.sideslipIntegralGain() * state.betaRad() * dtS;
+    integral = Limit.symmetric(next, parameters.rudderTrimLimit());
     double raw =
         damping
-            + parameters.sideslip() * state.betaRad()
+            + parameters.sideslipGain() * state.betaRad()
             + integral
-            + parameters.aileronShare() * aileron;
+            + parameters.aileronToRudder() * aileron;
     return Limit.symmetric(raw, 1.0);
   }
 
@@ -65,6 +75,6 @@ final class YawLaw {
 
   /** Starts with a rudder held. */
   void restart(double rudder) {
-    integral = Limit.symmetric(rudder, parameters.integralLimit());
+    integral = Limit.symmetric(rudder, parameters.rudderTrimLimit());
   }
 }

@@ -25,7 +25,7 @@ public final class AckermannPursuitControl extends ControlSystem {
               min = 0.05,
               max = 20,
               ifAbsent = 0.33,
-              text = "Distance from the front axle to the rear one.")
+              text = "Distance between the front and rear axles.")
           double wheelbase,
       @Variable(
               unit = "deg",
@@ -33,15 +33,11 @@ public final class AckermannPursuitControl extends ControlSystem {
               max = 70,
               ifAbsent = 24,
               text =
-                  "Of the front wheels at 100 %, mean of both; with WHEELBASE it makes the tightest curve.")
+                  "Mean angle of the front wheels at 100 %; with WHEELBASE it sets the tightest curve.")
           double steeringAngle,
-      @Variable(
-              ifAbsentText = "THROTTLE",
-              text = "Name of the actuator of the drive, forwards positive.")
+      @Variable(ifAbsentText = "THROTTLE", text = "Drive actuator, forward positive.")
           String throttleActuator,
-      @Variable(
-              ifAbsentText = "STEERING",
-              text = "Name of the actuator of the steering, to the right positive.")
+      @Variable(ifAbsentText = "STEERING", text = "Steering actuator, right positive.")
           String steeringActuator) {
     double angleRad() {
       return Math.toRadians(steeringAngle);
@@ -68,7 +64,8 @@ public final class AckermannPursuitControl extends ControlSystem {
   }
 
   private PursuitSettings pursuitSettings() {
-    return tuning.get().settings(steering.get().tightest(), PursuitSettings.SpotTurn.NONE);
+    return new PursuitSettings(
+        tuning.get(), steering.get().tightest(), PursuitSettings.SpotTurn.NONE);
   }
 
   /** Drives on with other gains and limits. */

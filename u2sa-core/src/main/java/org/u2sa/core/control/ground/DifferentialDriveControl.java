@@ -27,14 +27,14 @@ public final class DifferentialDriveControl extends ControlSystem {
               min = 0,
               max = 1000,
               ifAbsent = 60,
-              text = "Both wheels for each metre of distance.")
+              text = "Command of both wheels per distance to the point.")
           double distanceGain,
       @Variable(
               unit = "%",
               min = 0,
               max = 100,
               ifAbsent = 60,
-              text = "Most of what distance gives both wheels.")
+              text = "Maximum command that distance gives both wheels.")
           double speedLimit,
       @Variable(
               unit = "%/rad",
@@ -42,7 +42,7 @@ public final class DifferentialDriveControl extends ControlSystem {
               max = 500,
               ifAbsent = 45,
               text =
-                  "Each wheel for each radian of direction: right wheel forwards, left wheel backwards, for a point to the left.")
+                  "Command of each wheel per bearing: right wheel forward, left wheel backward, for a point to the left.")
           double headingGain,
       @Variable(
               unit = "m",
@@ -57,7 +57,7 @@ public final class DifferentialDriveControl extends ControlSystem {
               max = 10,
               ifAbsent = 0.5,
               text =
-                  "Share of what HEADING GAIN gives that is added in a second, for motors that are not alike; 0: no feedback.")
+                  "Integral gain on the command of HEADING GAIN, for motors that are not alike; 0: no feedback.")
           double mismatchGain) {}
 
   private static final double ALIGNED_RAD = 0.6; // farther aside it is to turn, not to learn

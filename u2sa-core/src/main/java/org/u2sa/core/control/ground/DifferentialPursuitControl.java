@@ -32,21 +32,21 @@ public final class DifferentialPursuitControl extends ControlSystem {
               min = 5,
               max = 180,
               ifAbsent = 35,
-              text = "Direction of the point to go to from which on the vehicle turns on the spot.")
+              text = "Bearing of the navigation point above which the vehicle turns on the spot.")
           double spotTurnAbove,
       @Variable(
               unit = "deg",
               min = 1,
               max = 180,
               ifAbsent = 8,
-              text = "Direction of the point at which it has turned enough.")
+              text = "Bearing at which a turn on the spot ends.")
           double spotTurnBelow,
       @Variable(
               unit = "1/s",
               min = 0.1,
               max = 20,
               ifAbsent = 2,
-              text = "Yaw rate for each radian of direction.")
+              text = "Yaw rate per bearing in a turn on the spot.")
           double spotTurnGain,
       @Variable(
               unit = "1/s",
@@ -54,14 +54,13 @@ public final class DifferentialPursuitControl extends ControlSystem {
               max = 10,
               ifAbsent = 2,
               text =
-                  "Share of an error of the yaw rate that feedback takes out in a second while it turns on the spot; 0: no feedback.")
+                  "Share of a yaw-rate error that feedback corrects per second while turning on the spot; 0: no feedback.")
           double spotTurnFeedback,
       @Variable(
               min = 0,
               max = 10,
               ifAbsent = 2,
-              text =
-                  "Yaw rate commanded more for each deg/s by which the measured one falls short; 0: none.")
+              text = "Additional commanded yaw rate per yaw-rate error; 0: none.")
           double yawRateGain) {}
 
   private static final double FULL_PERCENT = 100.0;
@@ -81,15 +80,14 @@ public final class DifferentialPursuitControl extends ControlSystem {
 
   private PursuitSettings pursuitSettings() {
     Turning now = turning.get();
-    return tuning
-        .get()
-        .settings(
-            TIGHTEST,
-            new PursuitSettings.SpotTurn(
-                true,
-                Math.toRadians(now.spotTurnAbove()),
-                Math.toRadians(Math.min(now.spotTurnBelow(), now.spotTurnAbove())),
-                now.spotTurnGain()));
+    return new PursuitSettings(
+        tuning.get(),
+        TIGHTEST,
+        new PursuitSettings.SpotTurn(
+            true,
+            Math.toRadians(now.spotTurnAbove()),
+            Math.toRadians(Math.min(now.spotTurnBelow(), now.spotTurnAbove())),
+            now.spotTurnGain()));
   }
 
   /** Drives on with other gains and limits. */

@@ -1,9 +1,8 @@
 package org.u2sa.core.control.ground;
 
 /**
- * Which share of all that it can a motor must be commanded for a speed over ground: nothing moves
- * up to a certain one, as friction and the motor controller's dead band hold; from there the speed
- * grows evenly.
+ * The motor command for a ground speed, as a share of full: below a certain share friction and the
+ * motor controller's dead band hold the vehicle; above it, speed grows linearly.
  *
  * @param maxMps speed at the share of 1 [m/s]
  * @param startShare at which the vehicle begins to move, 0…1

@@ -57,7 +57,7 @@ final class GroundControl {
             : GroundTarget.seenFrom(then.get(), ned.get(), now, point.orElseThrow().speed());
     if (target.isPresent() != navigating) {
       navigating = target.isPresent();
-      control.log(navigating ? "drives" : "no navigation: stands");
+      control.log(navigating ? "driving" : "no navigation: stopped");
     }
     return target;
   }

@@ -4,9 +4,9 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * Notices that the motors give all that they can and the vehicle does not move as it is to: its
- * load is too much for them, the slope too steep, something holds it, or they are not fed. Such
- * motors burn, so it lets them rest. Belongs to one thread.
+ * Detects stalled motors: full command without the demanded motion, from too heavy a load, too
+ * steep a slope, an obstacle or no supply. Stalled motors burn, so it lets them rest. Belongs to
+ * one thread.
  */
 final class MotionWatch {
   private static final double FULL_EFFORT = 0.98;

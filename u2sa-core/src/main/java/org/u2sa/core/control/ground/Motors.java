@@ -5,13 +5,9 @@ import org.u2sa.interfaces.configuration.Variable;
 
 /** The two motors of a differential vehicle. */
 record Motors(
-    @Variable(
-            ifAbsentText = "LEFT MOTOR",
-            text = "Name of the actuator of the left side, forwards positive.")
+    @Variable(ifAbsentText = "LEFT MOTOR", text = "Actuator of the left side, forward positive.")
         String leftActuator,
-    @Variable(
-            ifAbsentText = "RIGHT MOTOR",
-            text = "Name of the actuator of the right side, forwards positive.")
+    @Variable(ifAbsentText = "RIGHT MOTOR", text = "Actuator of the right side, forward positive.")
         String rightActuator,
     @Variable(
             unit = "%",
@@ -19,7 +15,7 @@ record Motors(
             max = 95,
             ifAbsent = 80,
             text =
-                "Most by which feedback commands the weaker motor more and the stronger one less.")
+                "Maximum by which feedback raises the weaker motor's command and lowers the stronger one's.")
         double mismatchLimit) {
   Map<String, Double> neutral() {
     return Map.of(leftActuator, 0.0, rightActuator, 0.0);

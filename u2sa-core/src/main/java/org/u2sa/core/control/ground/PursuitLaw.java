@@ -61,7 +61,7 @@ final class PursuitLaw {
         approach(
             drive.speedMps(),
             wanted.speedMps(),
-            stepS * (slower ? settings.brakingMps2() : settings.accelerationMps2()));
+            stepS * (slower ? settings.tuning().braking() : settings.tuning().acceleration()));
     double yawRate = wanted.yawRateRadPerS();
     if (!turning && wanted.speedMps() > 0.0) {
       yawRate *= speed / wanted.speedMps(); // the same arc at the speed that it has
@@ -71,8 +71,8 @@ final class PursuitLaw {
             speed,
             approach(
                 drive.yawRateRadPerS(),
-                bounded(yawRate, settings.turnRateRadPerS()),
-                stepS * settings.turnAccelerationRadPerS2()));
+                bounded(yawRate, settings.tuning().turnRateRadPerS()),
+                stepS * settings.tuning().turnAccelerationRadPerS2()));
     return drive;
   }
 
@@ -82,7 +82,7 @@ final class PursuitLaw {
   }
 
   private Drive towards(GroundTarget target) {
-    arrived = target.distanceM() <= settings.toleranceM() * (arrived ? LEAVES_AFTER : 1.0);
+    arrived = target.distanceM() <= settings.tuning().tolerance() * (arrived ? LEAVES_AFTER : 1.0);
     if (arrived) {
       return stand();
     }
@@ -90,7 +90,7 @@ final class PursuitLaw {
     double bearing = target.bearingRad();
     turning = spot.possible() && Math.abs(bearing) > (turning ? spot.belowRad() : spot.aboveRad());
     if (turning) {
-      return new Drive(0.0, bounded(spot.gain() * bearing, settings.turnRateRadPerS()));
+      return new Drive(0.0, bounded(spot.gain() * bearing, settings.tuning().turnRateRadPerS()));
     }
     double curvature = curvature(target);
     double speed = speed(target, curvature);
@@ -107,12 +107,15 @@ final class PursuitLaw {
   }
 
   private double speed(GroundTarget target, double curvature) {
-    double cruise = target.speedMps().orElse(settings.cruiseMps());
-    double tightness = Math.abs(curvature) * settings.regulatedRadiusM();
+    double cruise = target.speedMps().orElse(settings.tuning().cruiseSpeed());
+    double tightness = Math.abs(curvature) * settings.tuning().regulatedRadius();
     double inCurve = tightness > 1.0 ? cruise / tightness : cruise; // eq. 5
-    double nearGoal = cruise * Math.min(1.0, target.distanceM() / settings.approachM()); // eq. 7
-    double wanted = Math.max(Math.min(inCurve, nearGoal), Math.min(settings.approachMps(), cruise));
-    double steerable = settings.turnRateRadPerS() / Math.abs(curvature); // on the arc, not outside
+    double nearGoal =
+        cruise * Math.min(1.0, target.distanceM() / settings.tuning().approachDistance()); // eq. 7
+    double wanted =
+        Math.max(Math.min(inCurve, nearGoal), Math.min(settings.tuning().approachSpeed(), cruise));
+    double steerable =
+        settings.tuning().turnRateRadPerS() / Math.abs(curvature); // on the arc, not outside
     return Math.min(wanted, steerable);
   }
 

@@ -9,8 +9,7 @@ record PursuitTuning(
             min = 0.05,
             max = 50,
             ifAbsent = 2,
-            text =
-                "Speed over ground at 100 %, straight ahead on the ground that is driven on; measured.")
+            text = "Measured ground speed at 100 %, straight ahead on the usual ground.")
         double maxSpeed,
     @Variable(
             unit = "%",
@@ -18,28 +17,18 @@ record PursuitTuning(
             max = 50,
             ifAbsent = 8,
             text =
-                "At which the vehicle begins to move: friction and the motor controller's dead band; measured.")
+                "Measured percentage at which the vehicle starts to move: friction and the motor controller's dead band.")
         double startPercentage,
     @Variable(
             unit = "m/s",
             min = 0.05,
             max = 20,
             ifAbsent = 1,
-            text = "Speed on a straight, unless the goal says one.")
+            text = "Speed on a straight, unless the goal sets one.")
         double cruiseSpeed,
-    @Variable(
-            unit = "m/s^2",
-            min = 0.05,
-            max = 10,
-            ifAbsent = 0.8,
-            text = "With which the vehicle gets faster.")
+    @Variable(unit = "m/s^2", min = 0.05, max = 10, ifAbsent = 0.8, text = "Maximum acceleration.")
         double acceleration,
-    @Variable(
-            unit = "m/s^2",
-            min = 0.05,
-            max = 10,
-            ifAbsent = 1.2,
-            text = "With which the vehicle gets slower.")
+    @Variable(unit = "m/s^2", min = 0.05, max = 10, ifAbsent = 1.2, text = "Maximum deceleration.")
         double braking,
     @Variable(
             unit = "m",
@@ -47,14 +36,14 @@ record PursuitTuning(
             max = 100,
             ifAbsent = 1,
             text =
-                "Distance to the point to go to from which on the vehicle slows down; less than the planner's LOOK AHEAD.")
+                "Distance from the navigation point at which the vehicle starts to slow down; less than the planner's LOOK AHEAD.")
         double approachDistance,
     @Variable(
             unit = "m/s",
             min = 0.01,
             max = 5,
             ifAbsent = 0.15,
-            text = "Least speed on the way to a point.")
+            text = "Minimum speed on the way to a point.")
         double approachSpeed,
     @Variable(
             unit = "m",
@@ -62,31 +51,25 @@ record PursuitTuning(
             max = 10,
             ifAbsent = 0.15,
             text =
-                "Distance at which the vehicle has arrived and stands; less than the thresholds of waypoints.")
+                "Distance from the point at which the vehicle stops; less than the waypoint thresholds.")
         double tolerance,
     @Variable(
             unit = "m",
             min = 0,
             max = 100,
             ifAbsent = 0.9,
-            text = "Curves of a smaller radius are driven slower, in proportion.")
+            text = "Curve radius below which speed falls in proportion.")
         double regulatedRadius,
-    @Variable(unit = "deg/s", min = 1, max = 720, ifAbsent = 70, text = "Most yaw rate.")
+    @Variable(unit = "deg/s", min = 1, max = 720, ifAbsent = 70, text = "Maximum yaw rate.")
         double turnRate,
-    @Variable(
-            unit = "deg/s^2",
-            min = 1,
-            max = 7200,
-            ifAbsent = 180,
-            text = "How fast the yaw rate may change.")
+    @Variable(unit = "deg/s^2", min = 1, max = 7200, ifAbsent = 180, text = "Yaw-rate slew limit.")
         double turnRateChange,
     @Variable(
             unit = "1/s",
             min = 0,
             max = 10,
             ifAbsent = 0.5,
-            text =
-                "Share of an error of the speed that feedback takes out in a second; 0: no feedback.")
+            text = "Share of a speed error that feedback corrects per second; 0: no feedback.")
         double speedGain,
     @Variable(
             unit = "1/s",
@@ -94,14 +77,14 @@ record PursuitTuning(
             max = 10,
             ifAbsent = 1,
             text =
-                "Share of an error of the yaw rate that feedback takes out in a second while driving; 0: no feedback.")
+                "Share of a yaw-rate error that feedback corrects per second while driving; 0: no feedback.")
         double turnGain,
     @Variable(
             unit = "s",
             min = 0,
             max = 5,
             ifAbsent = 0.3,
-            text = "How late the measured motion follows the commanded one, sensors included.")
+            text = "Lag of the measured motion behind the commanded one, including sensors.")
         double responseTime,
     @Variable(
             unit = "s",
@@ -109,14 +92,14 @@ record PursuitTuning(
             max = 60,
             ifAbsent = 3,
             text =
-                "How long motors at full power may hardly move the vehicle, before it is said and they rest.")
+                "Time that motors at full power may barely move the vehicle before they rest, with a warning.")
         double stallTime,
     @Variable(
             unit = "s",
             min = 0,
             max = 600,
             ifAbsent = 10,
-            text = "How long the motors rest then, before the vehicle tries again.")
+            text = "Time that stalled motors rest before the vehicle tries again.")
         double stallPause) {
   private static final double FULL_PERCENT = 100.0;
 
@@ -125,23 +108,13 @@ record PursuitTuning(
     return new DriveCalibration(maxSpeed, startPercentage / FULL_PERCENT);
   }
 
-  /**
-   * The law's gains and limits.
-   *
-   * @param largestCurvature that the vehicle can drive [1/m]
-   */
-  PursuitSettings settings(double largestCurvature, PursuitSettings.SpotTurn spotTurn) {
-    return new PursuitSettings(
-        cruiseSpeed,
-        acceleration,
-        braking,
-        approachDistance,
-        approachSpeed,
-        tolerance,
-        regulatedRadius,
-        largestCurvature,
-        Math.toRadians(turnRate),
-        Math.toRadians(turnRateChange),
-        spotTurn);
+  /** Maximum yaw rate [rad/s]. */
+  double turnRateRadPerS() {
+    return Math.toRadians(turnRate);
+  }
+
+  /** Maximum rate of change of the yaw rate [rad/s²]. */
+  double turnAccelerationRadPerS2() {
+    return Math.toRadians(turnRateChange);
   }
 }

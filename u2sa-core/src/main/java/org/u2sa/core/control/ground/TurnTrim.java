@@ -36,7 +36,7 @@ final class TurnTrim {
    * @param demanded what the motors are told
    * @param error of the same quantity, demanded less measured; empty if unknown
    * @param atFullPower whether the motors give all that they can: more would only be wound up
-   * @param gain the share of an error taken out in a second [1/s]; 0: no feedback
+   * @param gain share of an error corrected per second [1/s]; 0: no feedback
    * @param most of demanded and trim together, either way
    */
   double step(

@@ -33,7 +33,7 @@ final class WheelBalance {
    *
    * @param proportional yaw rate commanded more for each rad/s that is lacking
    * @param smoothingS over which an error is averaged for that [s]
-   * @param driving the share of an error taken out in a second [1/s]; 0: no feedback
+   * @param driving share of an error corrected per second [1/s]; 0: no feedback
    * @param turning the same of turns on the spot [1/s]
    * @param mostMismatch 0…1
    * @param sharePerRadPerS by which each motor must be commanded more for a yaw rate

@@ -1,10 +1,10 @@
 package org.u2sa.core.control.ground;
 
 /**
- * What the motors of the two sides of a differential vehicle are commanded.
+ * Motor commands of the two sides of a differential vehicle.
  *
- * @param left share of all that the motor can, forwards positive
- * @param right share of all that the motor can, forwards positive
+ * @param left share of full, forward positive
+ * @param right share of full, forward positive
  */
 record WheelShares(double left, double right) {
   /** What both motors together ask for by what they can: more than 1 if one cannot. */

@@ -3,28 +3,35 @@ package org.u2sa.core.control.ground;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.service.HandOver;
 
 class PursuitLawTest {
   private static final double STEP_S = 0.1;
   private static final PursuitSettings SETTINGS =
       new PursuitSettings(
-          1.0,
-          0.5,
-          1.0,
-          1.0,
-          0.1,
-          0.15,
-          0.9,
+          tuning(1.2, 0.9),
           10.0,
-          1.2,
-          2.0,
           new PursuitSettings.SpotTurn(true, Math.toRadians(50.0), Math.toRadians(10.0), 2.0));
 
   private final PursuitLaw law = new PursuitLaw(SETTINGS);
+
+  private static PursuitTuning tuning(double turnRateRadPerS, double regulatedRadiusM) {
+    Map<String, Object> values =
+        Map.of(
+            "CRUISE SPEED", 1.0,
+            "ACCELERATION", 0.5,
+            "BRAKING", 1.0,
+            "APPROACH SPEED", 0.1,
+            "REGULATED RADIUS", regulatedRadiusM,
+            "TURN RATE", Math.toDegrees(turnRateRadPerS),
+            "TURN RATE CHANGE", Math.toDegrees(2.0));
+    return XmlConfiguration.inMemory("test", values).settings(PursuitTuning.class).get();
+  }
 
   private static Optional<GroundTarget> at(double forwardM, double leftM) {
     return Optional.of(new GroundTarget(forwardM, leftM, OptionalDouble.empty()));
@@ -100,9 +107,7 @@ class PursuitLawTest {
   @Test
   void step_pointBehindAVehicleThatCannotTurnOnTheSpot_drivesItsTightestCurve() {
     PursuitLaw car =
-        new PursuitLaw(
-            new PursuitSettings(
-                1.0, 0.5, 1.0, 1.0, 0.1, 0.15, 0.0, 0.5, 1.0, 2.0, PursuitSettings.SpotTurn.NONE));
+        new PursuitLaw(new PursuitSettings(tuning(1.0, 0.0), 0.5, PursuitSettings.SpotTurn.NONE));
     Drive drive = Drive.STANDING;
     for (int i = 0; i < 100; i++) {
       drive = car.step(at(-3.0, -0.1), STEP_S);

@@ -28,14 +28,14 @@ class CessnaControlTest {
 
   @Test
   void tuning_ofTheShippedFile_isThatOfTheDeclaredDefaults() {
-    Tuning declared = GuidanceVariables.tuning(XmlConfiguration.inMemory("none", Map.of()));
+    Tuning declared = Tuning.in(XmlConfiguration.inMemory("none", Map.of())).get();
     assertThat(TestTuning.standard().toString()).isEqualTo(declared.toString());
   }
 
   @Test
   void refuseUndeclared_shippedFile_passes() {
     XmlConfiguration file = XmlConfiguration.load(TestTuning.FILE);
-    GuidanceVariables.tuning(file);
+    Tuning.in(file);
     file.getVariable(
         org.u2sa.interfaces.configuration.VariableDeclaration.number("STALE AFTER", "s"));
     file.getVariable(

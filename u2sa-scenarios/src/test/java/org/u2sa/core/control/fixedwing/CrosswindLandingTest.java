@@ -160,7 +160,7 @@ class CrosswindLandingTest {
     assertThat(state().heightM()).isGreaterThan(60.0);
     assertThat(autopilot.phase()).isEqualTo(FlightPhase.GO_AROUND);
     assertThat(autopilot.refusalWords())
-        .startsWith("does not land: ")
+        .startsWith("not landing: ")
         .contains("m/s of wind from the right across the approach, MAX CROSSWIND is 15.0 m/s");
   }
 

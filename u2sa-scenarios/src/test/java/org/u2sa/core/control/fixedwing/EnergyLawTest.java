@@ -37,8 +37,8 @@ class EnergyLawTest {
   void step_tooLowAndTooFastByTheSameEnergyRate_movesPitchAndLeavesThrottle() {
     EnergyParameters p = TestTuning.standard().energy();
     double climb = 1.0; // demanded climb that equals the demanded loss of speed in energy
-    double up = climb * p.altitudeTimeConstantS();
-    double slower = climb / 43.0 * 9.80665 * p.speedTimeConstantS();
+    double up = climb * p.altitudeTimeConstant();
+    double slower = climb / 43.0 * 9.80665 * p.speedTimeConstant();
     EnergyLaw.Command command =
         run(States.level().now(), demand(300.0 + up, 43.0 - slower), 0.0, 40);
     assertThat(command.throttle()).isCloseTo(0.6, within(0.05));
@@ -73,7 +73,7 @@ class EnergyLawTest {
   void step_throttle_movesNoFasterThanItsRate() {
     double before = run(States.level().now(), demand(300.0, 43.0), 0.0, 1).throttle();
     double after = run(States.level().now(), demand(600.0, 60.0), 0.0, 1).throttle();
-    double rate = TestTuning.standard().energy().throttleRate();
+    double rate = TestTuning.standard().energy().throttleRateLimit();
     assertThat(after - before).isBetween(0.0, rate * DT_S + 1e-12);
   }
 

@@ -60,7 +60,7 @@ final class SimulatedFlight {
   /** Flies for that long at most [s]. */
   FlightScore fly(double longestS) {
     int late = (int) Math.round(loop.delayS() * loop.rateHz());
-    ControlInputs now = inputs(Surfaces.parked());
+    ControlInputs now = inputs(new Surfaces(0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0));
     for (int i = 0; i < late; i++) {
       underWay.add(now);
     }

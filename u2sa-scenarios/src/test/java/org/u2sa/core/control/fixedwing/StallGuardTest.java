@@ -6,8 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 
 class StallGuardTest {
-  private final StallGuard guard =
-      new StallGuard(new StallGuard.Parameters(26.2, 1.2, 4.0, Math.toRadians(12.0)));
+  private final StallGuard guard = new StallGuard(TestTuning.standard().guidance());
 
   @Test
   void leastSpeed_bankOf60Degrees_growsWithTheRootOfLoadFactorTwo() {

@@ -12,6 +12,6 @@ final class TestTuning {
   private TestTuning() {}
 
   static Tuning standard() {
-    return GuidanceVariables.tuning(XmlConfiguration.load(FILE));
+    return Tuning.in(XmlConfiguration.load(FILE)).get();
   }
 }

@@ -3,8 +3,10 @@ package org.u2sa.core.control.fixedwing;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Map;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
@@ -19,14 +21,7 @@ class ThesisLawTest {
 
   private final ThesisLaw law =
       new ThesisLaw(
-          new ThesisLaw.Parameters(
-              ThesisControl.DIRECTION_GAIN.ifAbsent().orElseThrow(),
-              Math.toRadians(ThesisControl.DIRECTION_LIMIT.ifAbsent().orElseThrow()),
-              ThesisControl.BANK_GAIN.ifAbsent().orElseThrow(),
-              ThesisControl.ALTITUDE_GAIN.ifAbsent().orElseThrow(),
-              ThesisControl.PITCH_GAIN.ifAbsent().orElseThrow(),
-              Math.toRadians(ThesisControl.LEVEL_PITCH.ifAbsent().orElseThrow()),
-              ThesisControl.CRUISE_THROTTLE.ifAbsent().orElseThrow()));
+          XmlConfiguration.inMemory("none", Map.of()).settings(ThesisLaw.Parameters.class).get());
 
   @Test
   void differential_isScaledBetween10And1000Feet() {

@@ -1,0 +1,49 @@
+package org.u2sa.core.communication;
+
+import org.u2sa.interfaces.configuration.Variable;
+
+/** The variables of the {@link CommunicationManager}, its limits and security aside. */
+public record ManagerSettings(
+    @Variable(
+            oneOf = {"embedded", "external", "none"},
+            ifAbsentText = "embedded",
+            text =
+                "embedded: a broker in this process; external: another MQTT broker; none: this process only.")
+        String broker,
+    @Variable(
+            ifAbsentText = "127.0.0.1",
+            text =
+                "Address on which the embedded broker listens; 0.0.0.0 opens it to the network, which requires SECURITY DIRECTORY.")
+        String bindAddress,
+    @Variable(
+            ifAbsentText = "localhost",
+            text =
+                "Host of the external broker; auto: the one that announces itself by mDNS for this system.")
+        String communicationManagerIp,
+    @Variable(min = 1, max = 65_535, ifAbsent = 1883, text = "TCP port of either kind of broker.")
+        int communicationManagerPort,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 3600,
+            ifAbsent = 0,
+            text =
+                "Time to wait at the start for an external broker, so that hosts may start in any order.")
+        double communicationManagerWait,
+    @Variable(
+            oneOf = {"auto", "yes", "no"},
+            ifAbsentText = "auto",
+            text =
+                "Whether the embedded broker announces itself by mDNS; auto: if it listens on a network.")
+        String announce) {
+  /** Name of the variable {@link #broker}. */
+  public static final String BROKER = "BROKER";
+
+  /** Name of the variable {@link #communicationManagerPort}. */
+  public static final String PORT = "COMMUNICATION MANAGER PORT";
+
+  boolean announces() {
+    return announce.equals("yes")
+        || announce.equals("auto") && !BrokerSecurity.isLoopback(bindAddress);
+  }
+}

@@ -1,0 +1,89 @@
+package org.u2sa.core.safety;
+
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.OperatorHeartbeat;
+import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.schema.U2SAData;
+
+/** Whether somebody who reports at intervals is still heard. */
+final class HeartbeatWatch implements Watch {
+  /** What is expected: from whom, whether at all before the first was heard, how often [s]. */
+  private record Expected(String who, boolean required, double deadlineS) {}
+
+  private final Hazard hazard;
+  private final Supplier<Expected> expected;
+  private final BiFunction<U2SAData, Expected, Optional<String>> sender;
+  private String heard = "";
+  private long heardMicros = -1; // by this clock: the sender's own may differ
+
+  private HeartbeatWatch(
+      Hazard hazard,
+      Supplier<Expected> expected,
+      BiFunction<U2SAData, Expected, Optional<String>> sender) {
+    this.hazard = hazard;
+    this.expected = expected;
+    this.sender = sender;
+  }
+
+  /** The link to the operators: any of them keeps it alive. */
+  static HeartbeatWatch ofOperators(Supplier<SafetySettings> settings) {
+    return new HeartbeatWatch(
+        Hazard.OPERATOR,
+        () ->
+            new Expected(
+                "operator", settings.get().operatorRequired(), settings.get().operatorDeadline()),
+        (message, expected) ->
+            message instanceof OperatorHeartbeat heartbeat
+                ? Optional.of("\"" + heartbeat.operator() + "\"")
+                : Optional.empty());
+  }
+
+  /** The health monitor, which watches all services but itself. */
+  static HeartbeatWatch ofMonitor(Supplier<SafetySettings> settings) {
+    return new HeartbeatWatch(
+        Hazard.HEALTH_MONITOR,
+        () ->
+            new Expected(
+                settings.get().healthMonitorService(),
+                settings.get().healthMonitorRequired(),
+                settings.get().healthMonitorDeadline()),
+        (message, expected) ->
+            message instanceof HealthReport report
+                    && report.status() == ServiceStatus.RUNNING
+                    && report.serviceName().equals(expected.who())
+                ? Optional.of(report.serviceName())
+                : Optional.empty());
+  }
+
+  @Override
+  public Hazard hazard() {
+    return hazard;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    sender
+        .apply(message, expected.get())
+        .ifPresent(
+            who -> {
+              heard = who;
+              heardMicros = nowMicros;
+            });
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    Expected now = expected.get();
+    if (heardMicros < 0) {
+      return now.required() ? Optional.of("no " + now.who() + " heard") : Optional.empty();
+    }
+    double silentS = Clock.seconds(nowMicros - heardMicros);
+    return silentS > now.deadlineS()
+        ? Optional.of(heard + " silent for " + Words.seconds(silentS))
+        : Optional.empty();
+  }
+}

@@ -1,0 +1,161 @@
+package org.u2sa.core.safety;
+
+import org.u2sa.interfaces.configuration.Variable;
+
+/** The configuration variables of the {@link SafetyManager}, except the matrix ({@link Hazard}). */
+record SafetySettings(
+    @Variable(
+            unit = "s",
+            min = 0.05,
+            max = 3600,
+            ifAbsent = 5,
+            text = "Time without an operator's heartbeat after which the link counts as lost.")
+        double operatorDeadline,
+    @Variable(
+            ifAbsentText = "false",
+            text =
+                "Whether arming requires an operator; otherwise the link counts from the first heartbeat.")
+        boolean operatorRequired,
+    @Variable(
+            unit = "s",
+            min = 0.05,
+            max = 3600,
+            ifAbsent = 1,
+            text = "Age at which the state estimate counts as absent.")
+        double stateDeadline,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 50,
+            text =
+                "Standard deviation of x or y above which the position counts as lost; a state without one is trusted.")
+        double positionSigmaLimit,
+    @Variable(ifAbsentText = "StateEstimator", text = "Service that estimates the vehicle's state.")
+        String estimatorService,
+    @Variable(
+            ifAbsentText = "",
+            text = "Services whose failure is the loss of the actuator link, separated by commas.")
+        String actuatorServices,
+    @Variable(
+            unit = "s",
+            min = 0.1,
+            max = 3600,
+            ifAbsent = 2,
+            text =
+                "Time for which a service's actuators must refuse every command, while armed, to count as a failure.")
+        double refusalTime,
+    @Variable(ifAbsentText = "HealthMonitor", text = "Name of the health monitor.")
+        String healthMonitorService,
+    @Variable(
+            unit = "s",
+            min = 0.05,
+            max = 3600,
+            ifAbsent = 4,
+            text = "Time without a report from the health monitor after which it counts as lost.")
+        double healthMonitorDeadline,
+    @Variable(
+            ifAbsentText = "false",
+            text =
+                "Whether arming requires a health monitor; otherwise it counts from its first report.")
+        boolean healthMonitorRequired,
+    @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Low-battery threshold; 0: not monitored.")
+        double lowBatteryVoltage,
+    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0, text = "Low-battery charge; 0: off.")
+        double lowBatteryRemaining,
+    @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Critical voltage; 0: not monitored.")
+        double criticalBatteryVoltage,
+    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0, text = "Critical charge; 0: off.")
+        double criticalBatteryRemaining,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 3600,
+            ifAbsent = 10,
+            text = "Time for which a battery must be below a threshold: voltage sags under load.")
+        double batteryTime,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 3600,
+            ifAbsent = 3,
+            text = "Time for which a cause must be gone before it no longer counts.")
+        double clearAfter,
+    @Variable(
+            ifAbsentText = "false",
+            text =
+                "Whether RETURN and LAND end with their causes, except the fence; otherwise they last until an operator arms again.")
+        boolean resume,
+    @Variable(
+            unit = "s",
+            min = 0.1,
+            max = 3600,
+            ifAbsent = 1,
+            text = "Interval at which unchanged states are published again.")
+        double repeatInterval,
+    @Variable(ifAbsentText = "false", text = "Whether to arm once, as soon as all checks pass.")
+        boolean armAtStart,
+    @Variable(ifAbsentText = "true", text = "Whether arming requires a goal.")
+        boolean missionRequired,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Actuators that must have announced themselves before arming, separated by commas; empty: any one.")
+        String requiredActuators,
+    @Variable(ifAbsentText = "", text = "Geofence XML file, relative to this one; empty: none.")
+        String fence,
+    @Variable(
+            oneOf = {"BRAKE", "TURN"},
+            ifAbsentText = "BRAKE",
+            text =
+                "How the vehicle stays inside the fence: it BRAKEs or, like an aircraft, TURNs to either side.")
+        String fenceManoeuvre,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 60,
+            ifAbsent = 1,
+            text = "Time from the failsafe until the vehicle brakes or turns.")
+        double reactionTime,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 1,
+            text = "Deceleration when stopping before the fence.")
+        double braking,
+    @Variable(
+            unit = "rad",
+            min = 0.01,
+            max = 1.4,
+            ifAbsent = 0.4,
+            text = "Bank of the turn away from the fence.")
+        double turnBank,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "The planner's LOITER RADIUS: if ON FENCE is HOLD, the vehicle acts while there is still room for this circle.")
+        double holdRadius,
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0, text = "Wind towards the fence to allow for.")
+        double windAllowance,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.8,
+            text =
+                "Acceleration with which a climb ends below the ceiling, or a descent above the floor.")
+        double verticalAcceleration,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text = "Margin by which the fence is drawn in on all sides, for position errors.")
+        double fenceMargin) {
+  /** Names of the variables that name the fence and change it. */
+  static final String FENCE = "FENCE";
+
+  static final String FENCE_MARGIN = "FENCE MARGIN";
+}
