@@ -65,7 +65,7 @@ public final class DeviceWatch {
     }
     told = Optional.of(isConnected);
     if (isConnected) {
-      service.log(device + " is there");
+      service.log(device + " is connected");
     } else {
       service.trouble(device + " is lost: " + link.trouble());
     }
@@ -76,7 +76,10 @@ public final class DeviceWatch {
     if (isSilent && wasHeard) {
       wasHeard = false;
       service.trouble(
-          device + " says nothing readable for more than " + Clock.seconds(silentMicros) + " s");
+          device
+              + " has sent nothing readable for more than "
+              + Clock.seconds(silentMicros)
+              + " s");
     }
   }
 
@@ -89,7 +92,7 @@ public final class DeviceWatch {
     heardMicros = nowMicros;
     if (!wasHeard) {
       wasHeard = true;
-      service.log(device + " speaks again");
+      service.log(device + " sends again");
     }
   }
 
@@ -108,7 +111,7 @@ public final class DeviceWatch {
    */
   public void malformed(long total) {
     if (Long.highestOneBit(total) > Long.highestOneBit(malformed)) {
-      service.trouble(device + " sent what cannot be read (" + total + " times so far)");
+      service.trouble(device + " sent unreadable data (" + total + " times so far)");
     }
     malformed = total;
   }

@@ -3,7 +3,6 @@ package org.u2sa.device;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ActuatorCommand;
@@ -30,6 +29,9 @@ public final class WheelMotors extends PeriodicService {
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SILENT_AFTER_S = 0.5;
   private static final double FULL_PERCENT = 100.0;
+  private static final Devices.Usual USUAL =
+      new Devices.Usual(
+          "motor controller", "CONTROLLER", "ROBOCLAW", "serial:/dev/ttyACM0?baud=115200");
   private static final String LEFT_SLEW = "LEFT SLEW";
   private static final String RIGHT_SLEW = "RIGHT SLEW";
 
@@ -64,25 +66,22 @@ public final class WheelMotors extends PeriodicService {
 
   private WheelMotors(ServiceContext context, Optional<MotorController> made) {
     super(context, ServiceRole.ACTUATOR, "WheelMotors", STEPS_PER_S);
-    leftName = getVariable(WheelVariables.LEFT_NAME);
-    rightName = getVariable(WheelVariables.RIGHT_NAME);
-    if (leftName.equals(rightName)) {
-      throw new BadInputException("LEFT ACTUATOR and RIGHT ACTUATOR are both \"" + leftName + "\"");
-    }
-    leftIsSecond = getVariable(WheelVariables.LEFT_IS_SECOND);
-    leftSign = getVariable(WheelVariables.LEFT_REVERSED) ? -1.0 : 1.0;
-    rightSign = getVariable(WheelVariables.RIGHT_REVERSED) ? -1.0 : 1.0;
-    dutyPerPercent = getVariable(WheelVariables.FULL_DUTY) / FULL_PERCENT;
+    WheelVariables variables = settings(WheelVariables.class).get();
+    leftName = variables.leftActuator();
+    rightName = variables.rightActuator();
+    leftIsSecond = variables.leftIsSecond();
+    leftSign = variables.leftReversed() ? -1.0 : 1.0;
+    rightSign = variables.rightReversed() ? -1.0 : 1.0;
+    dutyPerPercent = variables.fullDuty() / FULL_PERCENT;
     commands = new CommandedActuators(this, Set.of(leftName, rightName));
-    leftSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
-    rightSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
-    odometry = WheelVariables.odometry(this);
-    stateEveryMicros = Clock.micros(1.0 / getVariable(WheelVariables.STATE_RATE));
+    leftSlew = new SlewLimit(variables.slewLimit());
+    rightSlew = new SlewLimit(variables.slewLimit());
+    odometry = variables.odometry();
+    stateEveryMicros = Clock.micros(1.0 / variables.stateRate());
     registerPublisher(Channels.SENSED_STATE);
     registerPublisher(Channels.POWER);
-    getVariable(WheelVariables.CONNECTION);
-    goesOnMicros = Clock.micros(getVariable(WheelVariables.SERIAL_TIMEOUT));
-    controller = Devices.open(MotorController.class, WheelVariables.CONTROLLER, context, made);
+    goesOnMicros = Clock.micros(variables.serialTimeout());
+    controller = Devices.open(MotorController.class, USUAL, context, made);
     reader = new DeviceReader<>(this, "the motor controller", controller, SILENT_AFTER_S);
   }
 

@@ -134,8 +134,8 @@ public abstract class U2SAService extends Thread
   }
 
   @Override
-  public final <T> Settings<T> settings(Class<T> record) {
-    return context.configuration().settings(record);
+  public final <T> Settings<T> settings(Class<T> record, String prefix) {
+    return context.configuration().settings(record, prefix);
   }
 
   @Override

@@ -61,37 +61,21 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
   private MavlinkAutopilot(ServiceContext context, Optional<ByteLink> given) {
     super(context, "MavlinkAutopilot", STEPS_PER_S);
     registerPublisher(Channels.POWER);
-    form = MavlinkVariables.form(this);
+    MavlinkVariables variables = settings(MavlinkVariables.class).get();
+    form = variables.form(this);
     Set<String> names = new LinkedHashSet<>();
     form.axes().forEach(axis -> names.add(axis.name()));
     commands = new CommandedActuators(this, names);
     output =
         new AutopilotCommands(
-            form,
-            1.0 / getVariable(MavlinkVariables.COMMAND_RATE),
-            getVariable(MavlinkVariables.NEUTRAL_TIME),
-            this::send);
-    stream =
-        new MavlinkStream(
-            getVariable(MavlinkVariables.OWN_SYSTEM), getVariable(MavlinkVariables.OWN_COMPONENT));
-    peer =
-        new AutopilotPeer(
-            getVariable(MavlinkVariables.SYSTEM),
-            getVariable(MavlinkVariables.STATE_RATE),
-            this::send);
-    state = new AutopilotState(getVariable(MavlinkVariables.STALE_AFTER));
+            form, 1.0 / variables.commandRate(), variables.neutralTime(), this::send);
+    stream = new MavlinkStream(variables.ownSystem(), variables.ownComponent());
+    peer = new AutopilotPeer(variables.autopilotSystem(), variables.stateRate(), this::send);
+    state = new AutopilotState(variables.staleAfter());
     positionName = sensorName() + " position";
     power = new AutopilotPower(sensorName());
-    double timeoutS = getVariable(MavlinkVariables.HEARTBEAT_TIMEOUT);
-    String address = getVariable(MavlinkVariables.CONNECTION);
-    link =
-        given.orElseGet(
-            () ->
-                ByteLinks.open(
-                    address,
-                    context.clock(),
-                    path -> context.configuration().resolve(path.toString())));
-    watch = new DeviceWatch(this, "the autopilot", link, timeoutS);
+    link = given.orElseGet(() -> ByteLinks.of(context));
+    watch = new DeviceWatch(this, "the autopilot", link, variables.heartbeatTimeout());
   }
 
   private void send(Object message) {

@@ -18,39 +18,33 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 
 /**
  * As whom and how a client comes to the Communication Manager: user, password and encryption.
  * Immutable; the files are read once, when it is made.
  */
 public final class BrokerAccess {
-  /** Name of the user; empty: none is said. */
-  public static final VariableDeclaration<String> USER =
-      VariableDeclaration.text("USER")
-          .ifAbsent("")
-          .describedAs(
-              "User at the Communication Manager, if it runs in another process; empty: none.");
-
-  /** File whose first line is the user's password. */
-  public static final VariableDeclaration<String> PASSWORD_FILE =
-      VariableDeclaration.text("PASSWORD FILE")
-          .ifAbsent("")
-          .describedAs("File whose first line is USER's password.");
-
-  /** Whether the connection is encrypted. */
-  public static final VariableDeclaration<Boolean> TLS =
-      VariableDeclaration.flag("TLS")
-          .ifAbsent(false)
-          .describedAs(
-              "Whether the way to the Communication Manager in another process is encrypted.");
-
-  /** Certificates of the authorities whose brokers are trusted. */
-  public static final VariableDeclaration<String> CA_FILE =
-      VariableDeclaration.text("CA FILE")
-          .ifAbsent("")
-          .describedAs(
-              "Certificates (PEM) of whom to trust with TLS, which it switches on; empty: those that Java trusts.");
+  /** How a client of a Communication Manager in another process logs in. */
+  public record Login(
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "User at the Communication Manager, if it runs in another process; empty: none.")
+          String user,
+      @Variable(ifAbsentText = "", text = "File whose first line is USER's password.")
+          String passwordFile,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether the connection to a Communication Manager in another process is encrypted.")
+          boolean tls,
+      @Variable(
+              name = "CA FILE",
+              ifAbsentText = "",
+              text =
+                  "Trusted authorities' certificates (PEM), which switches TLS on; empty: those that Java trusts.")
+          String authority) {}
 
   private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);
 
@@ -70,16 +64,13 @@ public final class BrokerAccess {
   }
 
   /**
-   * Reads {@link #USER}, {@link #PASSWORD_FILE}, {@link #TLS} and {@link #CA_FILE}.
+   * Access as the variables of {@link Login} say.
    *
    * @throws BadInputException if a file is missing or wrong, or they contradict each other
    */
   public static BrokerAccess configured(Configurator configuration) {
-    return of(
-        configuration.getVariable(USER),
-        configuration.getVariable(PASSWORD_FILE),
-        configuration.getVariable(TLS),
-        configuration.getVariable(CA_FILE));
+    Login login = configuration.settings(Login.class).get();
+    return of(login.user(), login.passwordFile(), login.tls(), login.authority());
   }
 
   /**

@@ -136,8 +136,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   @Override
-  public <T> Settings<T> settings(Class<T> record) {
-    return new Settings<>(values, RecordBinding.of(record));
+  public <T> Settings<T> settings(Class<T> record, String prefix) {
+    return new Settings<>(values, RecordBinding.of(record, prefix));
   }
 
   /**
