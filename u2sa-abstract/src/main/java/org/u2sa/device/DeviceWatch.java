@@ -108,10 +108,16 @@ public final class DeviceWatch {
    * the log.
    *
    * @param total since the start
+   * @param why the last one could not be read; empty if that is not known
    */
-  public void malformed(long total) {
+  public void malformed(long total, String why) {
     if (Long.highestOneBit(total) > Long.highestOneBit(malformed)) {
-      service.trouble(device + " sent unreadable data (" + total + " times so far)");
+      service.trouble(
+          device
+              + " sent unreadable data ("
+              + total
+              + " times so far)"
+              + (why.isEmpty() ? "" : ", last: " + why));
     }
     malformed = total;
   }

@@ -123,7 +123,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
     while ((count = link.read(buffer)) > 0) {
       stream.accept(buffer, count, message -> take(message, now));
     }
-    watch.malformed(stream.malformed() + state.refused());
+    watch.malformed(stream.malformed() + state.refused(), "");
     boolean isHeard = watch.isHeard(now);
     peer.step(isHeard, now);
     peer.target()

@@ -43,7 +43,7 @@ class DeviceWatchTest {
         if (buffer[i] == 'a') {
           watch.heard(now);
         } else {
-          watch.malformed(++malformed);
+          watch.malformed(++malformed, "noise");
         }
       }
     }
@@ -96,7 +96,7 @@ class DeviceWatchTest {
     link.fromDevice((byte) 'a');
     kit.advance(0.2);
     List<String> log = kit.log("Listener");
-    assertThat(log.stream().filter(line -> line.contains("says nothing"))).hasSize(1);
+    assertThat(log.stream().filter(line -> line.contains("sent nothing"))).hasSize(1);
     assertThat(log).anySatisfy(line -> assertThat(line).contains("the sonar sends again"));
   }
 
@@ -127,8 +127,8 @@ class DeviceWatchTest {
   @Test
   void malformed_flood_isSaidAtPowersOfTwo() {
     link.fromDevice(new byte[60]);
-    assertThat(lastError()).hasValue("the sonar sent unreadable data (32 times so far)");
-    assertThat(kit.log("Listener").stream().filter(line -> line.contains("cannot be read")))
-        .hasSize(6);
+    assertThat(lastError())
+        .hasValue("the sonar sent unreadable data (32 times so far), last: noise");
+    assertThat(kit.log("Listener").stream().filter(line -> line.contains("unreadable"))).hasSize(6);
   }
 }

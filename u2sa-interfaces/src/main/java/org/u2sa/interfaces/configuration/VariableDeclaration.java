@@ -8,9 +8,9 @@ import java.util.Optional;
 
 /**
  * What a service says about one of its configuration variables: name, type, unit, range, default
- * and meaning. A record with {@link Variable}s says it shorter; where a record does not do, this is
- * declared as {@code static final} in the service's class, where the configuration reference finds
- * it too. Immutable: each call returns a new one.
+ * and meaning. A record with {@link Variable}s says it shorter; this is for what is known only when
+ * the service runs, such as a default that a subclass gives. Immutable: each call returns a new
+ * one.
  *
  * <pre>{@code
  * static final VariableDeclaration<Double> GAIN =

@@ -223,20 +223,6 @@ public final class XmlConfiguration implements Configurator {
     return changes.revision();
   }
 
-  /**
-   * Why {@link #setVariable} would refuse this value or text; empty if it would try to write it.
-   */
-  public Optional<String> reasonOfRefusal(String variableName, Object valueOrText) {
-    try {
-      ConfigurationValues now = values.get(ConfigurationValues::copy);
-      now.value(variableName); // there is one
-      now.bound(variableName, now.stated(variableName)).checked(valueOrText);
-      return Optional.empty();
-    } catch (ConfigurationException e) {
-      return Optional.of(e.getMessage());
-    }
-  }
-
   @Override
   public ArrayList<Map.Entry<String, Object>> enumerateFields() {
     return values.get(ConfigurationValues::enumerated);
