@@ -1,14 +1,13 @@
 package org.u2sa.device;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
@@ -25,7 +24,6 @@ import org.u2sa.service.ServiceRole;
  */
 public final class WheelMotors extends PeriodicService {
   private static final double STEPS_PER_S = 100.0;
-  private static final double ANNOUNCE_EVERY_S = 5.0;
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SILENT_AFTER_S = 0.5;
   private static final double FULL_PERCENT = 100.0;
@@ -51,7 +49,6 @@ public final class WheelMotors extends PeriodicService {
   private final long goesOnMicros; // how long the motors run on without being told to
   private long turningUntilMicros = Long.MIN_VALUE; // taken over, not heard of yet
   private long stateDueMicros;
-  private double announceDueS;
   private double batteryDueS;
 
   /** Called by the launcher: the controller is the one that the configuration names. */
@@ -73,7 +70,7 @@ public final class WheelMotors extends PeriodicService {
     leftSign = variables.leftReversed() ? -1.0 : 1.0;
     rightSign = variables.rightReversed() ? -1.0 : 1.0;
     dutyPerPercent = variables.fullDuty() / FULL_PERCENT;
-    commands = new CommandedActuators(this, Set.of(leftName, rightName));
+    commands = new CommandedActuators(this, Set.of(leftName, rightName), this::stopNow);
     leftSlew = new SlewLimit(variables.slewLimit());
     rightSlew = new SlewLimit(variables.slewLimit());
     odometry = variables.odometry();
@@ -85,24 +82,20 @@ public final class WheelMotors extends PeriodicService {
     reader = new DeviceReader<>(this, "the motor controller", controller, SILENT_AFTER_S);
   }
 
-  private void announce(double nowS) {
-    announce(leftName, "drives the left wheel forward");
-    announce(rightName, "drives the right wheel forward");
-    announceDueS = nowS + ANNOUNCE_EVERY_S;
-  }
-
-  private void announce(String name, String effect) {
-    commands.announce(
-        new ActuatorAnnouncement()
-            .actuatorName(name)
-            .minimum(-FULL_PERCENT)
-            .maximum(FULL_PERCENT)
-            .effect(effect));
+  private static ActuatorAnnouncement wheel(String name, String effect) {
+    return new ActuatorAnnouncement()
+        .actuatorName(name)
+        .minimum(-FULL_PERCENT)
+        .maximum(FULL_PERCENT)
+        .effect(effect);
   }
 
   @Override
   protected void begin() {
-    announce(nowS());
+    commands.announce(
+        List.of(
+            wheel(leftName, "drives the left wheel forward"),
+            wheel(rightName, "drives the right wheel forward")));
     if (commands.isCommanded()) {
       turningUntilMicros = clock().micros() + goesOnMicros;
     } else {
@@ -110,16 +103,9 @@ public final class WheelMotors extends PeriodicService {
     }
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      commands.obey(command);
-    } else if (!commands.heed(data)) {
-      unexpected(data);
-    } else if (!commands.mayMove()) {
-      rest(clock().micros());
-      controller.stop(clock().micros()); // an emergency stop does not wait for the next step
-    }
+  private void stopNow() {
+    rest(clock().micros());
+    controller.stop(clock().micros());
   }
 
   @Override
@@ -131,9 +117,7 @@ public final class WheelMotors extends PeriodicService {
       lost(now);
     }
     counts.ifPresent(news -> use(news, nowS));
-    if (nowS >= announceDueS) {
-      announce(nowS);
-    }
+    commands.step(nowS);
   }
 
   private void drive(long nowMicros) {

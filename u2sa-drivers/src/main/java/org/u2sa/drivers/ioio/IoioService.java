@@ -10,9 +10,7 @@ import org.u2sa.drivers.motor.PulseOutput;
 import org.u2sa.drivers.rc.RcSwitch;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -29,7 +27,6 @@ import org.u2sa.service.ServiceContext;
  */
 public final class IoioService extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
-  private static final double ANNOUNCE_EVERY_S = 5.0;
   private static final double BATTERY_EVERY_S = 1.0;
 
   private final BoardConnection connection;
@@ -41,7 +38,6 @@ public final class IoioService extends ProprioceptiveSensor {
   private final BoardConnector connector;
   private Optional<Boolean> reported = Optional.empty(); // whether the board is connected
   private RcSwitch.Position position = RcSwitch.Position.AUTOMATIC;
-  private double announceDueS;
   private double batteryDueS;
 
   /** Called by the launcher: the connection is the one that the configuration names. */
@@ -62,7 +58,7 @@ public final class IoioService extends ProprioceptiveSensor {
       outputs.put(actuator.name(), PulseOutput.configured(this, actuator.name()));
     }
     PinPlan plan = variables.plan();
-    commands = new CommandedActuators(this, outputs.keySet());
+    commands = new CommandedActuators(this, outputs.keySet(), this::stopNow);
     motors = new MotorOutputs(outputs, commands, variables.actuatorsTogether());
     RcSwitch rcSwitch = new RcSwitch(settings(RcSwitch.Tuning.class).get());
     radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(rcSwitch);
@@ -86,25 +82,12 @@ public final class IoioService extends ProprioceptiveSensor {
 
   @Override
   protected void begin() {
-    announce();
+    commands.announce(motors.announcements());
     connector.start();
   }
 
-  private void announce() {
-    motors.announce();
-    announceDueS = nowS() + ANNOUNCE_EVERY_S;
-  }
-
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      commands.obey(command);
-    } else if (!commands.heed(data)) {
-      unexpected(data);
-    } else if (!commands.mayMove()) {
-      with(
-          connector.session(), pins -> drive(pins, clock().micros())); // does not wait for the step
-    }
+  private void stopNow() {
+    with(connector.session(), pins -> drive(pins, clock().micros()));
   }
 
   @Override
@@ -117,9 +100,7 @@ public final class IoioService extends ProprioceptiveSensor {
     sensors.read(now).forEach(state -> publish(Channels.SENSED_STATE, state));
     with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
     report(session); // last, so that it is the last error in the health report
-    if (nowS >= announceDueS) {
-      announce();
-    }
+    commands.step(nowS);
   }
 
   private void report(Optional<BoardSession> session) {
