@@ -94,10 +94,9 @@ public final class ImuSensor extends ProprioceptiveSensor {
             .phi(said.rollRad())
             .theta(said.pitchRad())
             .phiSigma(attitudeSigmaRad)
-            .thetaSigma(attitudeSigmaRad)
-            .phiDot(said.rollRateRadPerS())
-            .thetaDot(said.pitchRateRadPerS())
-            .psiDot(said.headingRateRadPerS());
+            .thetaSigma(attitudeSigmaRad);
+    said.eulerRates()
+        .ifPresent(rates -> state.phiDot(rates.x()).thetaDot(rates.y()).psiDot(rates.z()));
     north.of(said.heading(), 0.0).ifPresent(psi -> state.psi(psi).psiSigma(headingSigmaRad));
     state.timestamp(said.measuredAtMicros());
     return state;
