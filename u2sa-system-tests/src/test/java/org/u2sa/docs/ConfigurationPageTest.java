@@ -113,14 +113,18 @@ class ConfigurationPageTest {
       page.append("No variables of its own.\n");
       return;
     }
-    page.append("| Variable | Type | Unit | Range | Default | Meaning |\n|---|---|---|---|---|---|\n");
+    page.append(
+        "| Variable | Type | Unit | Range | Default | Meaning |\n|---|---|---|---|---|---|\n");
     for (VariableDeclaration<?> variable : own) {
       assertThat(variable.description()).as("%s, %s", heading, variable).isNotEmpty();
-      String choices = variable.choices().stream().map(ConfigurationPageTest::quoted).collect(joining(", "));
+      String choices =
+          variable.choices().stream().map(ConfigurationPageTest::quoted).collect(joining(", "));
       cell(page, "`" + variable.name() + "`");
       cell(page, variable.type().xmlName());
       cell(page, variable.unit());
-      cell(page, choices.isEmpty() && !variable.range().isAny() ? variable.range().toString() : choices);
+      cell(
+          page,
+          choices.isEmpty() && !variable.range().isAny() ? variable.range().toString() : choices);
       cell(page, variable.ifAbsent().map(ConfigurationPageTest::quoted).orElse("required"));
       cell(page, variable.description());
       page.append("|\n");
@@ -133,7 +137,9 @@ class ConfigurationPageTest {
   }
 
   private static String quoted(Object value) {
-    return value instanceof Double number ? Range.of(number, number).toString().split("…")[0] : value instanceof String ? "\"" + value + "\"" : String.valueOf(value);
+    return value instanceof Double number
+        ? Range.of(number, number).toString().split("…")[0]
+        : value instanceof String ? "\"" + value + "\"" : String.valueOf(value);
   }
 
   /** An actuator that moves nothing. */
