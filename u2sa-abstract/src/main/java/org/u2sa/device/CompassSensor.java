@@ -86,7 +86,8 @@ public final class CompassSensor extends ProprioceptiveSensor {
     reader.next(clock().micros()).ifPresent(state -> publish(Channels.SENSED_STATE, state));
     if (reader.waitsForPosition() && !isWaitReported) {
       isWaitReported = true;
-      trouble("true north is not known before the vehicle's position is: no heading is published");
+      trouble(
+          "no heading is published: true north is unknown until the vehicle's position is known");
     }
   }
 

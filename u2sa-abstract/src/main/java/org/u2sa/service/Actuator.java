@@ -93,7 +93,9 @@ public abstract class Actuator extends PeriodicService {
     if (!neutral) {
       log(
           LogLevelEnum.WARN,
-          commands.mayMove() ? "no command in time: goes neutral" : "may not move: goes neutral");
+          commands.mayMove()
+              ? "command expired: going neutral"
+              : "movement not allowed: going neutral");
       neutral = true;
       neutral();
     }

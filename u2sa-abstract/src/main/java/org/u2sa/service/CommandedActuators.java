@@ -45,7 +45,8 @@ public final class CommandedActuators {
           double clockTolerance,
       @Variable(
               ifAbsentText = "false",
-              text = "Whether actuators obey only while a Safety Manager says that it is armed.")
+              text =
+                  "Whether actuators obey only while a Safety Manager says that the vehicle is armed.")
           boolean requiresArming) {}
 
   private static final String COMMANDS = "ACTUATOR COMMANDS";

@@ -125,7 +125,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
 
   private void sayWait() {
     if (output.isWaiting() && !isWaitSaid) {
-      trouble("commands wait: the autopilot does not say where its nose points (ATTITUDE)");
+      trouble("commands wait for the autopilot's heading (ATTITUDE)");
     }
     isWaitSaid = output.isWaiting();
   }

@@ -93,7 +93,7 @@ class CompassSensorTest {
     assertThat(published()).isEmpty();
     assertThat(lastError())
         .hasValue(
-            "true north is not known before the vehicle's position is: no heading is published");
+            "no heading is published: true north is unknown until the vehicle's position is known");
 
     tellPosition();
     say("HCHDM,101.5,M");
