@@ -103,7 +103,7 @@ final class Succession {
 
   /**
    * Takes note that a message is being handled. On retained channels a successor is handed the last
-   * ones again, as if it subscribed anew, without a word with the Communication Manager. Where each
+   * ones again, as if it subscribed anew, without asking the Communication Manager. Where each
    * message matters, several are kept, since the last one may mean nothing alone, as an order to
    * clear an older stop.
    */

@@ -21,8 +21,8 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * As whom and how a client comes to the Communication Manager: user, password and encryption.
- * Immutable; the files are read once, when it is made.
+ * How a client logs in to the Communication Manager: user, password and encryption. Immutable; the
+ * files are read once, when it is made.
  */
 public final class BrokerAccess {
   /** How a client of a Communication Manager in another process logs in. */
@@ -76,7 +76,7 @@ public final class BrokerAccess {
   /**
    * Access with these settings; an empty text stands for none.
    *
-   * @param user as whom to come
+   * @param user name of the user
    * @param passwordFile first line: the password
    * @param encrypted whether to use TLS; a CA file switches it on
    * @param caFile certificates (PEM) of the trusted authorities
@@ -103,7 +103,7 @@ public final class BrokerAccess {
   /**
    * Access with a password that stands in no file.
    *
-   * @param user as whom to come, not empty
+   * @param user name of the user, not empty
    * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
    * @throws BadInputException if the file is missing or wrong
    */
@@ -173,7 +173,7 @@ public final class BrokerAccess {
     }
   }
 
-  /** The user; empty if none is said. */
+  /** Name of the user; empty without one. */
   public Optional<String> user() {
     return user.isEmpty() ? Optional.empty() : Optional.of(user);
   }

@@ -98,10 +98,7 @@ public final class Channel<T extends U2SAData> {
     return new Channel<>(name, type, CarriedTypes.only(types), source, traits);
   }
 
-  /**
-   * This channel, but a subscriber that comes late is handed the last message of each source at
-   * once.
-   */
+  /** This channel, but late subscribers receive the last message of each source at once. */
   public Channel<T> retained() {
     return with(Trait.RETAINED);
   }
