@@ -17,7 +17,7 @@ private const val GRAVITY_MPS2 = 9.80665
 private const val MICROS_PER_YEAR = 365.2425 * 86_400.0e6
 private const val EPOCH_YEAR = 1970.0
 
-private class Tuning(
+private class PhoneTuning(
     @Variable(
         name = "MOUNTING",
         ifAbsentText = "FLAT",
@@ -47,7 +47,7 @@ private class Tuning(
  */
 class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensors) :
     ProprioceptiveSensor(context, "PhoneSensor", STEPS_PER_S) {
-    private val tuning = settings(Tuning::class.java).get()
+    private val tuning = settings(PhoneTuning::class.java).get()
     private val fixTimeoutMicros = Clock.micros(tuning.fixTimeout)
     private val attitudeTimeoutMicros = Clock.micros(tuning.attitudeTimeout)
     private val gpsName = sensorName() + " GPS"
