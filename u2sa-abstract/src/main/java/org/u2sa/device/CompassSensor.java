@@ -2,8 +2,7 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -16,33 +15,31 @@ import org.u2sa.service.ServiceContext;
 public final class CompassSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
 
-  static final VariableDeclaration<String> CONNECTION =
-      VariableDeclaration.text("CONNECTION")
-          .ifAbsent("serial:/dev/ttyUSB1?baud=9600")
-          .describedAs("Address of the compass, as its driver takes it (docs/drivers/links.md).");
+  private static final Devices.Usual USUAL =
+      new Devices.Usual("compass", "COMPASS", "NMEA", "serial:/dev/ttyUSB1?baud=9600");
 
-  static final VariableDeclaration<String> COMPASS =
-      VariableDeclaration.text("COMPASS")
-          .ifAbsent("NMEA")
-          .describedAs("Kind of compass: the name of a driver.");
-
-  static final VariableDeclaration<Double> TIMEOUT =
-      VariableDeclaration.number("TIMEOUT", "s")
-          .range(Range.of(0.1, 60.0))
-          .ifAbsent(1.5)
-          .describedAs("Time without a readable heading after which the compass counts as silent.");
-
-  static final VariableDeclaration<Double> MOUNTING_ANGLE =
-      VariableDeclaration.number("MOUNTING ANGLE", "rad")
-          .range(Range.of(-Math.PI, Math.PI))
-          .ifAbsent(0.0)
-          .describedAs("Direction of the compass's front, clockwise from the vehicle's.");
-
-  static final VariableDeclaration<Double> HEADING_SIGMA =
-      VariableDeclaration.number("HEADING SIGMA", "rad")
-          .range(Range.of(0.0, Math.PI))
-          .ifAbsent(Math.toRadians(1.0))
-          .describedAs("Standard deviation of the heading, from the data sheet.");
+  private record Tuning(
+      @Variable(
+              unit = "s",
+              min = 0.1,
+              max = 60,
+              ifAbsent = 1.5,
+              text = "Time without a readable heading after which the compass counts as silent.")
+          double timeout,
+      @Variable(
+              unit = "rad",
+              min = -Math.PI,
+              max = Math.PI,
+              ifAbsent = 0,
+              text = "Direction of the compass's front, clockwise from the vehicle's.")
+          double mountingAngle,
+      @Variable(
+              unit = "rad",
+              min = 0,
+              max = Math.PI,
+              ifAbsent = Math.PI / 180,
+              text = "Standard deviation of the heading, from the data sheet.")
+          double headingSigma) {}
 
   private final Compass compass;
   private final HeadingReader reader;
@@ -60,14 +57,19 @@ public final class CompassSensor extends ProprioceptiveSensor {
 
   private CompassSensor(ServiceContext context, Optional<Compass> made) {
     super(context, "CompassSensor", STEPS_PER_S);
-    getVariable(CONNECTION);
-    double timeoutS = getVariable(TIMEOUT);
-    double mountingRad = getVariable(MOUNTING_ANGLE);
-    double sigmaRad = getVariable(HEADING_SIGMA);
+    Tuning tuning = settings(Tuning.class).get();
     TrueNorth north = new TrueNorth(this);
     registerSubscriber(Channels.STATE);
-    compass = Devices.open(Compass.class, COMPASS, context, made);
-    reader = new HeadingReader(this, compass, sensorName(), timeoutS, north, mountingRad, sigmaRad);
+    compass = Devices.open(Compass.class, USUAL, context, made);
+    reader =
+        new HeadingReader(
+            this,
+            compass,
+            sensorName(),
+            tuning.timeout(),
+            north,
+            tuning.mountingAngle(),
+            tuning.headingSigma());
   }
 
   @Override
@@ -84,7 +86,8 @@ public final class CompassSensor extends ProprioceptiveSensor {
     reader.next(clock().micros()).ifPresent(state -> publish(Channels.SENSED_STATE, state));
     if (reader.waitsForPosition() && !isWaitReported) {
       isWaitReported = true;
-      trouble("true north is not known before the vehicle's position is: no heading is published");
+      trouble(
+          "no heading is published: true north is unknown until the vehicle's position is known");
     }
   }
 

@@ -29,6 +29,11 @@ public interface Device<R extends Device.Reading> extends Attached, AutoCloseabl
     return 0;
   }
 
+  /** Why the last of {@link #malformed} could not be read; empty if that is not known. */
+  default String lastRefusal() {
+    return "";
+  }
+
   @Override
   default boolean isConnected() {
     return true;

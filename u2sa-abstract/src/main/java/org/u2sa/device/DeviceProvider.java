@@ -1,7 +1,6 @@
 package org.u2sa.device;
 
 import java.util.List;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -33,10 +32,11 @@ public abstract class DeviceProvider<D extends Device<?>> {
   }
 
   /**
-   * Variables of these devices beside the service's own. Any configuration of the port's services
-   * may set them, whichever device it names.
+   * Records of {@link org.u2sa.interfaces.configuration.Variable}s of these devices beside the
+   * service's own. Any configuration of the port's services may set them, whichever device it
+   * names.
    */
-  protected List<VariableDeclaration<?>> variables() {
+  protected List<Class<?>> variables() {
     return List.of();
   }
 

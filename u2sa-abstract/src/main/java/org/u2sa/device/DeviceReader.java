@@ -32,7 +32,7 @@ public final class DeviceReader<R extends Device.Reading> {
   public Optional<R> next(long nowMicros) {
     watch.look(nowMicros);
     Optional<R> newest = device.read(nowMicros);
-    watch.malformed(device.malformed());
+    watch.malformed(device.malformed(), device.lastRefusal());
     reportTrouble();
     boolean isNew = newest.isPresent() && !newest.equals(last);
     last = newest;

@@ -65,7 +65,7 @@ public final class DeviceWatch {
     }
     told = Optional.of(isConnected);
     if (isConnected) {
-      service.log(device + " is there");
+      service.log(device + " is connected");
     } else {
       service.trouble(device + " is lost: " + link.trouble());
     }
@@ -76,7 +76,10 @@ public final class DeviceWatch {
     if (isSilent && wasHeard) {
       wasHeard = false;
       service.trouble(
-          device + " says nothing readable for more than " + Clock.seconds(silentMicros) + " s");
+          device
+              + " has sent nothing readable for more than "
+              + Clock.seconds(silentMicros)
+              + " s");
     }
   }
 
@@ -89,7 +92,7 @@ public final class DeviceWatch {
     heardMicros = nowMicros;
     if (!wasHeard) {
       wasHeard = true;
-      service.log(device + " speaks again");
+      service.log(device + " sends again");
     }
   }
 
@@ -105,10 +108,16 @@ public final class DeviceWatch {
    * the log.
    *
    * @param total since the start
+   * @param why the last one could not be read; empty if that is not known
    */
-  public void malformed(long total) {
+  public void malformed(long total, String why) {
     if (Long.highestOneBit(total) > Long.highestOneBit(malformed)) {
-      service.trouble(device + " sent what cannot be read (" + total + " times so far)");
+      service.trouble(
+          device
+              + " sent unreadable data ("
+              + total
+              + " times so far)"
+              + (why.isEmpty() ? "" : ", last: " + why));
     }
     malformed = total;
   }

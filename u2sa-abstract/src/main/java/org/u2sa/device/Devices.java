@@ -1,13 +1,14 @@
 package org.u2sa.device;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
+import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.service.ServiceContext;
 
 /** Finds the device that a service's configuration names among all {@link DeviceProvider}s. */
@@ -15,26 +16,48 @@ public final class Devices {
   private Devices() {}
 
   /**
-   * The device of a service. Declares the variables of all the port's devices.
+   * What a service's configuration says of its device, if it says nothing.
    *
-   * @param choice which device; its default is the usual one, its choices are those that exist
+   * @param noun what the device is called in descriptions: {@code compass}
+   * @param variable that names the device's driver: {@code COMPASS}
+   * @param driver its default
+   * @param connection default of the variable CONNECTION
+   */
+  public record Usual(String noun, String variable, String driver, String connection) {}
+
+  /**
+   * The device of a service. Declares CONNECTION, the variable that names the driver, and the
+   * variables of all the port's drivers.
+   *
    * @param made by the host, such as a phone or a simulation: used whatever the configuration says
-   * @throws BadInputException if nobody offers the named device, or two offer the same name
+   * @throws BadInputException if no driver has the name, or two have it
    */
   public static <D extends Device<?>> D open(
-      Class<D> port, VariableDeclaration<String> choice, ServiceContext context, Optional<D> made) {
+      Class<D> port, Usual usual, ServiceContext context, Optional<D> made) {
+    XmlConfiguration configuration = context.configuration();
+    configuration.getVariable(
+        VariableDeclaration.text("CONNECTION")
+            .ifAbsent(usual.connection)
+            .describedAs(
+                ("Address of the " + usual.noun)
+                    + ", as its driver takes it (docs/drivers/links.md)."));
     Map<String, DeviceProvider<?>> providers = new LinkedHashMap<>();
     for (DeviceProvider<?> provider : ServiceLoader.load(DeviceProvider.class)) {
       if (provider.port() == port) {
         provider.names().forEach(name -> offer(providers, name, provider));
-        provider.variables().forEach(context.configuration()::getVariable);
+        provider.variables().forEach(configuration::settings);
       }
     }
-    List<String> names = new ArrayList<>(providers.keySet());
-    choice.ifAbsent().filter(usual -> !names.contains(usual)).ifPresent(names::add);
-    String name = context.configuration().getVariable(choice.oneOf(names.toArray(new String[0])));
+    Set<String> names = new LinkedHashSet<>(providers.keySet());
+    names.add(usual.driver);
+    String name =
+        configuration.getVariable(
+            VariableDeclaration.text(usual.variable)
+                .oneOf(names.toArray(new String[0]))
+                .ifAbsent(usual.driver)
+                .describedAs("Kind of " + usual.noun + ": the name of a driver."));
     return made.orElseGet(
-        () -> port.cast(named(name, providers, port, choice).open(name, context)));
+        () -> port.cast(named(name, providers, port, usual.variable).open(name, context)));
   }
 
   private static void offer(
@@ -49,14 +72,11 @@ public final class Devices {
   }
 
   private static DeviceProvider<?> named(
-      String name,
-      Map<String, DeviceProvider<?>> providers,
-      Class<?> port,
-      VariableDeclaration<?> choice) {
+      String name, Map<String, DeviceProvider<?>> providers, Class<?> port, String variable) {
     DeviceProvider<?> provider = providers.get(name);
     if (provider == null) {
       throw new BadInputException(
-          ("variable \"" + choice.name() + "\": no driver on the class path offers ")
+          ("variable \"" + variable + "\": no driver on the class path offers ")
               + (port.getSimpleName() + " \"" + name + "\"; there are " + providers.keySet()));
     }
     return provider;

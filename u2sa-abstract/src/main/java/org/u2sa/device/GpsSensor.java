@@ -2,8 +2,7 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -14,22 +13,17 @@ import org.u2sa.service.ServiceContext;
 public final class GpsSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0; // a fix waits for its step 10 ms on average
 
-  static final VariableDeclaration<String> CONNECTION =
-      VariableDeclaration.text("CONNECTION")
-          .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
-          .describedAs("Address of the receiver, as its driver takes it (docs/drivers/links.md).");
+  private static final Devices.Usual USUAL =
+      new Devices.Usual("receiver", "RECEIVER", "NMEA", "serial:/dev/ttyUSB0?baud=9600");
 
-  static final VariableDeclaration<String> RECEIVER =
-      VariableDeclaration.text("RECEIVER")
-          .ifAbsent("NMEA")
-          .describedAs("Kind of receiver: the name of a driver.");
-
-  static final VariableDeclaration<Double> TIMEOUT =
-      VariableDeclaration.number("TIMEOUT", "s")
-          .range(Range.of(0.1, 60.0))
-          .ifAbsent(2.5)
-          .describedAs(
-              "Time without a readable message after which the receiver counts as silent.");
+  private record Tuning(
+      @Variable(
+              unit = "s",
+              min = 0.1,
+              max = 60,
+              ifAbsent = 2.5,
+              text = "Time without a readable message after which the receiver counts as silent.")
+          double timeout) {}
 
   private final GpsReceiver receiver;
   private final FixReader reader;
@@ -46,10 +40,8 @@ public final class GpsSensor extends ProprioceptiveSensor {
 
   private GpsSensor(ServiceContext context, Optional<GpsReceiver> made) {
     super(context, "GpsSensor", STEPS_PER_S);
-    getVariable(CONNECTION);
-    double timeoutS = getVariable(TIMEOUT);
-    receiver = Devices.open(GpsReceiver.class, RECEIVER, context, made);
-    reader = new FixReader(this, receiver, sensorName(), timeoutS);
+    receiver = Devices.open(GpsReceiver.class, USUAL, context, made);
+    reader = new FixReader(this, receiver, sensorName(), settings(Tuning.class).get().timeout());
   }
 
   @Override

@@ -2,8 +2,8 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
@@ -18,39 +18,36 @@ import org.u2sa.service.ServiceContext;
 public final class ImuSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
 
-  static final VariableDeclaration<String> CONNECTION =
-      VariableDeclaration.text("CONNECTION")
-          .ifAbsent("serial:/dev/ttyUSB2?baud=115200")
-          .describedAs("Address of the IMU, as its driver takes it (docs/drivers/links.md).");
+  private static final Devices.Usual USUAL =
+      new Devices.Usual("IMU", "IMU", "VECTORNAV", "serial:/dev/ttyUSB2?baud=115200");
 
-  static final VariableDeclaration<String> IMU =
-      VariableDeclaration.text("IMU")
-          .ifAbsent("VECTORNAV")
-          .describedAs("Kind of IMU: the name of a driver.");
-
-  static final VariableDeclaration<Double> TIMEOUT =
-      VariableDeclaration.number("TIMEOUT", "s")
-          .range(Range.of(0.05, 60.0))
-          .ifAbsent(0.5)
-          .describedAs("Time without a readable message after which the IMU counts as silent.");
-
-  static final VariableDeclaration<Double> ATTITUDE_SIGMA =
-      VariableDeclaration.number("ATTITUDE SIGMA", "rad")
-          .range(Range.of(0.0, Math.PI))
-          .ifAbsent(Math.toRadians(1.0))
-          .describedAs("Standard deviation of roll and pitch, from the data sheet.");
-
-  static final VariableDeclaration<Double> HEADING_SIGMA =
-      VariableDeclaration.number("HEADING SIGMA", "rad")
-          .range(Range.of(0.0, Math.PI))
-          .ifAbsent(Math.toRadians(2.0))
-          .describedAs("Standard deviation of the heading, from the data sheet.");
+  private record Tuning(
+      @Variable(
+              unit = "s",
+              min = 0.05,
+              max = 60,
+              ifAbsent = 0.5,
+              text = "Time without a readable message after which the IMU counts as silent.")
+          double timeout,
+      @Variable(
+              unit = "rad",
+              min = 0,
+              max = Math.PI,
+              ifAbsent = Math.PI / 180,
+              text = "Standard deviation of roll and pitch, from the data sheet.")
+          double attitudeSigma,
+      @Variable(
+              unit = "rad",
+              min = 0,
+              max = Math.PI,
+              ifAbsent = Math.PI / 90,
+              text = "Standard deviation of the heading, from the data sheet.")
+          double headingSigma) {}
 
   private final Imu imu;
   private final DeviceReader<Orientation> reader;
   private final TrueNorth north;
-  private final double attitudeSigmaRad;
-  private final double headingSigmaRad;
+  private final Settings<Tuning> tuning;
 
   /** Called by the launcher: the IMU is the one that the configuration names. */
   public ImuSensor(ServiceContext context) {
@@ -64,14 +61,11 @@ public final class ImuSensor extends ProprioceptiveSensor {
 
   private ImuSensor(ServiceContext context, Optional<Imu> made) {
     super(context, "ImuSensor", STEPS_PER_S);
-    getVariable(CONNECTION);
-    double timeoutS = getVariable(TIMEOUT);
-    attitudeSigmaRad = getVariable(ATTITUDE_SIGMA);
-    headingSigmaRad = getVariable(HEADING_SIGMA);
+    tuning = settings(Tuning.class);
     north = new TrueNorth(this);
     registerSubscriber(Channels.STATE);
-    imu = Devices.open(Imu.class, IMU, context, made);
-    reader = new DeviceReader<>(this, "the IMU", imu, timeoutS);
+    imu = Devices.open(Imu.class, USUAL, context, made);
+    reader = new DeviceReader<>(this, "the IMU", imu, tuning.get().timeout());
   }
 
   @Override
@@ -91,6 +85,8 @@ public final class ImuSensor extends ProprioceptiveSensor {
   }
 
   private StateInformation state(Orientation said) {
+    double attitudeSigmaRad = tuning.get().attitudeSigma();
+    double headingSigmaRad = tuning.get().headingSigma();
     StateInformation state =
         new StateInformation()
             .sensorName(sensorName())
@@ -98,10 +94,9 @@ public final class ImuSensor extends ProprioceptiveSensor {
             .phi(said.rollRad())
             .theta(said.pitchRad())
             .phiSigma(attitudeSigmaRad)
-            .thetaSigma(attitudeSigmaRad)
-            .phiDot(said.rollRateRadPerS())
-            .thetaDot(said.pitchRateRadPerS())
-            .psiDot(said.headingRateRadPerS());
+            .thetaSigma(attitudeSigmaRad);
+    said.eulerRates()
+        .ifPresent(rates -> state.phiDot(rates.x()).thetaDot(rates.y()).psiDot(rates.z()));
     north.of(said.heading(), 0.0).ifPresent(psi -> state.psi(psi).psiSigma(headingSigmaRad));
     state.timestamp(said.measuredAtMicros());
     return state;

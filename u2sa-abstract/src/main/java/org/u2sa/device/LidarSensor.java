@@ -2,8 +2,8 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ExteroceptiveSensor;
 import org.u2sa.service.ServiceContext;
@@ -16,41 +16,31 @@ public final class LidarSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
   private static final double SILENT_AFTER_S = 1.0;
 
-  static final VariableDeclaration<String> CONNECTION =
-      VariableDeclaration.text("CONNECTION")
-          .ifAbsent("serial:/dev/ttyUSB0?baud=115200&dtr=off")
-          .describedAs(
-              "Address of the laser, as its driver takes it (docs/drivers/links.md); an RPLIDAR A1's USB adapter runs the motor with dtr=off.");
+  private static final Devices.Usual USUAL = // an RPLIDAR A1's USB adapter runs its motor so
+      new Devices.Usual("laser", "LIDAR", "rplidar", "serial:/dev/ttyUSB0?baud=115200&dtr=off");
 
-  static final VariableDeclaration<String> LIDAR =
-      VariableDeclaration.text("LIDAR")
-          .ifAbsent("rplidar")
-          .describedAs("Kind of laser: the name of a driver.");
-
-  static final VariableDeclaration<Integer> PUBLISH_EVERY =
-      VariableDeclaration.integer("PUBLISH EVERY")
-          .range(Range.of(1, 1000))
-          .ifAbsent(1)
-          .describedAs("Publish every Nth scan.");
-
-  static final VariableDeclaration<Double> NEAREST =
-      VariableDeclaration.number("NEAREST", "m")
-          .range(Range.of(0.0, 100.0))
-          .ifAbsent(0.1)
-          .describedAs("Nearer echoes are of the vehicle itself: least minRange of the scans.");
-
-  static final VariableDeclaration<Double> FARTHEST =
-      VariableDeclaration.number("FARTHEST", "m")
-          .range(Range.of(0.1, 1000.0))
-          .ifAbsent(100.0)
-          .describedAs("Farther echoes do not count: largest maxRange of the scans.");
+  private record Tuning(
+      @Variable(min = 1, max = 1000, ifAbsent = 1, text = "Publish every Nth scan.")
+          int publishEvery,
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 0.1,
+              text = "Nearer echoes are of the vehicle itself: least minRange of the scans.")
+          double nearest,
+      @Variable(
+              unit = "m",
+              min = 0.1,
+              max = 1000,
+              ifAbsent = 100,
+              text = "Farther echoes do not count: largest maxRange of the scans.")
+          double farthest) {}
 
   private final LaserScanner scanner;
   private final DeviceReader<LaserScanner.Scan> reader;
   private final MountingPose mounted;
-  private final int publishEvery;
-  private final double nearestM;
-  private final double farthestM;
+  private final Settings<Tuning> tuning;
   private long scans;
 
   /** Called by the launcher: the laser is the one that the configuration names. */
@@ -66,12 +56,9 @@ public final class LidarSensor extends ExteroceptiveSensor {
   private LidarSensor(ServiceContext context, Optional<LaserScanner> made) {
     super(context, "LidarSensor", STEPS_PER_S);
     registerPublisher(Channels.SCANS);
-    mounted = MountingPose.read(this);
-    publishEvery = getVariable(PUBLISH_EVERY);
-    nearestM = getVariable(NEAREST);
-    farthestM = getVariable(FARTHEST);
-    getVariable(CONNECTION);
-    scanner = Devices.open(LaserScanner.class, LIDAR, context, made);
+    mounted = settings(MountingPose.class).get();
+    tuning = settings(Tuning.class);
+    scanner = Devices.open(LaserScanner.class, USUAL, context, made);
     reader = new DeviceReader<>(this, "the laser", scanner, SILENT_AFTER_S);
   }
 
@@ -79,7 +66,7 @@ public final class LidarSensor extends ExteroceptiveSensor {
   protected void step(double nowS) {
     reader
         .next(clock().micros())
-        .filter(scan -> scans++ % publishEvery == 0)
+        .filter(scan -> scans++ % tuning.get().publishEvery() == 0)
         .ifPresent(scan -> publish(scan.beams()));
   }
 
@@ -87,14 +74,14 @@ public final class LidarSensor extends ExteroceptiveSensor {
     publish(
         Channels.SCANS,
         scan.sensorName(sensorName())
-            .x(mounted.position().x())
-            .y(mounted.position().y())
-            .z(mounted.position().z())
+            .x(mounted.x())
+            .y(mounted.y())
+            .z(mounted.z())
             .phi(mounted.roll())
             .theta(mounted.pitch())
             .psi(mounted.yaw())
-            .minRange(Math.max(scan.minRange(), nearestM))
-            .maxRange(Math.min(scan.maxRange(), farthestM)));
+            .minRange(Math.max(scan.minRange(), tuning.get().nearest()))
+            .maxRange(Math.min(scan.maxRange(), tuning.get().farthest())));
   }
 
   @Override

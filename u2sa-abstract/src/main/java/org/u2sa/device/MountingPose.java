@@ -1,72 +1,68 @@
 package org.u2sa.device;
 
-import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
 /**
  * Where on the vehicle a sensor is, and how it is turned (thesis 4.1.2), in BODY: x forward, y
  * left, z down. The sensor's own axes are alike: x ahead of it, y to its left, z below.
- *
- * @param position of the sensor in BODY [m]
- * @param roll about the sensor's x axis, its left side down positive [rad], as BODY's phi
- * @param pitch its front up positive [rad], as BODY's theta
- * @param yaw turned to the left positive [rad], as BODY's psi
  */
-public record MountingPose(Point position, double roll, double pitch, double yaw) {
-  static final VariableDeclaration<Double> X =
-      VariableDeclaration.number("MOUNTED X", "m")
-          .range(Range.of(-100.0, 100.0))
-          .ifAbsent(0.0)
-          .describedAs("Place of the sensor on the vehicle, forward.");
-
-  static final VariableDeclaration<Double> Y =
-      VariableDeclaration.number("MOUNTED Y", "m")
-          .range(Range.of(-100.0, 100.0))
-          .ifAbsent(0.0)
-          .describedAs("Place of the sensor on the vehicle, to the left.");
-
-  static final VariableDeclaration<Double> Z =
-      VariableDeclaration.number("MOUNTED Z", "m")
-          .range(Range.of(-100.0, 100.0))
-          .ifAbsent(0.0)
-          .describedAs("Place of the sensor on the vehicle, down.");
-
-  static final VariableDeclaration<Double> ROLL =
-      VariableDeclaration.number("MOUNTED ROLL", "rad")
-          .range(Range.of(-Math.PI, Math.PI))
-          .ifAbsent(0.0)
-          .describedAs("How the sensor is turned about its x axis, left side down positive.");
-
-  static final VariableDeclaration<Double> PITCH =
-      VariableDeclaration.number("MOUNTED PITCH", "rad")
-          .range(Range.of(-Math.PI, Math.PI))
-          .ifAbsent(0.0)
-          .describedAs("How the sensor is tilted, front up positive.");
-
-  static final VariableDeclaration<Double> YAW =
-      VariableDeclaration.number("MOUNTED YAW", "rad")
-          .range(Range.of(-Math.PI, Math.PI))
-          .ifAbsent(0.0)
-          .describedAs("How the sensor is turned about the vertical, to the left positive.");
-
-  /** Declares and reads the variables. */
-  public static MountingPose read(Configurator variables) {
-    return new MountingPose(
-        Point.of(variables.getVariable(X), variables.getVariable(Y), variables.getVariable(Z)),
-        variables.getVariable(ROLL),
-        variables.getVariable(PITCH),
-        variables.getVariable(YAW));
-  }
-
+public record MountingPose(
+    @Variable(
+            name = "MOUNTED X",
+            unit = "m",
+            min = -100,
+            max = 100,
+            ifAbsent = 0,
+            text = "Place of the sensor on the vehicle, forward.")
+        double x,
+    @Variable(
+            name = "MOUNTED Y",
+            unit = "m",
+            min = -100,
+            max = 100,
+            ifAbsent = 0,
+            text = "Place of the sensor on the vehicle, to the left.")
+        double y,
+    @Variable(
+            name = "MOUNTED Z",
+            unit = "m",
+            min = -100,
+            max = 100,
+            ifAbsent = 0,
+            text = "Place of the sensor on the vehicle, down.")
+        double z,
+    @Variable(
+            name = "MOUNTED ROLL",
+            unit = "rad",
+            min = -Math.PI,
+            max = Math.PI,
+            ifAbsent = 0,
+            text = "Roll of the sensor about its x axis, left side down positive.")
+        double roll,
+    @Variable(
+            name = "MOUNTED PITCH",
+            unit = "rad",
+            min = -Math.PI,
+            max = Math.PI,
+            ifAbsent = 0,
+            text = "Pitch of the sensor, front up positive.")
+        double pitch,
+    @Variable(
+            name = "MOUNTED YAW",
+            unit = "rad",
+            min = -Math.PI,
+            max = Math.PI,
+            ifAbsent = 0,
+            text = "Yaw of the sensor, to the left positive.")
+        double yaw) {
   /** What turns the sensor's vectors into the vehicle's; worth keeping for many points. */
   Turn turn() {
     // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have the other
     // sign.
     Rotation frd = Rotation.nedFromFrd(-roll, pitch, -yaw);
-    return seen -> mirrored(frd.times(mirrored(seen))).plus(position);
+    return seen -> mirrored(frd.times(mirrored(seen))).plus(Point.of(x, y, z));
   }
 
   private static Point mirrored(Point point) {

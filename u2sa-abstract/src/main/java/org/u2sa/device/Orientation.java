@@ -1,5 +1,9 @@
 package org.u2sa.device;
 
+import java.util.Optional;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+
 /**
  * Attitude and rates of an IMU at one moment. Axes: x forward, y right, z down.
  *
@@ -20,23 +24,17 @@ public record Orientation(
     double yRateRadPerS,
     double zRateRadPerS)
     implements Device.Reading {
-  private static final double LEAST_COSINE = 1e-6; // with the front straight up the rates are lost
+  private static final double NEARLY_VERTICAL_RAD = Math.toRadians(89.0);
 
-  /** Rate of the roll angle [rad/s]. */
-  public double rollRateRadPerS() {
-    // φ̇ = p + tan θ (q sin φ + r cos φ) (Stevens & Lewis, 2nd ed., eq. 1.3-22a)
-    return xRateRadPerS + Math.sin(pitchRad) * headingRateRadPerS();
-  }
-
-  /** Rate of the pitch angle [rad/s]. */
-  public double pitchRateRadPerS() {
-    return yRateRadPerS * Math.cos(rollRad) - zRateRadPerS * Math.sin(rollRad); // eq. 1.3-22a
-  }
-
-  /** Rate of the heading [rad/s]. */
-  public double headingRateRadPerS() {
-    double cosine = Math.cos(pitchRad);
-    double safe = Math.abs(cosine) < LEAST_COSINE ? Math.copySign(LEAST_COSINE, cosine) : cosine;
-    return (yRateRadPerS * Math.sin(rollRad) + zRateRadPerS * Math.cos(rollRad)) / safe;
+  /**
+   * Rates of roll, pitch and heading [rad/s]; empty where the front points nearly straight up or
+   * down, as roll and heading then are one and the same.
+   */
+  public Optional<Point> eulerRates() {
+    return Math.abs(pitchRad) < NEARLY_VERTICAL_RAD
+        ? Optional.of(
+            new Attitude(rollRad, pitchRad, heading.headingRad())
+                .eulerRates(Point.of(xRateRadPerS, yRateRadPerS, zRateRadPerS)))
+        : Optional.empty();
   }
 }

@@ -2,7 +2,6 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -17,16 +16,8 @@ public final class RangeSensor extends ExteroceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
   private static final double SILENT_AFTER_S = 0.5; // the slowest measures 7 times a second
 
-  static final VariableDeclaration<String> CONNECTION =
-      VariableDeclaration.text("CONNECTION")
-          .ifAbsent("serial:/dev/ttyUSB0?baud=9600")
-          .describedAs(
-              "Address of the range finder, as its driver takes it (docs/drivers/links.md).");
-
-  static final VariableDeclaration<String> MODEL =
-      VariableDeclaration.text("MODEL")
-          .ifAbsent("LV")
-          .describedAs("Kind of range finder: the name of a driver.");
+  private static final Devices.Usual USUAL =
+      new Devices.Usual("range finder", "MODEL", "LV", "serial:/dev/ttyUSB0?baud=9600");
 
   private final RangeFinder finder;
   private final DeviceReader<RangeFinder.Distance> reader;
@@ -44,9 +35,8 @@ public final class RangeSensor extends ExteroceptiveSensor {
 
   private RangeSensor(ServiceContext context, Optional<RangeFinder> made) {
     super(context, "RangeSensor", STEPS_PER_S);
-    mounted = MountingPose.read(this).turn();
-    getVariable(CONNECTION);
-    finder = Devices.open(RangeFinder.class, MODEL, context, made);
+    mounted = settings(MountingPose.class).get().turn();
+    finder = Devices.open(RangeFinder.class, USUAL, context, made);
     reader = new DeviceReader<>(this, "the range finder", finder, SILENT_AFTER_S);
   }
 

@@ -5,8 +5,7 @@ import java.time.ZoneOffset;
 import java.time.ZonedDateTime;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -19,18 +18,24 @@ public final class TrueNorth {
   private static final double SAME_PLACE_DEG =
       0.02; // about 2 km: less than 0.01 deg of declination
 
-  private static final VariableDeclaration<String> NORTH =
-      VariableDeclaration.text("NORTH")
-          .oneOf("MODEL", "FIXED")
-          .ifAbsent("MODEL")
-          .describedAs(
-              "MODEL: World Magnetic Model at the vehicle's position, no heading before that is known; FIXED: DECLINATION.");
+  private enum North {
+    MODEL,
+    FIXED
+  }
 
-  private static final VariableDeclaration<Double> DECLINATION =
-      VariableDeclaration.number("DECLINATION", "rad")
-          .range(Range.of(-Math.PI, Math.PI))
-          .ifAbsent(0.0)
-          .describedAs("Magnetic declination, east positive, where NORTH is FIXED.");
+  private record Source(
+      @Variable(
+              ifAbsentText = "MODEL",
+              text =
+                  "MODEL: World Magnetic Model at the vehicle's position, no heading before that is known; FIXED: DECLINATION.")
+          North north,
+      @Variable(
+              unit = "rad",
+              min = -Math.PI,
+              max = Math.PI,
+              ifAbsent = 0,
+              text = "Magnetic declination, east positive, where NORTH is FIXED.")
+          double declination) {}
 
   private final boolean isModelled;
   private OptionalDouble declinationRad;
@@ -39,9 +44,9 @@ public final class TrueNorth {
 
   /** Reads the variables of a service. */
   public TrueNorth(Configurator variables) {
-    isModelled = variables.getVariable(NORTH).equals("MODEL");
-    double fixedRad = variables.getVariable(DECLINATION);
-    declinationRad = isModelled ? OptionalDouble.empty() : OptionalDouble.of(fixedRad);
+    Source source = variables.settings(Source.class).get();
+    isModelled = source.north() == North.MODEL;
+    declinationRad = isModelled ? OptionalDouble.empty() : OptionalDouble.of(source.declination());
   }
 
   /**

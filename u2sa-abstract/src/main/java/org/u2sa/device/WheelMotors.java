@@ -1,15 +1,13 @@
 package org.u2sa.device;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
@@ -26,10 +24,12 @@ import org.u2sa.service.ServiceRole;
  */
 public final class WheelMotors extends PeriodicService {
   private static final double STEPS_PER_S = 100.0;
-  private static final double ANNOUNCE_EVERY_S = 5.0;
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SILENT_AFTER_S = 0.5;
   private static final double FULL_PERCENT = 100.0;
+  private static final Devices.Usual USUAL =
+      new Devices.Usual(
+          "motor controller", "CONTROLLER", "ROBOCLAW", "serial:/dev/ttyACM0?baud=115200");
   private static final String LEFT_SLEW = "LEFT SLEW";
   private static final String RIGHT_SLEW = "RIGHT SLEW";
 
@@ -49,7 +49,6 @@ public final class WheelMotors extends PeriodicService {
   private final long goesOnMicros; // how long the motors run on without being told to
   private long turningUntilMicros = Long.MIN_VALUE; // taken over, not heard of yet
   private long stateDueMicros;
-  private double announceDueS;
   private double batteryDueS;
 
   /** Called by the launcher: the controller is the one that the configuration names. */
@@ -64,46 +63,39 @@ public final class WheelMotors extends PeriodicService {
 
   private WheelMotors(ServiceContext context, Optional<MotorController> made) {
     super(context, ServiceRole.ACTUATOR, "WheelMotors", STEPS_PER_S);
-    leftName = getVariable(WheelVariables.LEFT_NAME);
-    rightName = getVariable(WheelVariables.RIGHT_NAME);
-    if (leftName.equals(rightName)) {
-      throw new BadInputException("LEFT ACTUATOR and RIGHT ACTUATOR are both \"" + leftName + "\"");
-    }
-    leftIsSecond = getVariable(WheelVariables.LEFT_IS_SECOND);
-    leftSign = getVariable(WheelVariables.LEFT_REVERSED) ? -1.0 : 1.0;
-    rightSign = getVariable(WheelVariables.RIGHT_REVERSED) ? -1.0 : 1.0;
-    dutyPerPercent = getVariable(WheelVariables.FULL_DUTY) / FULL_PERCENT;
-    commands = new CommandedActuators(this, Set.of(leftName, rightName));
-    leftSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
-    rightSlew = new SlewLimit(getVariable(WheelVariables.SLEW_LIMIT));
-    odometry = WheelVariables.odometry(this);
-    stateEveryMicros = Clock.micros(1.0 / getVariable(WheelVariables.STATE_RATE));
+    WheelVariables variables = settings(WheelVariables.class).get();
+    leftName = variables.leftActuator();
+    rightName = variables.rightActuator();
+    leftIsSecond = variables.leftIsSecond();
+    leftSign = variables.leftReversed() ? -1.0 : 1.0;
+    rightSign = variables.rightReversed() ? -1.0 : 1.0;
+    dutyPerPercent = variables.fullDuty() / FULL_PERCENT;
+    commands = new CommandedActuators(this, Set.of(leftName, rightName), this::stopNow);
+    leftSlew = new SlewLimit(variables.slewLimit());
+    rightSlew = new SlewLimit(variables.slewLimit());
+    odometry = variables.odometry();
+    stateEveryMicros = Clock.micros(1.0 / variables.stateRate());
     registerPublisher(Channels.SENSED_STATE);
     registerPublisher(Channels.POWER);
-    getVariable(WheelVariables.CONNECTION);
-    goesOnMicros = Clock.micros(getVariable(WheelVariables.SERIAL_TIMEOUT));
-    controller = Devices.open(MotorController.class, WheelVariables.CONTROLLER, context, made);
+    goesOnMicros = Clock.micros(variables.serialTimeout());
+    controller = Devices.open(MotorController.class, USUAL, context, made);
     reader = new DeviceReader<>(this, "the motor controller", controller, SILENT_AFTER_S);
   }
 
-  private void announce(double nowS) {
-    announce(leftName, "drives the left wheel forward");
-    announce(rightName, "drives the right wheel forward");
-    announceDueS = nowS + ANNOUNCE_EVERY_S;
-  }
-
-  private void announce(String name, String effect) {
-    commands.announce(
-        new ActuatorAnnouncement()
-            .actuatorName(name)
-            .minimum(-FULL_PERCENT)
-            .maximum(FULL_PERCENT)
-            .effect(effect));
+  private static ActuatorAnnouncement wheel(String name, String effect) {
+    return new ActuatorAnnouncement()
+        .actuatorName(name)
+        .minimum(-FULL_PERCENT)
+        .maximum(FULL_PERCENT)
+        .effect(effect);
   }
 
   @Override
   protected void begin() {
-    announce(nowS());
+    commands.announce(
+        List.of(
+            wheel(leftName, "drives the left wheel forward"),
+            wheel(rightName, "drives the right wheel forward")));
     if (commands.isCommanded()) {
       turningUntilMicros = clock().micros() + goesOnMicros;
     } else {
@@ -111,16 +103,9 @@ public final class WheelMotors extends PeriodicService {
     }
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      commands.obey(command);
-    } else if (!commands.heed(data)) {
-      unexpected(data);
-    } else if (!commands.mayMove()) {
-      rest(clock().micros());
-      controller.stop(clock().micros()); // an emergency stop does not wait for the next step
-    }
+  private void stopNow() {
+    rest(clock().micros());
+    controller.stop(clock().micros());
   }
 
   @Override
@@ -132,9 +117,7 @@ public final class WheelMotors extends PeriodicService {
       lost(now);
     }
     counts.ifPresent(news -> use(news, nowS));
-    if (nowS >= announceDueS) {
-      announce(nowS);
-    }
+    commands.step(nowS);
   }
 
   private void drive(long nowMicros) {

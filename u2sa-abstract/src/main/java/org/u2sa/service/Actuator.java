@@ -1,12 +1,11 @@
 package org.u2sa.service;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A service that moves something (thesis 3.2.2.5). In: actuation, of which it obeys what is
@@ -18,7 +17,6 @@ import org.u2sa.messages.schema.U2SAData;
  */
 public abstract class Actuator extends PeriodicService {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
-  private static final double ANNOUNCE_EVERY_S = 5.0;
 
   private record Names(
       @Variable(
@@ -30,14 +28,13 @@ public abstract class Actuator extends PeriodicService {
   private final String actuatorName;
   private final CommandedActuators commands;
   private boolean neutral;
-  private double announceDueS;
 
   /** See {@link U2SAService#U2SAService}. */
   protected Actuator(ServiceContext context, String serviceName) {
     super(context, ServiceRole.ACTUATOR, serviceName, EXPIRY_CHECKS_PER_S);
     String configured = settings(Names.class).get().actuatorName();
     actuatorName = configured.isEmpty() ? getServiceName() : configured;
-    commands = new CommandedActuators(this, Set.of(actuatorName));
+    commands = new CommandedActuators(this, Set.of(actuatorName), this::obey, this::goNeutral);
   }
 
   /** Moves to the percentage, −100…100. Called on the service's thread for each command. */
@@ -52,16 +49,15 @@ public abstract class Actuator extends PeriodicService {
   /** Closes the device, after it was left {@link #neutral}. */
   protected void close() {}
 
-  /**
-   * What the actuator says of itself to control systems; subclasses add their effect and extents.
-   */
+  /** The announcement to control systems; subclasses add their effect and extents. */
   protected ActuatorAnnouncement announcement() {
     return new ActuatorAnnouncement().actuatorName(actuatorName).minimum(-100.0).maximum(100.0);
   }
 
   @Override
   protected final void begin() {
-    announce(nowS()); // first: the extents of this class are not those of the one before
+    // first: the extents of this class are not those of the one before
+    commands.announce(List.of(announcement()));
     neutral = !commands.isCommanded();
     if (neutral) {
       neutral();
@@ -70,24 +66,9 @@ public abstract class Actuator extends PeriodicService {
     }
   }
 
-  /** Again now and then: over a broker, who comes late gets the last announcement of all only. */
-  private void announce(double nowS) {
-    commands.announce(announcement());
-    announceDueS = nowS + ANNOUNCE_EVERY_S;
-  }
-
-  @Override
-  public final void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      if (commands.obey(command)) {
-        neutral = false;
-        carryOut();
-      }
-    } else if (!commands.heed(data)) {
-      unexpected(data);
-    } else if (!commands.mayMove()) {
-      goNeutral();
-    }
+  private void obey() {
+    neutral = false;
+    carryOut();
   }
 
   @Override
@@ -95,9 +76,7 @@ public abstract class Actuator extends PeriodicService {
     if (commands.percentage(actuatorName).isEmpty()) {
       goNeutral();
     }
-    if (nowS >= announceDueS) {
-      announce(nowS);
-    }
+    commands.step(nowS);
   }
 
   /** Moves to where the command says, or to neutral if it has expired since it was taken. */
@@ -114,7 +93,9 @@ public abstract class Actuator extends PeriodicService {
     if (!neutral) {
       log(
           LogLevelEnum.WARN,
-          commands.mayMove() ? "no command in time: goes neutral" : "may not move: goes neutral");
+          commands.mayMove()
+              ? "command expired: going neutral"
+              : "movement not allowed: going neutral");
       neutral = true;
       neutral();
     }

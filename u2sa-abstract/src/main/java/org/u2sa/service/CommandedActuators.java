@@ -2,6 +2,7 @@ package org.u2sa.service;
 
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -16,15 +17,15 @@ import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.EmergencyStop;
-import org.u2sa.messages.schema.U2SAData;
 
 /**
  * What stands between the actuation channel and the actuators of one service: commands that must
- * not be obeyed are refused, counted and said, and nothing moves while an emergency stop holds or,
- * if REQUIRES ARMING, while the vehicle is not armed. In: actuation, emergency-stop, arming-state.
+ * not be obeyed are refused, counted and logged, and nothing moves while an emergency stop holds
+ * or, if REQUIRES ARMING, while the vehicle is not armed. In: actuation, emergency-stop,
+ * arming-state.
  *
  * <p>{@link Actuator} has it built in; services that own several actuators make one in their
- * constructor and hand it what comes. Belongs to its service's thread.
+ * constructor. Belongs to its service's thread.
  */
 public final class CommandedActuators {
   private record Limits(
@@ -44,27 +45,43 @@ public final class CommandedActuators {
           double clockTolerance,
       @Variable(
               ifAbsentText = "false",
-              text = "Whether actuators obey only while a Safety Manager says that it is armed.")
+              text =
+                  "Whether actuators obey only while a Safety Manager says that the vehicle is armed.")
           boolean requiresArming) {}
 
   private static final String COMMANDS = "ACTUATOR COMMANDS";
   private static final String ARMED = "ARMED";
   private static final Range ANY_PERCENTAGE = Range.of(-100.0, 100.0);
+  private static final double ANNOUNCE_EVERY_S = 5.0;
 
   private final U2SAService service;
   private final Settings<Limits> limits;
   private final CommandHold commands;
   private final EmergencyLatch emergency;
+  private final Runnable stopped;
   private final Map<CommandRefusal, Long> refusals = new EnumMap<>(CommandRefusal.class);
+  private List<ActuatorAnnouncement> announcements = List.of();
+  private double announceDueS = Double.POSITIVE_INFINITY;
   private boolean armed;
 
   /**
-   * Declares its variables with the service and registers for it.
+   * Declares its variables with the service and subscribes for it.
    *
    * @param names to which commands are addressed
+   * @param stopped called when a stop or a disarming comes, so that it does not wait for a step
    */
-  public CommandedActuators(U2SAService service, Set<String> names) {
+  public CommandedActuators(U2SAService service, Set<String> names, Runnable stopped) {
+    this(service, names, () -> {}, stopped);
+  }
+
+  /**
+   * As the other.
+   *
+   * @param commanded called when an actuator has a new percentage
+   */
+  CommandedActuators(U2SAService service, Set<String> names, Runnable commanded, Runnable stopped) {
     this.service = service;
+    this.stopped = stopped;
     limits = service.settings(Limits.class);
     String systemId = service.context().systemId();
     Map<String, Range> ranges = new LinkedHashMap<>();
@@ -81,24 +98,40 @@ public final class CommandedActuators {
     service.heedsEmergencyStops(emergency.identities());
     service.registerPublisher(Channels.ACTUATORS);
     service.registerPublisher(Channels.EMERGENCY_STOP);
-    service.registerSubscriber(Channels.EMERGENCY_STOP); // first: a stop that holds comes before
-    service.registerSubscriber(Channels.ARMING_STATE);
-    service.registerSubscriber(Channels.ACTUATION); // … the first command
-  }
-
-  /** Tells control systems of an actuator, and from now on refuses what is outside its extents. */
-  public void announce(ActuatorAnnouncement announcement) {
-    commands.limit(
-        announcement.actuatorName(), Range.of(announcement.minimum(), announcement.maximum()));
-    service.publish(Channels.ACTUATORS, announcement);
+    service.subscribe(Channels.EMERGENCY_STOP, this::stopOrGo); // first: before any command
+    service.subscribe(Channels.ARMING_STATE, this::arm);
+    service.subscribe(
+        Channels.ACTUATION,
+        command -> {
+          if (obey(command)) {
+            commanded.run();
+          }
+        });
   }
 
   /**
-   * Takes a command, or refuses it.
-   *
-   * @return whether an actuator here has a new percentage
+   * Announces the actuators to control systems, now and every 5 s: over a broker, a late subscriber
+   * receives the last announcement only. From now on refuses what is outside their extents.
    */
-  public boolean obey(ActuatorCommand command) {
+  public void announce(List<ActuatorAnnouncement> actuators) {
+    for (ActuatorAnnouncement each : actuators) {
+      commands.limit(each.actuatorName(), Range.of(each.minimum(), each.maximum()));
+    }
+    announcements = List.copyOf(actuators);
+    announceDueS = Double.NEGATIVE_INFINITY;
+    step(service.nowS());
+  }
+
+  /** Renews the announcement if it is due; to be called in the service's step. */
+  public void step(double nowS) {
+    if (nowS >= announceDueS) {
+      announceDueS = nowS + ANNOUNCE_EVERY_S;
+      announcements.forEach(each -> service.publish(Channels.ACTUATORS, each.copy()));
+    }
+  }
+
+  /** Takes a command, or refuses it; whether an actuator here has a new percentage. */
+  private boolean obey(ActuatorCommand command) {
     Optional<CommandRefusal> refusal = refusal(command);
     if (refusal.isEmpty()) {
       service.health.obeyed();
@@ -106,22 +139,6 @@ public final class CommandedActuators {
     }
     refuse(command, refusal.get());
     return false;
-  }
-
-  /**
-   * Takes note of an emergency stop or of arming.
-   *
-   * @return false if the message is of another kind
-   */
-  public boolean heed(U2SAData data) {
-    if (data instanceof EmergencyStop stop) {
-      stopOrGo(stop);
-    } else if (data instanceof ArmingState state) {
-      arm(state);
-    } else {
-      return false;
-    }
-    return true;
   }
 
   private Optional<CommandRefusal> refusal(ActuatorCommand command) {
@@ -163,9 +180,16 @@ public final class CommandedActuators {
               + message.reason());
       commands.forget();
     }
+    stopUnlessItMayMove();
   }
 
-  /** A clear is retained: who comes late must not take it for the end of a stop that it left. */
+  private void stopUnlessItMayMove() {
+    if (!mayMove()) {
+      stopped.run();
+    }
+  }
+
+  /** A clear is retained: a late subscriber must not take it for the end of a stop that it left. */
   private void repeatWhatHolds(EmergencyStop clear) {
     Optional<EmergencyStop> holding = emergency.stop();
     if (holding.isPresent()) {
@@ -184,6 +208,7 @@ public final class CommandedActuators {
         commands.forget();
       }
     }
+    stopUnlessItMayMove();
   }
 
   /** Whether actuators may move: no emergency stop holds, and it is armed if it must be. */

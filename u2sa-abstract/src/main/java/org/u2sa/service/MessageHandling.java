@@ -141,7 +141,7 @@ final class MessageHandling {
     service.logFile().log(LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
     if (health.exceptionsInRow() >= maxErrorsInARow) {
       service.log(
-          LogLevelEnum.ERROR, "kills itself after " + maxErrorsInARow + " exceptions in a row");
+          LogLevelEnum.ERROR, "stopping after " + maxErrorsInARow + " consecutive exceptions");
       service.life.fail();
     }
   }

@@ -37,7 +37,7 @@ public abstract class PeriodicService extends U2SAService {
     return VariableDeclaration.number("RATE", "Hz")
         .range(Range.of(SLOWEST_HZ, FASTEST_HZ))
         .ifAbsent(defaultRateHz)
-        .describedAs("Steps a second.");
+        .describedAs("Steps per second.");
   }
 
   /**

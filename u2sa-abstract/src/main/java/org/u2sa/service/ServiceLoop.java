@@ -20,11 +20,11 @@ final class ServiceLoop {
   void run(ServiceHealth.CallbackCode begin, ServiceHealth.CallbackCode loop) {
     try {
       service.life.awaitTurn();
-      service.log("runs as thread " + service.threadID);
+      service.log("running as thread " + service.threadID);
       service.handling.guarded(begin);
       loop.run();
     } catch (InterruptedException e) {
-      service.log("interrupted, ends");
+      service.log("interrupted, stopping");
     } catch (RuntimeException | Error e) {
       service.life.die(e);
     } finally {

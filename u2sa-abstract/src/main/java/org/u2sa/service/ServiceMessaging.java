@@ -9,8 +9,8 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * How a service registers, publishes and subscribes (thesis 3.2.1.2–3.2.1.4): what fails is said in
- * the log and answered with false.
+ * How a service registers, publishes and subscribes (thesis 3.2.1.2–3.2.1.4): failures are logged
+ * and answered with false.
  */
 final class ServiceMessaging {
   private final U2SAService service;

@@ -164,7 +164,7 @@ public final class ServiceSwap {
     old.succession.forget(this);
     old.log(
         LogLevelEnum.WARN,
-        "not swapped for " + successor.getClass().getName() + ": " + reason + ": goes on");
+        "not swapped for " + successor.getClass().getName() + ": " + reason + ": keeps running");
     successor.succession.discard();
     decide();
   }

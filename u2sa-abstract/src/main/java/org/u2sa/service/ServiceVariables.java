@@ -8,20 +8,18 @@ record ServiceVariables(
     @Variable(
             ifAbsentText = "",
             text =
-                "Name of the service, unique within the system; empty: the class's own name for itself.")
+                "Name of the service, unique within the system; empty: the default of its class.")
         String serviceName,
-    @Variable(
-            ifAbsentText = "",
-            text = "Directory of the log file; empty: the run's own directory.")
+    @Variable(ifAbsentText = "", text = "Directory of the log file; empty: that of the run.")
         String logPath,
-    @Variable(ifAbsentText = "INFO", text = "Lowest level that is written to the log file.")
+    @Variable(ifAbsentText = "INFO", text = "Lowest level written to the log file.")
         LogLevelEnum logLevel,
     @Variable(
             name = "MAX ERRORS IN A ROW",
             min = 1,
             max = 1_000_000,
             ifAbsent = 10,
-            text = "Exceptions one after the other at which the service kills itself.")
+            text = "Consecutive exceptions after which the service stops as failed.")
         int maxErrorsInARow,
     @Variable(
             unit = "s",
@@ -34,6 +32,5 @@ record ServiceVariables(
             min = 1,
             max = 1_000_000,
             ifAbsent = 1024,
-            text =
-                "Messages that wait for the service before further ones are dropped and counted.")
+            text = "Messages that may wait for the service; further ones are dropped and counted.")
         int inboxCapacity) {}

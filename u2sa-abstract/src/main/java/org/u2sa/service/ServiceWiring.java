@@ -220,7 +220,7 @@ final class ServiceWiring {
     return receiver;
   }
 
-  /** Lets nothing be published any more, without a word in the log. */
+  /** Drops what is published from now on, without logging it. */
   void silence() {
     silent = true;
   }

@@ -46,16 +46,16 @@ final class Succession {
         progress.delete(); // of another run
       }
     } catch (IOException e) {
-      service.log(LogLevelEnum.ERROR, "begins from nothing: " + e.getMessage());
+      service.log(LogLevelEnum.ERROR, "no saved state, starting fresh: " + e.getMessage());
     }
   }
 
   private void takeOver(HandOver before) throws IOException {
     try {
       service.takeOver(before);
-      service.log("goes on where it was before the restart");
+      service.log("resumes where it was before the restart");
     } catch (RuntimeException e) {
-      service.logFile().log(LogLevelEnum.ERROR, "cannot go on from " + progress.path(), e);
+      service.logFile().log(LogLevelEnum.ERROR, "cannot resume from " + progress.path(), e);
       progress.delete();
       throw e;
     }
@@ -73,7 +73,9 @@ final class Succession {
     } catch (IOException | RuntimeException e) { // such as a full disk: no reason not to go on
       notRemembered++;
       if (Long.bitCount(notRemembered) == 1) { // 1, 2, 4, 8…: it may last
-        service.log(LogLevelEnum.ERROR, "a restart would not go on from here: " + e);
+        service.log(
+            LogLevelEnum.ERROR,
+            "the state was not saved, a restart would not resume from here: " + e);
       }
     }
   }
@@ -101,7 +103,7 @@ final class Succession {
 
   /**
    * Takes note that a message is being handled. On retained channels a successor is handed the last
-   * ones again, as if it subscribed anew, without a word with the Communication Manager. Where each
+   * ones again, as if it subscribed anew, without asking the Communication Manager. Where each
    * message matters, several are kept, since the last one may mean nothing alone, as an order to
    * clear an older stop.
    */

@@ -134,8 +134,8 @@ public abstract class U2SAService extends Thread
   }
 
   @Override
-  public final <T> Settings<T> settings(Class<T> record) {
-    return context.configuration().settings(record);
+  public final <T> Settings<T> settings(Class<T> record, String prefix) {
+    return context.configuration().settings(record, prefix);
   }
 
   @Override
@@ -386,8 +386,8 @@ public abstract class U2SAService extends Thread
    * Or what this service {@linkplain #remember remembered} before it was started anew. Called once,
    * before its thread runs, and not at a first start. Nothing can be published yet.
    *
-   * @throws RuntimeException if the service cannot go on from there: in a {@link ServiceSwap} the
-   *     one before stays; a restart fails, and the next one begins from nothing
+   * @throws RuntimeException if the service cannot resume from there: in a {@link ServiceSwap} the
+   *     one before stays; a restart fails, and the next one starts without saved state
    */
   protected void takeOver(HandOver state) {}
 

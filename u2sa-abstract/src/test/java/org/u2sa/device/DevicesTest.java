@@ -8,8 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.testkit.ServiceKit;
 
@@ -24,8 +23,7 @@ class DevicesTest {
 
   /** Two that offer the same name. */
   public static class One extends DeviceProvider<RangeFinder> {
-    private static final VariableDeclaration<Double> GAIN =
-        VariableDeclaration.number("GAIN", "").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
+    private record Tuning(@Variable(ifAbsent = 0.5, text = "Gain.") double gain) {}
 
     /** For {@link java.util.ServiceLoader}. */
     public One() {
@@ -33,8 +31,8 @@ class DevicesTest {
     }
 
     @Override
-    protected List<VariableDeclaration<?>> variables() {
-      return List.of(GAIN);
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
     }
 
     @Override

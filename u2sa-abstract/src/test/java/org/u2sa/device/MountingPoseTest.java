@@ -14,7 +14,7 @@ class MountingPoseTest {
   private static final Point LEFT = Point.of(0.0, 2.0, 0.0);
 
   private static void assertSeen(double roll, double pitch, double yaw, Point seen, Point body) {
-    MountingPose pose = new MountingPose(Point.of(0.3, 0.1, -0.2), roll, pitch, yaw);
+    MountingPose pose = new MountingPose(0.3, 0.1, -0.2, roll, pitch, yaw);
     assertThat(pose.turn().toBody(seen).distanceTo(body.plus(Point.of(0.3, 0.1, -0.2))))
         .isLessThan(1.0e-9);
   }
@@ -52,8 +52,9 @@ class MountingPoseTest {
   @Test
   void read_variables_areThePose() {
     MountingPose pose =
-        MountingPose.read(
-            XmlConfiguration.inMemory("the test", Map.of("MOUNTED Z", -0.5, "MOUNTED YAW", 1.0)));
-    assertThat(pose).isEqualTo(new MountingPose(Point.of(0.0, 0.0, -0.5), 0.0, 0.0, 1.0));
+        XmlConfiguration.inMemory("the test", Map.of("MOUNTED Z", -0.5, "MOUNTED YAW", 1.0))
+            .settings(MountingPose.class)
+            .get();
+    assertThat(pose).isEqualTo(new MountingPose(0.0, 0.0, -0.5, 0.0, 0.0, 1.0));
   }
 }

@@ -10,12 +10,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** Two actuators of one service: which commands move them, and what is said of the others. */
@@ -30,15 +28,12 @@ class CommandedActuatorsTest {
 
     Drive(ServiceContext context) {
       super(context, ServiceRole.ACTUATOR, "Drive");
-      commands = new CommandedActuators(this, Set.of("LEFT", "RIGHT"));
-      registerSubscriber(Channels.GOALS);
-    }
-
-    @Override
-    public void callback(U2SAData data) {
-      boolean done =
-          data instanceof ActuatorCommand command ? commands.obey(command) : commands.heed(data);
-      results.add(data.type().name() + " " + done);
+      commands =
+          new CommandedActuators(
+              this,
+              Set.of("LEFT", "RIGHT"),
+              () -> results.add("commanded"),
+              () -> results.add("stopped"));
     }
 
     @Override
@@ -105,12 +100,7 @@ class CommandedActuatorsTest {
     kit.publish(Channels.ACTUATION, new ActuatorCommand().actuatorName("LEFT"));
     kit.advance(1.0);
 
-    assertThat(drive.results)
-        .containsExactly(
-            "PercentageCommand true",
-            "PercentageCommand true",
-            "PercentageCommand false",
-            "ActuatorCommand false");
+    assertThat(drive.results).containsExactly("commanded", "commanded");
     assertThat(drive.commands.refused(CommandRefusal.NOT_ADDRESSED)).isOne();
     assertThat(drive.commands.refused(CommandRefusal.NOT_A_PERCENTAGE)).isOne();
     assertThat(drive.commands.refused(CommandRefusal.TOO_OLD)).isZero();
@@ -120,14 +110,14 @@ class CommandedActuatorsTest {
   }
 
   @Test
-  void heed_messageOfAnotherKind_isNoneOfItsBusiness() {
+  void stop_evenTwice_stopsAtOnceAndAClearDoesNot() {
     Drive drive = start();
-    kit.publish(Channels.GOALS, new GoalList());
     arm(true);
     stop("Ann 1");
+    stop("Ann 1");
+    clear("Ann 1");
 
-    assertThat(drive.results)
-        .containsExactly("GoalList false", "ArmingState true", "EmergencyStop true");
+    assertThat(drive.results).containsExactly("stopped", "stopped");
   }
 
   @Test

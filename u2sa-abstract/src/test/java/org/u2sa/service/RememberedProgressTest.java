@@ -152,7 +152,7 @@ class RememberedProgressTest {
     restart();
 
     assertThat(learner.learnt).isEqualTo("nothing");
-    assertThat(log()).contains("begins from nothing").contains("Learner.progress");
+    assertThat(log()).contains("no saved state, starting fresh").contains("Learner.progress");
   }
 
   @Test

@@ -145,7 +145,7 @@ class ServiceLifeTest {
     assertThat(listener.released).isEqualTo(1);
     assertThat(kit.latest(Channels.HEALTH).orElseThrow().status()).isEqualTo(ServiceStatus.FAILED);
     assertThat(kit.log("Listener"))
-        .anyMatch(line -> line.contains("kills itself after 3 exceptions in a row"));
+        .anyMatch(line -> line.contains("stopping after 3 consecutive exceptions"));
   }
 
   @Test

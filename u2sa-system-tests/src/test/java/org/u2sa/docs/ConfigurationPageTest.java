@@ -1,5 +1,8 @@
 package org.u2sa.docs;
 
+import static java.util.stream.Collectors.joining;
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -24,12 +27,11 @@ import org.u2sa.device.WheelMotors;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.drivers.mavlink.MavlinkAutopilot;
 import org.u2sa.interfaces.communication.LocalBus;
-import org.u2sa.interfaces.configuration.ConfigurationReference;
+import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.service.Actuator;
-import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -88,22 +90,70 @@ class ConfigurationPageTest {
     services.put("MavlinkAutopilot", declaredBy(MavlinkAutopilot.class));
     List<VariableDeclaration<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
-    section(page, "Every service", common);
-    section(page, "CommunicationManager", declaredByManager());
+    section(page, "Every service", common, List.of());
+    section(page, "CommunicationManager", declaredByManager(), List.of());
     services.forEach(
         (name, variables) -> {
-          List<VariableDeclaration<?>> own = new ArrayList<>(variables);
-          own.removeIf(variable -> names(common).contains(variable.name()));
-          section(page, name, own);
+          section(page, name, variables, common);
         });
-    page.append('\n')
-        .append(ConfigurationReference.markdownFor(Actuator.class, CommandedActuators.class));
+    section(page, "Actuator", declaredBy(AnyActuator.class), common);
     new Page("docs/configuration.md").mustBe(page.toString());
   }
 
+  /** A table of the variables that are not among the common ones. */
   private static void section(
-      StringBuilder page, String heading, List<VariableDeclaration<?>> variables) {
-    page.append('\n').append(ConfigurationReference.markdownFor(heading, variables));
+      StringBuilder page,
+      String heading,
+      List<VariableDeclaration<?>> variables,
+      List<VariableDeclaration<?>> common) {
+    List<VariableDeclaration<?>> own = new ArrayList<>(variables);
+    own.removeIf(variable -> names(common).contains(variable.name()));
+    page.append("\n## ").append(heading).append("\n\n");
+    if (own.isEmpty()) {
+      page.append("No variables of its own.\n");
+      return;
+    }
+    page.append(
+        "| Variable | Type | Unit | Range | Default | Meaning |\n|---|---|---|---|---|---|\n");
+    for (VariableDeclaration<?> variable : own) {
+      assertThat(variable.description()).as("%s, %s", heading, variable).isNotEmpty();
+      String choices =
+          variable.choices().stream().map(ConfigurationPageTest::quoted).collect(joining(", "));
+      cell(page, "`" + variable.name() + "`");
+      cell(page, variable.type().xmlName());
+      cell(page, variable.unit());
+      cell(
+          page,
+          choices.isEmpty() && !variable.range().isAny() ? variable.range().toString() : choices);
+      cell(page, variable.ifAbsent().map(ConfigurationPageTest::quoted).orElse("required"));
+      cell(page, variable.description());
+      page.append("|\n");
+    }
+  }
+
+  private static void cell(StringBuilder page, String content) {
+    String safe = content.replace("|", "\\|").replaceAll("\\s+", " ").trim();
+    page.append("| ").append(safe).append(safe.isEmpty() ? "" : " ");
+  }
+
+  private static String quoted(Object value) {
+    return value instanceof Double number
+        ? Range.of(number, number).toString().split("…")[0]
+        : value instanceof String ? "\"" + value + "\"" : String.valueOf(value);
+  }
+
+  /** An actuator that moves nothing. */
+  public static final class AnyActuator extends Actuator {
+    /** For the page. */
+    public AnyActuator(ServiceContext context) {
+      super(context, "Actuator");
+    }
+
+    @Override
+    protected void actuate(double percentage) {}
+
+    @Override
+    protected void neutral() {}
   }
 
   private List<VariableDeclaration<?>> declaredBy(Class<?> service)

@@ -4,21 +4,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Objects;
 
 /**
  * One line of a service's functionality: a channel, and the base type of what travels on it with
- * all its ancestors. Immutable; {@code state/StateInformation} as text.
+ * all its ancestors. As text {@code state/StateInformation}.
+ *
+ * @param channel the channel's name
+ * @param typeChain the base type of what travels there and its ancestors, base first; empty: any
+ *     message
  */
-public final class DataOffer {
-  private final String channel;
-  private final List<String> typeChain;
-
-  private DataOffer(String channel, List<String> typeChain) {
-    this.channel = channel;
-    this.typeChain = typeChain;
-  }
-
+public record DataOffer(String channel, List<String> typeChain) {
   /**
    * Reads {@code channel/TypeChain}; a channel of any message has no chain. What is not of that
    * form is taken for a channel's name, since it comes from services that may be of another
@@ -30,16 +25,6 @@ public final class DataOffer {
     return parts.isEmpty()
         ? new DataOffer(text, Collections.emptyList())
         : new DataOffer(parts.get(0), Collections.unmodifiableList(parts.subList(1, parts.size())));
-  }
-
-  /** The channel's name. */
-  public String channel() {
-    return channel;
-  }
-
-  /** The base type of what travels there and its ancestors, base first; empty: any message. */
-  public List<String> typeChain() {
-    return typeChain;
   }
 
   /** The name of the base type of what travels there; {@code any} for any message. */
@@ -63,18 +48,6 @@ public final class DataOffer {
 
   private static boolean startsWith(List<String> chain, List<String> beginning) {
     return chain.size() >= beginning.size() && chain.subList(0, beginning.size()).equals(beginning);
-  }
-
-  @Override
-  public boolean equals(Object other) {
-    return other instanceof DataOffer
-        && ((DataOffer) other).channel.equals(channel)
-        && ((DataOffer) other).typeChain.equals(typeChain);
-  }
-
-  @Override
-  public int hashCode() {
-    return Objects.hash(channel, typeChain);
   }
 
   @Override

@@ -4,8 +4,7 @@ import org.u2sa.device.MagneticModel
 import org.u2sa.device.GpsFix
 import org.u2sa.interfaces.time.Clock
 import org.u2sa.interfaces.log.LogLevelEnum
-import org.u2sa.interfaces.configuration.Range
-import org.u2sa.interfaces.configuration.VariableDeclaration
+import org.u2sa.interfaces.configuration.Variable
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.messages.StateInformation
 import org.u2sa.messages.frame.Point
@@ -18,6 +17,26 @@ private const val GRAVITY_MPS2 = 9.80665
 private const val MICROS_PER_YEAR = 365.2425 * 86_400.0e6
 private const val EPOCH_YEAR = 1970.0
 
+private class PhoneTuning(
+    @Variable(
+        name = "MOUNTING",
+        ifAbsentText = "FLAT",
+        text = "How the phone is fixed: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.",
+    ) val mounting: Mounting,
+    @Variable(
+        name = "FIX TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 2.5,
+        text = "Age at which a GPS fix counts as lost: it is not published, and the log says so.",
+    ) val fixTimeout: Double,
+    @Variable(
+        name = "ATTITUDE TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 0.5,
+        text = "Age at which the phone's attitude counts as lost: it is not published, and the log says so.",
+    ) val attitudeTimeout: Double,
+    @Variable(
+        name = "HEADING SIGMA", unit = "rad", min = 0.0, minExcluded = true, ifAbsent = 0.17,
+        text = "Standard deviation of the heading where the phone does not say one.",
+    ) val headingSigma: Double,
+)
+
 /**
  * What a phone knows of its vehicle by its own sensors, in two messages, each once and at the time at which it was measured:
  * "… GPS" says where it is, "… attitude" how it lies and turns. Out: sensed-state. Thesis 4.6.3: the phone's sensors, before a
@@ -28,10 +47,9 @@ private const val EPOCH_YEAR = 1970.0
  */
 class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensors) :
     ProprioceptiveSensor(context, "PhoneSensor", STEPS_PER_S) {
-    private val mounting = Mounting.valueOf(getVariable(MOUNTING))
-    private val fixTimeoutMicros = Clock.micros(getVariable(FIX_TIMEOUT))
-    private val attitudeTimeoutMicros = Clock.micros(getVariable(ATTITUDE_TIMEOUT))
-    private val headingSigmaRad = getVariable(HEADING_SIGMA)
+    private val tuning = settings(PhoneTuning::class.java).get()
+    private val fixTimeoutMicros = Clock.micros(tuning.fixTimeout)
+    private val attitudeTimeoutMicros = Clock.micros(tuning.attitudeTimeout)
     private val gpsName = sensorName() + " GPS"
     private val attitudeName = sensorName() + " attitude"
     private var said = ""
@@ -71,45 +89,28 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private fun report(trouble: String) {
         if (trouble != said) {
             said = trouble
-            log(if (trouble.isEmpty()) LogLevelEnum.INFO else LogLevelEnum.WARN, trouble.ifEmpty { "all sensors are there" })
+            log(if (trouble.isEmpty()) LogLevelEnum.INFO else LogLevelEnum.WARN, trouble.ifEmpty { "all sensors deliver" })
         }
     }
 
-    private fun measured(name: String, atMicros: Long): StateInformation {
-        val state = StateInformation().sensorName(name).referenceFrame(ReferenceFrame.GLOBAL)
-        state.timestamp(atMicros)
-        return state
-    }
-
     private fun place(fix: GpsFix, reading: PhoneSensors.Reading): StateInformation {
-        val state = measured(gpsName, fix.measuredAtMicros())
-        state.x(fix.longitudeDeg()).y(fix.latitudeDeg())
-        fix.eastMps().ifPresent(state::xDot)
-        fix.northMps().ifPresent(state::yDot)
-        fix.upMps().ifPresent(state::zDot)
-        fix.horizontalSigmaM().ifPresent { state.xSigma(it).ySigma(it) }
-        altitude(fix, reading.pressure, state)
+        val state = fix.toState().sensorName(gpsName)
+        if (!fix.altitudeM().isPresent) {
+            reading.pressure?.let { state.z(Barometer.altitudeM(it.pascals)).zSigma(Barometer.SIGMA_M) }
+        }
         return state
     }
 
     private fun attitude(orientation: PhoneOrientation, here: GpsFix, reading: PhoneSensors.Reading): StateInformation {
         val at = orientation.measuredAtMicros
         val declinationRad = MagneticModel.declinationRad(here.latitudeDeg(), here.longitudeDeg(), 0.0, year(at))
-        val state = measured(attitudeName, at)
-        val attitude = orientation.attitude(mounting)
+        val state = StateInformation().sensorName(attitudeName).referenceFrame(ReferenceFrame.GLOBAL)
+        state.timestamp(at)
+        val attitude = orientation.attitude(tuning.mounting)
         state.phi(attitude.phi).theta(attitude.theta).psi((attitude.psi + declinationRad).mod(2.0 * Math.PI))
-        state.psiSigma(orientation.headingSigmaRad ?: headingSigmaRad)
+        state.psiSigma(orientation.headingSigmaRad ?: tuning.headingSigma)
         movement(orientation, reading, declinationRad, state)
         return state
-    }
-
-    private fun altitude(fix: GpsFix, pressure: PhoneSensors.Pressure?, state: StateInformation) {
-        if (fix.altitudeM().isPresent) {
-            state.z(fix.altitudeM().asDouble)
-            fix.verticalSigmaM().ifPresent(state::zSigma)
-        } else if (pressure != null) {
-            state.z(Barometer.altitudeM(pressure.pascals)).zSigma(Barometer.SIGMA_M)
-        }
     }
 
     private fun movement(
@@ -141,23 +142,6 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     override fun release() = sensors.close()
 
     companion object {
-        private val MOUNTING: VariableDeclaration<String> = VariableDeclaration.text("MOUNTING")
-            .oneOf(*Mounting.entries.map(Mounting::name).toTypedArray())
-            .ifAbsent(Mounting.FLAT.name)
-            .describedAs("How the phone is fixed: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.")
-        private val FIX_TIMEOUT: VariableDeclaration<Double> = VariableDeclaration.number("FIX TIMEOUT", "s")
-            .range(Range.of(0.1, 60.0))
-            .ifAbsent(2.5)
-            .describedAs("Age at which a GPS fix counts as lost: it is not published, and the log says so.")
-        private val ATTITUDE_TIMEOUT: VariableDeclaration<Double> = VariableDeclaration.number("ATTITUDE TIMEOUT", "s")
-            .range(Range.of(0.1, 60.0))
-            .ifAbsent(0.5)
-            .describedAs("Age at which the phone's attitude counts as lost: it is not published, and the log says so.")
-        private val HEADING_SIGMA: VariableDeclaration<Double> = VariableDeclaration.number("HEADING SIGMA", "rad")
-            .range(Range.positive())
-            .ifAbsent(0.17)
-            .describedAs("Standard deviation of the heading where the phone does not say one.")
-
         private fun year(micros: Long) = EPOCH_YEAR + micros / MICROS_PER_YEAR
     }
 }

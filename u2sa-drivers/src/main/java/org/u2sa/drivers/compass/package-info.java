@@ -1,5 +1,5 @@
 /**
- * Compasses: what their bytes mean, where magnetic north lies, and the service that publishes the
- * heading. How the bytes come belongs to {@code org.u2sa.drivers.link}.
+ * Compasses: what their bytes mean. How the bytes come belongs to {@code org.u2sa.drivers.link},
+ * what becomes of a heading to {@code org.u2sa.device}.
  */
 package org.u2sa.drivers.compass;

@@ -9,9 +9,7 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.link.ParsedDevice;
-import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /** A satellite receiver at the other end of a link. */
@@ -59,25 +57,23 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
 
   /** RECEIVER NMEA, UBLOX 6 and UBLOX 8 in a configuration. */
   public static final class Provider extends DeviceProvider<GpsReceiver> {
-    private static final VariableDeclaration<Double> RANGE_ERROR =
-        VariableDeclaration.number("RANGE ERROR", "m")
-            .range(Range.of(0.01, 100.0))
-            .ifAbsent(NmeaGps.USUAL_RANGE_ERROR_M)
-            .describedAs(
-                "NMEA: 1 sigma of the distance to a satellite without corrections. Times the dilution of precision it is the position's, where there is no GST; DGPS and RTK have less.");
-
-    private static final VariableDeclaration<Integer> BAUD =
-        VariableDeclaration.integer("BAUD")
-            .range(Range.of(1_200, 921_600))
-            .ifAbsent(9_600)
-            .describedAs(
-                "UBLOX: rate of the receiver's own port, as in CONNECTION; is not changed.");
-
-    private static final VariableDeclaration<Double> SOLUTION_RATE =
-        VariableDeclaration.number("SOLUTION RATE", "Hz")
-            .range(Range.of(0.1, 25.0))
-            .ifAbsent(5.0)
-            .describedAs("UBLOX: fixes a second.");
+    private record Tuning(
+        @Variable(
+                unit = "m",
+                min = 0.01,
+                max = 100,
+                ifAbsent = NmeaGps.USUAL_RANGE_ERROR_M,
+                text =
+                    "NMEA: standard deviation of the distance to a satellite without corrections; DGPS and RTK have less. Times the dilution of precision, it is the position's where the receiver sends no GST.")
+            double rangeError,
+        @Variable(
+                min = 1_200,
+                max = 921_600,
+                ifAbsent = 9_600,
+                text = "UBLOX: rate of the receiver's own port, as in CONNECTION; is not changed.")
+            int baud,
+        @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5, text = "UBLOX: fixes per second.")
+            double solutionRate) {}
 
     /** For {@link java.util.ServiceLoader}. */
     public Provider() {
@@ -85,21 +81,17 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
     }
 
     @Override
-    protected List<VariableDeclaration<?>> variables() {
-      return List.of(RANGE_ERROR, BAUD, SOLUTION_RATE);
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
     }
 
     @Override
     protected GpsReceiver open(String name, ServiceContext context) {
-      Configurator variables = context.configuration();
+      Tuning tuning = context.configuration().settings(Tuning.class).get();
       ByteLink link = ByteLinks.of(context);
       return name.equals("NMEA")
-          ? listening(link, new NmeaGps(variables.getVariable(RANGE_ERROR)))
-          : ublox(
-              link,
-              UbloxModel.named(name),
-              variables.getVariable(BAUD),
-              variables.getVariable(SOLUTION_RATE));
+          ? listening(link, new NmeaGps(tuning.rangeError()))
+          : ublox(link, UbloxModel.named(name), tuning.baud(), tuning.solutionRate());
     }
   }
 }

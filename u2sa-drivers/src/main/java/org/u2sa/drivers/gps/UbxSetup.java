@@ -1,5 +1,7 @@
 package org.u2sa.drivers.gps;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.drivers.link.ByteLink;
@@ -22,9 +24,9 @@ final class UbxSetup {
 
   private static final int UART_1 = 1;
   private static final int MODE_8N1 = 0x08D0;
-  private static final int UBX_AND_NMEA_IN = 0x0003;
-  private static final int UBX_OUT = 0x0001;
-  private static final int TO_GPS_TIME = 1;
+  private static final short UBX_AND_NMEA_IN = 0x0003;
+  private static final short UBX_OUT = 0x0001;
+  private static final short TO_GPS_TIME = 1;
   private static final int MS_PER_S = 1_000;
 
   private final List<Step> steps;
@@ -51,31 +53,28 @@ final class UbxSetup {
           new Step(
               String.format("CFG-MSG for %02X-%02X", kind >> 8, kind & 0xFF),
               CFG_MSG,
-              UbxFramer.frame(
-                  CFG_MSG >> 8, CFG_MSG & 0xFF, (byte) (kind >> 8), (byte) kind, (byte) 1)));
+              frame(CFG_MSG, (byte) (kind >> 8), (byte) kind, (byte) 1)));
     }
   }
 
   private static byte[] port(int baud) {
-    return new UbxWriter(CFG_PRT)
-        .u1(UART_1)
-        .u1(0)
-        .u2(0) // no line tells that there is something to send
-        .u4(MODE_8N1)
-        .u4(baud)
-        .u2(UBX_AND_NMEA_IN)
-        .u2(UBX_OUT)
-        .u2(0)
-        .u2(0)
-        .frame();
+    ByteBuffer port = ByteBuffer.allocate(20).order(ByteOrder.LITTLE_ENDIAN);
+    port.putInt(0, UART_1); // and no line that tells that there is something to send
+    port.putInt(4, MODE_8N1).putInt(8, baud);
+    port.putShort(12, UBX_AND_NMEA_IN).putShort(14, UBX_OUT);
+    return frame(CFG_PRT, port.array());
   }
 
   private static byte[] rate(double rateHz) {
-    return new UbxWriter(CFG_RATE)
-        .u2((int) Math.round(MS_PER_S / rateHz))
-        .u2(1) // a solution from each measurement
-        .u2(TO_GPS_TIME)
-        .frame();
+    ByteBuffer rate = ByteBuffer.allocate(6).order(ByteOrder.LITTLE_ENDIAN);
+    rate.putShort((short) Math.round(MS_PER_S / rateHz));
+    rate.putShort((short) 1); // a solution from each measurement
+    rate.putShort(TO_GPS_TIME);
+    return frame(CFG_RATE, rate.array());
+  }
+
+  private static byte[] frame(int kind, byte... payload) {
+    return UbxFramer.frame(kind >> 8, kind & 0xFF, payload);
   }
 
   /** Begins anew: the receiver was found, and may have forgotten everything. */

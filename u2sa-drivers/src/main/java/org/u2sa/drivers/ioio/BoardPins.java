@@ -62,7 +62,7 @@ final class BoardPins {
         spec, PulseInput.ClockRate.RATE_2MHz, PulseInput.PulseMode.POSITIVE, false);
   }
 
-  private static UartLine uart(IOIO ioio, UartPins pins) throws ConnectionLostException {
+  private static UartLine uart(IOIO ioio, PinPlan.Uart pins) throws ConnectionLostException {
     Uart uart =
         ioio.openUart(
             pins.receive(), pins.transmit(), pins.baud(), Uart.Parity.NONE, Uart.StopBits.ONE);

@@ -3,19 +3,14 @@ package org.u2sa.drivers.ioio;
 import ioio.lib.api.exception.ConnectionLostException;
 import java.io.IOException;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.drivers.motor.PulseOutput;
-import org.u2sa.drivers.motor.PulseVariables;
 import org.u2sa.drivers.rc.RcSwitch;
-import org.u2sa.drivers.rc.RcSwitchVariables;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -32,7 +27,6 @@ import org.u2sa.service.ServiceContext;
  */
 public final class IoioService extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
-  private static final double ANNOUNCE_EVERY_S = 5.0;
   private static final double BATTERY_EVERY_S = 1.0;
 
   private final BoardConnection connection;
@@ -40,11 +34,10 @@ public final class IoioService extends ProprioceptiveSensor {
   private final MotorOutputs motors;
   private final PinSensors sensors;
   private final Optional<RcSwitch> radio;
-  private final Optional<Double> batteryDivider;
-  private final BoardKeeper keeper;
-  private final Presence board;
+  private final OptionalDouble batteryDivider;
+  private final BoardConnector connector;
+  private Optional<Boolean> reported = Optional.empty(); // whether the board is connected
   private RcSwitch.Position position = RcSwitch.Position.AUTOMATIC;
-  private double announceDueS;
   private double batteryDueS;
 
   /** Called by the launcher: the connection is the one that the configuration names. */
@@ -59,23 +52,24 @@ public final class IoioService extends ProprioceptiveSensor {
 
   private IoioService(ServiceContext context, Optional<BoardConnection> made) {
     super(context, "IoioService", STEPS_PER_S);
-    String address = getVariable(IoioVariables.CONNECTION);
-    List<IoioVariables.ActuatorPin> actuators = IoioVariables.actuators(this);
+    IoioVariables variables = settings(IoioVariables.class).get();
     Map<String, PulseOutput> outputs = new LinkedHashMap<>();
-    actuators.forEach(
-        actuator -> outputs.put(actuator.name(), PulseVariables.read(this, actuator.name())));
-    PinPlan plan = IoioVariables.plan(this, actuators);
-    commands = new CommandedActuators(this, outputs.keySet());
-    motors = new MotorOutputs(outputs, commands, getVariable(IoioVariables.TOGETHER));
-    RcSwitch rcSwitch = RcSwitchVariables.read(this);
+    for (IoioVariables.ActuatorPin actuator : variables.actuatorPins()) {
+      outputs.put(actuator.name(), PulseOutput.configured(this, actuator.name()));
+    }
+    PinPlan plan = variables.plan();
+    commands = new CommandedActuators(this, outputs.keySet(), this::stopNow);
+    motors = new MotorOutputs(outputs, commands, variables.actuatorsTogether());
+    RcSwitch rcSwitch = new RcSwitch(settings(RcSwitch.Tuning.class).get());
     radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(rcSwitch);
-    double divider = getVariable(IoioVariables.DIVIDER);
-    batteryDivider = plan.battery() == PinPlan.NONE ? Optional.empty() : Optional.of(divider);
+    batteryDivider =
+        plan.battery() == PinPlan.NONE
+            ? OptionalDouble.empty()
+            : OptionalDouble.of(variables.batteryDivider());
     sensors = new PinSensors(this, plan);
     registerPublisher(Channels.POWER);
-    connection = made.orElseGet(() -> configured(address));
-    board = new Presence(this, "the IOIO at " + connection.address());
-    keeper = new BoardKeeper(connection, plan, getVariable(IoioVariables.SILENT_AFTER));
+    connection = made.orElseGet(() -> configured(variables.connection()));
+    connector = new BoardConnector(connection, plan, variables.boardSilentAfter());
   }
 
   private static BoardConnection configured(String address) {
@@ -88,46 +82,39 @@ public final class IoioService extends ProprioceptiveSensor {
 
   @Override
   protected void begin() {
-    announce();
-    keeper.start();
+    commands.announce(motors.announcements());
+    connector.start();
   }
 
-  private void announce() {
-    motors.announce();
-    announceDueS = nowS() + ANNOUNCE_EVERY_S;
-  }
-
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      commands.obey(command);
-    } else if (!commands.heed(data)) {
-      unexpected(data);
-    } else if (!commands.mayMove()) {
-      with(keeper.session(), pins -> drive(pins, clock().micros())); // does not wait for the step
-    }
+  private void stopNow() {
+    with(connector.session(), pins -> drive(pins, clock().micros()));
   }
 
   @Override
   protected void step(double nowS) {
     long now = clock().micros();
-    keeper.step(now);
-    Optional<BoardSession> session = keeper.session();
+    connector.step(now);
+    Optional<BoardSession> session = connector.session();
     sensors.attach(session.map(BoardSession::pins));
     with(session, pins -> act(pins, now));
     sensors.read(now).forEach(state -> publish(Channels.SENSED_STATE, state));
     with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
     report(session); // last, so that it is the last error in the health report
-    if (nowS >= announceDueS) {
-      announce();
-    }
+    commands.step(nowS);
   }
 
   private void report(Optional<BoardSession> session) {
-    if (session.isPresent()) {
-      board.there(": " + session.get().versions());
-    } else if (!keeper.trouble().isEmpty()) {
-      board.gone(keeper.trouble());
+    boolean isConnected = session.isPresent();
+    String why = connector.trouble();
+    if (reported.equals(Optional.of(isConnected)) || !isConnected && why.isEmpty()) {
+      return;
+    }
+    reported = Optional.of(isConnected);
+    String board = "the IOIO at " + connection.address();
+    if (isConnected) {
+      log(board + " is connected: " + session.get().versions());
+    } else {
+      trouble(board + " is lost: " + why);
     }
   }
 
@@ -136,7 +123,7 @@ public final class IoioService extends ProprioceptiveSensor {
     try {
       work.on(session.map(BoardSession::pins));
     } catch (ConnectionLostException | IOException e) {
-      session.ifPresent(lost -> keeper.giveUp(lost, "the connection was lost while writing"));
+      session.ifPresent(lost -> connector.giveUp(lost, "the connection was lost while writing"));
     }
   }
 
@@ -190,7 +177,7 @@ public final class IoioService extends ProprioceptiveSensor {
       return;
     }
     batteryDueS = nowS() + BATTERY_EVERY_S;
-    double batteryV = volts.getAsDouble() * batteryDivider.get();
+    double batteryV = volts.getAsDouble() * batteryDivider.getAsDouble();
     publish(Channels.POWER, new BatteryState().sensorName(sensorName()).voltage(batteryV));
   }
 
@@ -207,12 +194,12 @@ public final class IoioService extends ProprioceptiveSensor {
   /** The board gives no pulses until the successor has connected; then it goes on. */
   @Override
   protected void releaseToSuccessor() {
-    keeper.close();
+    connector.close();
   }
 
   @Override
   protected void release() {
-    with(keeper.session(), pins -> motors.drive(false, pins, clock().micros()));
-    keeper.close();
+    with(connector.session(), pins -> motors.drive(false, pins, clock().micros()));
+    connector.close();
   }
 }

@@ -34,16 +34,18 @@ final class MotorOutputs {
     this.together = together;
   }
 
-  /** Tells control systems of each. */
-  void announce() {
-    outputs.forEach(
-        (name, output) ->
-            commands.announce(
-                new ActuatorAnnouncement()
-                    .actuatorName(name)
-                    .minimum(-FULL_PERCENT)
-                    .maximum(FULL_PERCENT)
-                    .effect(EFFECTS.getOrDefault(name, "moves"))));
+  /** What control systems are told of each. */
+  List<ActuatorAnnouncement> announcements() {
+    List<ActuatorAnnouncement> all = new ArrayList<>();
+    for (String name : outputs.keySet()) {
+      all.add(
+          new ActuatorAnnouncement()
+              .actuatorName(name)
+              .minimum(-FULL_PERCENT)
+              .maximum(FULL_PERCENT)
+              .effect(EFFECTS.getOrDefault(name, "moves")));
+    }
+    return all;
   }
 
   /**

@@ -6,33 +6,13 @@ package org.u2sa.drivers.ioio;
  */
 enum PinFunction {
   /** Any digital output. */
-  OUTPUT("a digital output") {
-    @Override
-    boolean isAt(int pin, boolean isOtg) {
-      return true;
-    }
-  },
+  OUTPUT("a digital output"),
   /** PWM and the transmit line of a UART. */
-  PERIPHERAL_OUTPUT("PWM or a UART's transmit line") {
-    @Override
-    boolean isAt(int pin, boolean isOtg) {
-      return isPeripheral(pin, isOtg);
-    }
-  },
+  PERIPHERAL_OUTPUT("PWM or a UART's transmit line"),
   /** Pulse capture and the receive line of a UART. */
-  PERIPHERAL_INPUT("pulse measurement or a UART's receive line") {
-    @Override
-    boolean isAt(int pin, boolean isOtg) {
-      return pin == INPUT_ONLY || isPeripheral(pin, isOtg);
-    }
-  },
+  PERIPHERAL_INPUT("pulse measurement or a UART's receive line"),
   /** Measurement of a voltage. */
-  ANALOG_INPUT("an analog input") {
-    @Override
-    boolean isAt(int pin, boolean isOtg) {
-      return pin >= FIRST_ANALOG && pin <= LAST_ANALOG;
-    }
-  };
+  ANALOG_INPUT("an analog input");
 
   static final int FIRST_ANALOG = 31;
   static final int LAST_ANALOG = 46;
@@ -48,7 +28,14 @@ enum PinFunction {
   }
 
   /** Whether a pin that exists has the function. */
-  abstract boolean isAt(int pin, boolean isOtg);
+  boolean isAt(int pin, boolean isOtg) {
+    return switch (this) {
+      case OUTPUT -> true;
+      case PERIPHERAL_OUTPUT -> isPeripheral(pin, isOtg);
+      case PERIPHERAL_INPUT -> pin == INPUT_ONLY || isPeripheral(pin, isOtg);
+      case ANALOG_INPUT -> pin >= FIRST_ANALOG && pin <= LAST_ANALOG;
+    };
+  }
 
   /** The function in words. */
   String words() {

@@ -18,11 +18,20 @@ import java.util.Optional;
 record PinPlan(
     List<Integer> pulses,
     int pulseHz,
-    Optional<UartPins> gps,
-    Optional<UartPins> compass,
+    Optional<Uart> gps,
+    Optional<Uart> compass,
     int radio,
     int battery,
     int sample,
     int led) {
   static final int NONE = -1;
+
+  /**
+   * Where a serial device is wired.
+   *
+   * @param receive pin at which its bytes come
+   * @param transmit pin at which bytes to it leave, {@link #NONE} if there is none
+   * @param baud rate [bit/s]; 8 bits, no parity, one stop bit
+   */
+  record Uart(int receive, int transmit, int baud) {}
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.device.FixReader;
 import org.u2sa.device.HeadingReader;
+import org.u2sa.device.TrueNorth;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.Sensor;
 
@@ -23,7 +24,8 @@ final class PinSensors {
 
   /** Reads the variables that say what the devices are. */
   PinSensors(Sensor service, PinPlan plan) {
-    SensorVariables variables = new SensorVariables(service);
+    SensorVariables variables = service.settings(SensorVariables.class).get();
+    TrueNorth north = new TrueNorth(service);
     String name = service.sensorName(); // of two sensors: else a new heading replaced an unread fix
     gps =
         plan.gps()
@@ -39,9 +41,9 @@ final class PinSensors {
                         device,
                         name + " compass",
                         SILENT_AFTER_S,
-                        variables.north(),
-                        variables.mountingRad(),
-                        variables.headingSigmaRad()));
+                        north,
+                        variables.compassMountingAngle(),
+                        variables.headingSigma()));
   }
 
   /** Takes note of the board's pins, or that there are none now. */

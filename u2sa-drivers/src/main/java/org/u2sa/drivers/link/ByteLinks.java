@@ -10,13 +10,7 @@ import org.u2sa.service.ServiceContext;
 
 /** Opens links from the addresses that users write in configuration files. */
 public final class ByteLinks {
-  /** What an address may be, for the description of a variable that holds one. */
-  public static final String FORMS =
-      "serial:PATH?baud=N, tcp:HOST:PORT, udp:PORT, udp:HOST:PORT or replay:FILE;"
-          + " with &record=FILE all that passes is recorded.";
 
-  private static final int USUAL_BAUD = 9_600;
-  private static final int FASTEST_BAUD = 4_000_000;
   private static final double TCP_SILENCE_S = 5.0;
   private static final double UDP_SILENCE_S = 2.0;
   private static final double LONGEST_SILENCE_S = 3_600.0;
@@ -81,15 +75,7 @@ public final class ByteLinks {
     switch (address.kind()) {
       case "serial":
         address.onlyOptions(Set.of("baud", "parity", "stop", "dtr", "record"));
-        return new ReconnectingLink(
-            address.toString(),
-            new SerialOpener(
-                address.target(),
-                address.option("baud", USUAL_BAUD, 1, FASTEST_BAUD),
-                SerialParity.of(address),
-                address.option("stop", 1, 1, 2),
-                address.flag("dtr", true)),
-            0.0);
+        return new ReconnectingLink(address.toString(), new SerialOpener(address), 0.0);
       case "tcp":
         address.onlyOptions(Set.of("silence", "record"));
         if (address.host().isEmpty()) {

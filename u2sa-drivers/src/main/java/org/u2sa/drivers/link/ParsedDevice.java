@@ -32,4 +32,9 @@ public abstract class ParsedDevice<R extends Device.Reading> extends LinkedDevic
   public final long malformed() {
     return parser.refused();
   }
+
+  @Override
+  public final String lastRefusal() {
+    return parser.lastRefusal();
+  }
 }

@@ -12,18 +12,24 @@ import java.util.Arrays;
 final class SerialOpener implements Port.Opener {
   private static final int DATA_BITS = 8;
 
+  private static final int USUAL_BAUD = 9_600;
+  private static final int FASTEST_BAUD = 4_000_000;
+
   private final String path;
   private final int baud;
-  private final SerialParity parity;
+  private final int parity;
   private final int stopBits;
   private final boolean dtr;
 
-  SerialOpener(String path, int baud, SerialParity parity, int stopBits, boolean dtr) {
-    this.path = path;
-    this.baud = baud;
-    this.parity = parity;
-    this.stopBits = stopBits;
-    this.dtr = dtr;
+  /**
+   * @throws org.u2sa.interfaces.BadInputException if an option is wrong
+   */
+  SerialOpener(LinkAddress address) {
+    path = address.target();
+    baud = address.option("baud", USUAL_BAUD, 1, FASTEST_BAUD);
+    parity = parityOf(address);
+    stopBits = address.option("stop", 1, 1, 2);
+    dtr = address.flag("dtr", true);
   }
 
   @Override
@@ -34,7 +40,7 @@ final class SerialOpener implements Port.Opener {
           baud,
           DATA_BITS,
           stopBits == 1 ? SerialPort.ONE_STOP_BIT : SerialPort.TWO_STOP_BITS,
-          parityOf(parity));
+          parity);
       port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
       port.setComPortTimeouts(
           SerialPort.TIMEOUT_READ_SEMI_BLOCKING | SerialPort.TIMEOUT_WRITE_BLOCKING,
@@ -55,15 +61,15 @@ final class SerialOpener implements Port.Opener {
     }
   }
 
-  private static int parityOf(SerialParity parity) {
-    switch (parity) {
-      case EVEN:
-        return SerialPort.EVEN_PARITY;
-      case ODD:
-        return SerialPort.ODD_PARITY;
-      default:
-        return SerialPort.NO_PARITY;
-    }
+  private static int parityOf(LinkAddress address) {
+    String parity = address.option("parity");
+    return switch (parity) {
+      case "", "none" -> SerialPort.NO_PARITY;
+      case "even" -> SerialPort.EVEN_PARITY;
+      case "odd" -> SerialPort.ODD_PARITY;
+      default ->
+          throw address.refused("option \"parity\": \"" + parity + "\" is not none, even or odd");
+    };
   }
 
   /** The numbers of errno(3) that users meet. */

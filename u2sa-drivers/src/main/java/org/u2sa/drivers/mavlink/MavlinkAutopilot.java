@@ -7,7 +7,9 @@ import io.dronefleet.mavlink.common.GpsRawInt;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.minimal.Heartbeat;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -15,10 +17,8 @@ import org.u2sa.device.DeviceWatch;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -31,7 +31,6 @@ import org.u2sa.service.ServiceContext;
  */
 public final class MavlinkAutopilot extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
-  private static final double ANNOUNCE_EVERY_S = 5.0;
   private static final double FULL_PERCENT = 100.0;
 
   private final ByteLink link;
@@ -46,7 +45,6 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
   private final byte[] buffer = new byte[4096];
   private final String positionName; // apart from attitude: a newer one replaces an unread one
   private boolean isWaitSaid;
-  private double announceDueS;
 
   /** Called by the launcher: opens the link that CONNECTION names. */
   public MavlinkAutopilot(ServiceContext context) {
@@ -61,37 +59,21 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
   private MavlinkAutopilot(ServiceContext context, Optional<ByteLink> given) {
     super(context, "MavlinkAutopilot", STEPS_PER_S);
     registerPublisher(Channels.POWER);
-    form = MavlinkVariables.form(this);
+    MavlinkVariables variables = settings(MavlinkVariables.class).get();
+    form = variables.form(this);
     Set<String> names = new LinkedHashSet<>();
     form.axes().forEach(axis -> names.add(axis.name()));
-    commands = new CommandedActuators(this, names);
+    commands = new CommandedActuators(this, names, this::stopNow);
     output =
         new AutopilotCommands(
-            form,
-            1.0 / getVariable(MavlinkVariables.COMMAND_RATE),
-            getVariable(MavlinkVariables.NEUTRAL_TIME),
-            this::send);
-    stream =
-        new MavlinkStream(
-            getVariable(MavlinkVariables.OWN_SYSTEM), getVariable(MavlinkVariables.OWN_COMPONENT));
-    peer =
-        new AutopilotPeer(
-            getVariable(MavlinkVariables.SYSTEM),
-            getVariable(MavlinkVariables.STATE_RATE),
-            this::send);
-    state = new AutopilotState(getVariable(MavlinkVariables.STALE_AFTER));
+            form, 1.0 / variables.commandRate(), variables.neutralTime(), this::send);
+    stream = new MavlinkStream(variables.ownSystem(), variables.ownComponent());
+    peer = new AutopilotPeer(variables.autopilotSystem(), variables.stateRate(), this::send);
+    state = new AutopilotState(variables.staleAfter());
     positionName = sensorName() + " position";
     power = new AutopilotPower(sensorName());
-    double timeoutS = getVariable(MavlinkVariables.HEARTBEAT_TIMEOUT);
-    String address = getVariable(MavlinkVariables.CONNECTION);
-    link =
-        given.orElseGet(
-            () ->
-                ByteLinks.open(
-                    address,
-                    context.clock(),
-                    path -> context.configuration().resolve(path.toString())));
-    watch = new DeviceWatch(this, "the autopilot", link, timeoutS);
+    link = given.orElseGet(() -> ByteLinks.of(context));
+    watch = new DeviceWatch(this, "the autopilot", link, variables.heartbeatTimeout());
   }
 
   private void send(Object message) {
@@ -100,32 +82,20 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
 
   @Override
   protected void begin() {
-    announce(nowS());
-  }
-
-  private void announce(double nowS) {
-    form.axes()
-        .forEach(
-            axis ->
-                commands.announce(
-                    new ActuatorAnnouncement()
-                        .actuatorName(axis.name())
-                        .minimum(axis.minimum())
-                        .maximum(FULL_PERCENT)
-                        .effect(axis.effect())));
-    announceDueS = nowS + ANNOUNCE_EVERY_S;
-  }
-
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      commands.obey(command);
-    } else if (!commands.heed(data)) {
-      unexpected(data);
-    } else if (!commands.mayMove()) {
-      // an emergency stop does not wait for the next step
-      peer.target().ifPresent(target -> output.stop(target, clock().micros()));
+    List<ActuatorAnnouncement> actuators = new ArrayList<>();
+    for (CommandForm.Axis axis : form.axes()) {
+      actuators.add(
+          new ActuatorAnnouncement()
+              .actuatorName(axis.name())
+              .minimum(axis.minimum())
+              .maximum(FULL_PERCENT)
+              .effect(axis.effect()));
     }
+    commands.announce(actuators);
+  }
+
+  private void stopNow() {
+    peer.target().ifPresent(target -> output.stop(target, clock().micros()));
   }
 
   @Override
@@ -139,7 +109,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
     while ((count = link.read(buffer)) > 0) {
       stream.accept(buffer, count, message -> take(message, now));
     }
-    watch.malformed(stream.malformed() + state.refused());
+    watch.malformed(stream.malformed() + state.refused(), "");
     boolean isHeard = watch.isHeard(now);
     peer.step(isHeard, now);
     peer.target()
@@ -150,14 +120,12 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
                     name -> isHeard ? commands.percentage(name) : OptionalDouble.empty(),
                     now));
     sayWait();
-    if (nowS >= announceDueS) {
-      announce(nowS);
-    }
+    commands.step(nowS);
   }
 
   private void sayWait() {
     if (output.isWaiting() && !isWaitSaid) {
-      trouble("commands wait: the autopilot does not say where its nose points (ATTITUDE)");
+      trouble("commands wait for the autopilot's heading (ATTITUDE)");
     }
     isWaitSaid = output.isWaiting();
   }

@@ -1,23 +1,49 @@
 package org.u2sa.drivers.motor;
 
-import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Variable;
 
 /**
  * How a percentage becomes the width of a servo pulse, for servos and electronic speed controls.
- * Straight from neutral to either end, so that both halves may be of different length. Immutable.
- *
- * @param minimumUs shortest pulse, at −100 % [µs]
- * @param neutralUs pulse at which nothing moves [µs]
- * @param maximumUs longest pulse, at 100 % [µs]
- * @param reversed whether the device turns the wrong way: then the ends are exchanged
- * @param deadBandPercent percentages not farther from 0 than this are neutral [%], 0…100
+ * Straight from neutral to either end, so that both halves may be of different length. The
+ * variables' names begin with the actuator's.
  */
 public record PulseWidth(
-    double minimumUs,
-    double neutralUs,
-    double maximumUs,
-    boolean reversed,
-    double deadBandPercent) {
+    @Variable(
+            name = "SHORTEST PULSE",
+            unit = "us",
+            min = 100,
+            max = 5000,
+            ifAbsent = 1000,
+            text = "Pulse at -100 %, or 100 % if reversed.")
+        double minimumUs,
+    @Variable(
+            name = "NEUTRAL PULSE",
+            unit = "us",
+            min = 100,
+            max = 5000,
+            ifAbsent = 1500,
+            text = "Pulse at which nothing moves.")
+        double neutralUs,
+    @Variable(
+            name = "LONGEST PULSE",
+            unit = "us",
+            min = 100,
+            max = 5000,
+            ifAbsent = 2000,
+            text = "Pulse at 100 %, or -100 % if reversed.")
+        double maximumUs,
+    @Variable(
+            ifAbsentText = "false",
+            text = "Whether the device turns the wrong way: exchanges the ends.")
+        boolean reversed,
+    @Variable(
+            name = "DEAD BAND",
+            unit = "%",
+            min = 0,
+            max = 100,
+            ifAbsent = 0,
+            text = "Percentages not farther from 0 than this are neutral.")
+        double deadBandPercent) {
   private static final double FULL_PERCENT = 100.0;
   private static final double MICRO = 1.0e-6;
 
@@ -25,23 +51,13 @@ public record PulseWidth(
   public static final PulseWidth STANDARD = new PulseWidth(1000.0, 1500.0, 2000.0, false, 0.0);
 
   /**
-   * Checks that minimum &lt; neutral &lt; maximum.
-   *
-   * @throws BadInputException naming all three, if they are not in that order
+   * @throws IllegalArgumentException naming all three pulses, if they do not grow
    */
   public PulseWidth {
-    if (!(0.0 < minimumUs && minimumUs < neutralUs && neutralUs < maximumUs)) {
-      throw new BadInputException(
-          "pulse widths: "
-              + minimumUs
-              + " us, neutral "
-              + neutralUs
-              + " us, "
-              + maximumUs
-              + " us are not in growing order");
-    }
-    if (!(deadBandPercent >= 0.0 && deadBandPercent <= FULL_PERCENT)) {
-      throw new BadInputException("dead band: " + deadBandPercent + " % is outside 0…100 %");
+    if (!(minimumUs < neutralUs && neutralUs < maximumUs)) {
+      throw new IllegalArgumentException(
+          ("SHORTEST PULSE " + minimumUs + " us, NEUTRAL PULSE " + neutralUs)
+              + (" us and LONGEST PULSE " + maximumUs + " us must be in growing order"));
     }
   }
 
@@ -64,19 +80,5 @@ public record PulseWidth(
   /** The pulse at which nothing moves [s]. */
   public double neutralS() {
     return neutralUs * MICRO;
-  }
-
-  /**
-   * The way back, for pulses that a radio receiver gives.
-   *
-   * @param pulseS finite [s]; beyond the ends counts as the end
-   * @return −100…100 [%]; 0 inside the dead band
-   */
-  public double percent(double pulseS) {
-    double offUs = pulseS / MICRO - neutralUs;
-    double lengthUs = offUs < 0.0 ? neutralUs - minimumUs : maximumUs - neutralUs;
-    double share = Math.max(-1.0, Math.min(1.0, offUs / lengthUs));
-    double percent = (reversed ? -share : share) * FULL_PERCENT;
-    return Math.abs(percent) > deadBandPercent ? percent : 0.0;
   }
 }

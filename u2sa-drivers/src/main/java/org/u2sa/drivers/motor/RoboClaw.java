@@ -8,8 +8,7 @@ import org.u2sa.device.MotorController;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkedDevice;
-import org.u2sa.interfaces.configuration.Range;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
@@ -190,11 +189,13 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
 
   /** CONTROLLER ROBOCLAW in a configuration. */
   public static final class Provider extends DeviceProvider<MotorController> {
-    private static final VariableDeclaration<Integer> ADDRESS =
-        VariableDeclaration.integer("ADDRESS")
-            .range(Range.of(128, 135))
-            .ifAbsent(128)
-            .describedAs("ROBOCLAW: address set at the controller; 128 is 0x80.");
+    private record Tuning(
+        @Variable(
+                min = 128,
+                max = 135,
+                ifAbsent = 128,
+                text = "ROBOCLAW: address set at the controller; 128 is 0x80.")
+            int address) {}
 
     /** For {@link java.util.ServiceLoader}. */
     public Provider() {
@@ -202,15 +203,15 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
     }
 
     @Override
-    protected List<VariableDeclaration<?>> variables() {
-      return List.of(ADDRESS);
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
     }
 
     @Override
     protected MotorController open(String name, ServiceContext context) {
       return new RoboClaw(
           ByteLinks.of(context),
-          context.configuration().getVariable(ADDRESS),
+          context.configuration().settings(Tuning.class).get().address(),
           (Double) context.configuration().getVariable("SERIAL TIMEOUT"));
     }
   }

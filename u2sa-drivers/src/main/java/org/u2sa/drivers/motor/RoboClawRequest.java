@@ -18,6 +18,9 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
   private static final double FULL_DUTY = 32_767.0;
   private static final double FULL_PERCENT = 100.0;
   private static final int CRC_BYTES = 2;
+  private static final int POLYNOMIAL = 0x1021;
+  private static final int TOP = 0x8000;
+  private static final int MASK = 0xFFFF;
   private static final byte ACKNOWLEDGED = (byte) 0xFF;
 
   /** The controller stops both motors by itself when it hears nothing for that time [s]. */
@@ -64,7 +67,7 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     System.arraycopy(data, 0, packet, 2, data.length);
     if (answerBytes == 0) {
       int end = packet.length - CRC_BYTES;
-      int crc = Crc16.of(0, packet, 0, end);
+      int crc = crc(0, packet, 0, end);
       packet[end] = (byte) (crc >> 8);
       packet[end + 1] = (byte) crc;
     }
@@ -84,8 +87,8 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     if (answerBytes == 0) {
       return reply[0] == ACKNOWLEDGED;
     }
-    int crc = Crc16.of(0, new byte[] {(byte) address, (byte) command}, 0, 2);
-    crc = Crc16.of(crc, reply, 0, answerBytes);
+    int crc = crc(0, new byte[] {(byte) address, (byte) command}, 0, 2);
+    crc = crc(crc, reply, 0, answerBytes);
     return crc == unsigned16(reply, answerBytes);
   }
 
@@ -97,5 +100,22 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
   /** A number of 32 bits in an answer. */
   static int signed32(byte[] reply, int at) {
     return unsigned16(reply, at) << 16 | unsigned16(reply, at + 2);
+  }
+
+  /**
+   * CRC-16 with polynomial 0x1021, as XMODEM has it.
+   *
+   * @param before that of the bytes before; 0 at the beginning
+   */
+  static int crc(int before, byte[] bytes, int from, int to) {
+    int crc = before;
+    for (int i = from; i < to; i++) {
+      crc ^= (bytes[i] & 0xFF) << 8;
+      for (int bit = 0; bit < 8; bit++) {
+        crc = (crc & TOP) == 0 ? crc << 1 : crc << 1 ^ POLYNOMIAL;
+      }
+      crc &= MASK;
+    }
+    return crc;
   }
 }

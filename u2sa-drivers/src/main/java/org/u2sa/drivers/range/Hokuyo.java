@@ -47,7 +47,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   private final ScipReader reader = new ScipReader();
   private State state = State.SWITCHING;
   private String asked = "";
-  private ScipParameters sensor;
+  private ScipSensor sensor;
   private long untilMicros = Long.MIN_VALUE;
   private Optional<Scan> latest = Optional.empty();
   private String trouble = "";
@@ -106,7 +106,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
       ask(State.QUITTING, "QT", nowMicros);
       return;
     }
-    if (lines.size() < 2 || lines.get(1).length() != 3 || !Scip.isChecked(lines.get(1))) {
+    if (lines.size() < 2 || lines.get(1).length() != 3 || !ScipSensor.isChecked(lines.get(1))) {
       malformed++;
       return;
     }
@@ -142,7 +142,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   }
 
   private void parameters(List<String> data, long nowMicros) {
-    Optional<ScipParameters> said = ScipParameters.of(data);
+    Optional<ScipSensor> said = ScipSensor.of(data);
     if (said.isEmpty()) {
       malformed++;
       return;
@@ -159,15 +159,15 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   }
 
   private void scanned(List<String> data, long nowMicros) {
-    Optional<List<OptionalDouble>> ranges = ScipScan.ranges(data, sensor);
+    Optional<List<OptionalDouble>> ranges = sensor.ranges(data);
     if (ranges.isEmpty()) {
       malformed++;
       return;
     }
     RangeScan scan =
         new RangeScan()
-            .minRange(sensor.nearestMm() * ScipScan.MILLI)
-            .maxRange(sensor.farthestMm() * ScipScan.MILLI)
+            .minRange(sensor.nearestMm() * ScipSensor.MILLI)
+            .maxRange(sensor.farthestMm() * ScipSensor.MILLI)
             .timeIncrement(sensor.stepS())
             .beams(sensor.azimuth(sensor.firstStep()), sensor.stepRad(), ranges.get());
     scan.timestamp(nowMicros - Clock.micros(sensor.steps() * sensor.stepS())); // sent at its end

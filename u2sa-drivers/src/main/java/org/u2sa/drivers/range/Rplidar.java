@@ -23,14 +23,16 @@ import org.u2sa.service.ServiceContext;
  * sl_lidar_driver.cpp; LR001 does not have it).
  */
 public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements LaserScanner {
+  private static final int START = 0xA5;
+  private static final int SET_MOTOR_PWM = 0xF0;
   private static final byte[] STOP = {(byte) 0xA5, 0x25};
   private static final byte[] RESET = {(byte) 0xA5, 0x40};
   private static final byte[] SCAN = {(byte) 0xA5, 0x20};
   private static final byte[] GET_HEALTH = {(byte) 0xA5, 0x52};
   private static final byte[] GET_INFO = {(byte) 0xA5, 0x50};
-  private static final byte[] GET_MOTOR_BOARD = RplidarRequest.of(0xFF, 0, 0, 0, 0);
-  private static final byte[] RUN_MOTOR = RplidarRequest.motor(660); // the SDK's default, of 1023
-  private static final byte[] STOP_MOTOR = RplidarRequest.motor(0);
+  private static final byte[] GET_MOTOR_BOARD = request(0xFF, 0, 0, 0, 0);
+  private static final byte[] RUN_MOTOR = motor(660); // the SDK's default, of 1023
+  private static final byte[] STOP_MOTOR = motor(0);
   private static final int FIRST_WITH_BOARD = 2; // A2, by the model's upper four bits
   private static final int WARNING = 1;
   private static final int ERROR = 2;
@@ -68,6 +70,32 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   /** Over that link, which is closed with this. */
   public Rplidar(ByteLink link) {
     super(link);
+  }
+
+  /** Start, command, length, payload, and the check sum: all before it, by exclusive or. */
+  static byte[] request(int command, int... payload) {
+    byte[] request = new byte[payload.length + 4];
+    request[0] = (byte) START;
+    request[1] = (byte) command;
+    request[2] = (byte) payload.length;
+    for (int i = 0; i < payload.length; i++) {
+      request[3 + i] = (byte) payload[i];
+    }
+    int sum = 0;
+    for (byte each : request) {
+      sum ^= each;
+    }
+    request[request.length - 1] = (byte) sum;
+    return request;
+  }
+
+  /**
+   * Runs the motor.
+   *
+   * @param width of the pulses, 0…1023; 0 stops it
+   */
+  static byte[] motor(int width) {
+    return request(SET_MOTOR_PWM, width & 0xFF, width >> 8);
   }
 
   @Override

@@ -1,5 +1,5 @@
 /**
- * Range finders: single beams as objects, scanning lasers as point clouds, in the vehicle's axes by
- * the sensor's mounting pose. What the objects are is decided by the World Modeler.
+ * Range finders: single beams and scanning lasers, and what they say. What becomes of a distance or
+ * a scan belongs to {@code org.u2sa.device}.
  */
 package org.u2sa.drivers.range;

@@ -1,6 +1,6 @@
 package org.u2sa.drivers.rc;
 
-import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /**
@@ -10,6 +10,8 @@ import org.u2sa.interfaces.time.Clock;
  */
 public final class RcSwitch {
   private static final double MICRO = 1.0e-6;
+  private static final double SHORTEST_US = 800.0; // what radios give with trims at their ends
+  private static final double LONGEST_US = 2200.0;
 
   /** What the switch and its receiver say. */
   public enum Position {
@@ -21,50 +23,49 @@ public final class RcSwitch {
     LOST
   }
 
-  private final RcChannel channel;
-  private final double automaticAboveUs;
-  private final double hysteresisUs;
-  private final int confirmations;
+  /** The configuration variables of the switch. */
+  public record Tuning(
+      @Variable(
+              name = "RC AUTOMATIC ABOVE",
+              unit = "us",
+              min = 1000,
+              max = 2000,
+              ifAbsent = 1700,
+              text = "Pulse of the radio's switch above which commands are obeyed.")
+          double automaticAbove,
+      @Variable(
+              name = "RC HYSTERESIS",
+              unit = "us",
+              min = 0,
+              max = 150,
+              ifAbsent = 100,
+              text = "How much shorter the pulse must be to be manual again.")
+          double hysteresis,
+      @Variable(
+              name = "RC CONFIRMATIONS",
+              min = 1,
+              max = 50,
+              ifAbsent = 3,
+              text = "Pulses in a row that automatic needs; manual needs one.")
+          int confirmations,
+      @Variable(
+              name = "RC TIMEOUT",
+              unit = "s",
+              min = 0.05,
+              max = 5,
+              ifAbsent = 0.25,
+              text = "Time without a pulse after which the receiver counts as lost: manual.")
+          double timeout) {}
+
+  private final Tuning tuning;
   private final long timeoutMicros;
   private Position position = Position.LOST;
   private int inRow;
   private long lastMicros;
 
-  /**
-   * @param channel which pulses count
-   * @param automaticAboveUs longer pulses are automatic [µs]
-   * @param hysteresisUs how much shorter a pulse must be to be manual again [µs], not negative
-   * @param confirmations pulses in a row that automatic needs, at least 1
-   * @param timeoutS without a pulse for longer the receiver is lost [s], positive
-   * @throws BadInputException naming the value that does not fit
-   */
-  public RcSwitch(
-      RcChannel channel,
-      double automaticAboveUs,
-      double hysteresisUs,
-      int confirmations,
-      double timeoutS) {
-    if (!channel.isValid((automaticAboveUs - hysteresisUs) * MICRO)
-        || !channel.isValid(automaticAboveUs * MICRO)
-        || !(hysteresisUs >= 0.0)) {
-      throw new BadInputException(
-          "RC switch: automatic above "
-              + automaticAboveUs
-              + " us with a hysteresis of "
-              + hysteresisUs
-              + " us leaves the receiver's range of pulses");
-    }
-    if (confirmations < 1) {
-      throw new BadInputException("RC switch confirmations: " + confirmations + " is below 1");
-    }
-    if (!(timeoutS > 0.0)) {
-      throw new BadInputException("RC switch time-out: " + timeoutS + " s is not positive");
-    }
-    this.channel = channel;
-    this.automaticAboveUs = automaticAboveUs;
-    this.hysteresisUs = hysteresisUs;
-    this.confirmations = confirmations;
-    this.timeoutMicros = Clock.micros(timeoutS);
+  public RcSwitch(Tuning tuning) {
+    this.tuning = tuning;
+    timeoutMicros = Clock.micros(tuning.timeout());
   }
 
   /**
@@ -74,20 +75,20 @@ public final class RcSwitch {
    * @param nowMicros time of the run's clock [µs]
    */
   public void accept(double pulseS, long nowMicros) {
-    if (!channel.isValid(pulseS)) {
+    double us = pulseS / MICRO;
+    if (!(us >= SHORTEST_US && us <= LONGEST_US)) {
       becomes(Position.LOST);
       return;
     }
     Position before = position(nowMicros);
     lastMicros = nowMicros;
-    double us = pulseS / MICRO;
     double thresholdUs =
-        before == Position.AUTOMATIC ? automaticAboveUs - hysteresisUs : automaticAboveUs;
+        tuning.automaticAbove() - (before == Position.AUTOMATIC ? tuning.hysteresis() : 0.0);
     if (!(us > thresholdUs)) {
       becomes(Position.MANUAL);
     } else if (before != Position.AUTOMATIC) {
       inRow++;
-      position = inRow >= confirmations ? Position.AUTOMATIC : Position.MANUAL;
+      position = inRow >= tuning.confirmations() ? Position.AUTOMATIC : Position.MANUAL;
     }
   }
 

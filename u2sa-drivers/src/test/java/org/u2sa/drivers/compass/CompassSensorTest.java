@@ -93,7 +93,7 @@ class CompassSensorTest {
     assertThat(published()).isEmpty();
     assertThat(lastError())
         .hasValue(
-            "true north is not known before the vehicle's position is: no heading is published");
+            "no heading is published: true north is unknown until the vehicle's position is known");
 
     tellPosition();
     say("HCHDM,101.5,M");
@@ -133,7 +133,7 @@ class CompassSensorTest {
     say("HCHDT,20.0,T");
     assertThat(psiDeg()).isCloseTo(20.0, within(TINY));
     kit.advance(3.0);
-    assertThat(lastError()).hasValue("the compass says nothing readable for more than 1.5 s");
+    assertThat(lastError()).hasValue("the compass has sent nothing readable for more than 1.5 s");
   }
 
   @Test

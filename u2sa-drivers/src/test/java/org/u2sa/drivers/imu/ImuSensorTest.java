@@ -73,7 +73,7 @@ class ImuSensorTest {
   void step_silentAndLost_isSaid() {
     state();
     kit.advance(1.0);
-    assertThat(lastError()).hasValue("the IMU says nothing readable for more than 0.5 s");
+    assertThat(lastError()).hasValue("the IMU has sent nothing readable for more than 0.5 s");
     link.unplug();
     assertThat(lastError()).hasValue("the IMU is lost: unplugged");
     link.plug();

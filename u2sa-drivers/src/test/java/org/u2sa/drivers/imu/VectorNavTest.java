@@ -7,12 +7,15 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.device.Heading;
 import org.u2sa.device.Orientation;
 import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.drivers.nmea.NmeaParser;
+import org.u2sa.messages.frame.Point;
 
 /** Lines that real VN-100 sent, as users of it and the maker's own examples quote them. */
 class VectorNavTest {
+  private static final Heading NORTH = Heading.ofDegrees(0, 0.0, true);
   private static final String LEVEL =
       "$VNYMR,+100.949,-007.330,+000.715,-00.0049,-00.2449,+00.5397,-01.258,-00.100,-09.701,-00.000018,+00.001122,-00.000551*69";
   private static final String INVERTED =
@@ -90,10 +93,17 @@ class VectorNavTest {
     double bank = Math.toRadians(30.0);
     double turn = 0.2;
     Orientation said =
-        new Orientation(0, bank, 0.0, null, 0.0, turn * Math.sin(bank), turn * Math.cos(bank));
+        new Orientation(0, bank, 0.0, NORTH, 0.0, turn * Math.sin(bank), turn * Math.cos(bank));
 
-    assertThat(said.headingRateRadPerS()).isCloseTo(turn, within(1e-12));
-    assertThat(said.pitchRateRadPerS()).isCloseTo(0.0, within(1e-12));
-    assertThat(said.rollRateRadPerS()).isCloseTo(0.0, within(1e-12));
+    Point rates = said.eulerRates().orElseThrow();
+    assertThat(rates.z()).isCloseTo(turn, within(1e-12));
+    assertThat(rates.y()).isCloseTo(0.0, within(1e-12));
+    assertThat(rates.x()).isCloseTo(0.0, within(1e-12));
+  }
+
+  @Test
+  void rates_straightUp_areNotKnown() {
+    double up = Math.PI / 2.0;
+    assertThat(new Orientation(0, 0.0, up, NORTH, 0.1, 0.1, 0.1).eulerRates()).isEmpty();
   }
 }

@@ -27,19 +27,20 @@ class BadBoardTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 7, 28, 30, 31, 32, 33, 34, 35, 37, 41, 50, 75, 150})
   void session_oneByteOfTheBoardIsChanged_servesOrIsConnectedAnew(int index) throws Exception {
-    try (BoardKeeper keeper = TcpBench.keeper(CutConnection.garbled(on.connection(), index))) {
-      keeper.start();
+    try (BoardConnector connector =
+        TcpBench.connector(CutConnection.garbled(on.connection(), index))) {
+      connector.start();
       await("a board that serves")
           .atMost(TcpBench.PATIENCE)
           .dontCatchUncaughtExceptions() // the library's own thread may end by one
           .ignoreException(ConnectionLostException.class)
           .until(
               () -> {
-                keeper.step(on.clock.micros());
-                if (keeper.session().isEmpty()) {
+                connector.step(on.clock.micros());
+                if (connector.session().isEmpty()) {
                   return false;
                 }
-                keeper.session().get().pins().pulse(0, 1.6e-3);
+                connector.session().get().pins().pulse(0, 1.6e-3);
                 return Math.abs(on.bench.width(10) - 1.6e-3) < TcpBench.RESOLUTION_S;
               });
     }
@@ -48,42 +49,42 @@ class BadBoardTest {
   @Test
   void step_somethingThatDoesNotAnswer_isGivenUpWithTheReason() throws IOException {
     try (ServerSocket mute = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
-        BoardKeeper keeper =
-            TcpBench.keeper(BoardConnection.of("tcp:127.0.0.1:" + mute.getLocalPort()))) {
-      keeper.start();
+        BoardConnector connector =
+            TcpBench.connector(BoardConnection.of("tcp:127.0.0.1:" + mute.getLocalPort()))) {
+      connector.start();
       long[] time = {0};
       await()
           .atMost(TcpBench.PATIENCE)
           .until(
               () -> {
                 time[0] += 1_000_000; // of the run: 3 s pass in three calls
-                keeper.step(time[0]);
-                return keeper.trouble().equals("no answer within 3.0 s");
+                connector.step(time[0]);
+                return connector.trouble().equals("no answer within 3.0 s");
               });
     }
   }
 
   @Test
   void step_boardThatFallsSilent_isGivenUpAndConnectedAnew() {
-    try (BoardKeeper keeper = on.keeper()) {
-      BoardSession before = on.awaitBoard(keeper);
+    try (BoardConnector connector = on.connector()) {
+      BoardSession before = on.awaitBoard(connector);
       long now = on.clock.micros();
       on.server.hold(true);
-      keeper.step(now);
+      connector.step(now);
       await()
           .atMost(TcpBench.PATIENCE)
           .until(
               () -> {
                 long bytes = before.link().received();
-                keeper.step(now);
+                connector.step(now);
                 return bytes == before.link().received();
               });
-      keeper.step(now + Clock.micros(TcpBench.SILENT_AFTER_S) + 1);
-      assertThat(keeper.session()).isEmpty();
+      connector.step(now + Clock.micros(TcpBench.SILENT_AFTER_S) + 1);
+      assertThat(connector.session()).isEmpty();
       on.server.hold(false);
       await()
           .atMost(TcpBench.PATIENCE)
-          .until(() -> keeper.session().filter(after -> after != before).isPresent());
+          .until(() -> connector.session().filter(after -> after != before).isPresent());
     }
   }
 
@@ -92,25 +93,25 @@ class BadBoardTest {
     try (ServerSocket other = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
       Thread talker = new Thread(() -> talk(other), "garbage");
       talker.start();
-      try (BoardKeeper keeper =
-          TcpBench.keeper(BoardConnection.of("tcp:127.0.0.1:" + other.getLocalPort()))) {
-        keeper.start();
+      try (BoardConnector connector =
+          TcpBench.connector(BoardConnection.of("tcp:127.0.0.1:" + other.getLocalPort()))) {
+        connector.start();
         await()
             .atMost(TcpBench.PATIENCE)
             .until(
                 () -> {
-                  keeper.step(on.clock.micros());
-                  return keeper.trouble().contains("does not answer");
+                  connector.step(on.clock.micros());
+                  return connector.trouble().contains("does not answer");
                 });
-        assertThat(keeper.session()).isEmpty();
+        assertThat(connector.session()).isEmpty();
       }
     }
   }
 
   @Test
   void pulse_boardThatTakesNothing_neverWaits() {
-    try (BoardKeeper keeper = on.keeper()) {
-      BoardSession session = on.awaitBoard(keeper);
+    try (BoardConnector connector = on.connector()) {
+      BoardSession session = on.awaitBoard(connector);
       on.server.hold(true);
       assertThatThrownBy(
               () -> {

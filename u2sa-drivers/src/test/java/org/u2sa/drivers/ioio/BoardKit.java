@@ -31,7 +31,7 @@ final class BoardKit implements AutoCloseable {
   IoioService start() {
     kit.with("GPS RECEIVER", "NMEA").with("COMPASS", "NMEA");
     IoioService service =
-        kit.start(context -> new IoioService(context, BoardKeeperTest.connection(board)));
+        kit.start(context -> new IoioService(context, BoardConnectorTest.connection(board)));
     kit.advance(0.2);
     return service;
   }

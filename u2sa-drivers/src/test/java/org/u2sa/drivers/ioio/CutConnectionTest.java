@@ -21,24 +21,24 @@ class CutConnectionTest {
     bench.pulses(35, 1.9e-3);
     IoioInProcess board = new IoioInProcess(bench.firmware);
     BoardConnection cut =
-        new CutConnection(BoardKeeperTest.connection(board), inputBytes, outputBytes);
+        new CutConnection(BoardConnectorTest.connection(board), inputBytes, outputBytes);
     String where = "cut after " + inputBytes + " bytes in, " + outputBytes + " out";
-    try (BoardKeeper keeper = new BoardKeeper(cut, BoardKeeperTest.PLAN, 1.0)) {
-      keeper.step(0);
-      BoardSession first = keeper.session().orElse(null);
+    try (BoardConnector connector = new BoardConnector(cut, BoardConnectorTest.PLAN, 1.0)) {
+      connector.step(0);
+      BoardSession first = connector.session().orElse(null);
       boolean wasCut = false;
       for (long now = STEP_MICROS; now <= 5 * STEP_MICROS; now += STEP_MICROS) {
-        wasCut |= !keeper.session().filter(session -> drives(session)).isPresent();
-        keeper.step(now);
+        wasCut |= !connector.session().filter(session -> drives(session)).isPresent();
+        connector.step(now);
       }
-      wasCut |= keeper.session().orElse(null) != first;
+      wasCut |= connector.session().orElse(null) != first;
       if (wasCut) {
         assertThat(bench.width(10)).as(where).isZero();
       }
-      keeper.step(40 * STEP_MICROS);
-      keeper.step(41 * STEP_MICROS);
-      assertThat(keeper.session()).as(where).isPresent();
-      assertThat(drives(keeper.session().orElseThrow())).as(where).isTrue();
+      connector.step(40 * STEP_MICROS);
+      connector.step(41 * STEP_MICROS);
+      assertThat(connector.session()).as(where).isPresent();
+      assertThat(drives(connector.session().orElseThrow())).as(where).isTrue();
       assertThat(bench.width(10)).as(where).isGreaterThan(1.0e-3);
       return wasCut;
     }

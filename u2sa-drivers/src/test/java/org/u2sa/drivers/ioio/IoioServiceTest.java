@@ -99,7 +99,8 @@ class IoioServiceTest {
     on.expectWidths(1.8e-3, 1.8e-3);
     int from = on.bench.history(BoardKit.LEFT, 0).size();
 
-    on.kit.swap(before, context -> new IoioService(context, BoardKeeperTest.connection(on.board)));
+    on.kit.swap(
+        before, context -> new IoioService(context, BoardConnectorTest.connection(on.board)));
     on.kit.advance(1.5);
 
     on.expectWidths(1.8e-3, 1.8e-3);

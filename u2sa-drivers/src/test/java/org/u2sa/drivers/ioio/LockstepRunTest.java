@@ -37,7 +37,7 @@ class LockstepRunTest {
     IoioInProcess board = new IoioInProcess(new IoioFirmware(IoioBoard.OTG, vehicle));
     Clock watch = new SystemClock();
     try (ServiceKit kit = new ServiceKit().seed(seed)) {
-      kit.start(context -> new IoioService(context, BoardKeeperTest.connection(board)));
+      kit.start(context -> new IoioService(context, BoardConnectorTest.connection(board)));
       long began = watch.micros();
       for (double spent = 0.0; spent < RUN_S; spent += COMMAND_EVERY_S) {
         double turn = 20.0 * Math.sin(spent / 5.0);

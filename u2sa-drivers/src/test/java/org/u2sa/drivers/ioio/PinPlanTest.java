@@ -10,7 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.testkit.ServiceKit;
 
 /** Wrong wiring is known before anything runs, with the variable's name. */
@@ -19,8 +18,8 @@ class PinPlanTest {
       new PinPlan(
           List.of(10, 11),
           50,
-          Optional.of(new UartPins(6, 7, 9600)),
-          Optional.of(new UartPins(13, 14, 9600)),
+          Optional.of(new PinPlan.Uart(6, 7, 9600)),
+          Optional.of(new PinPlan.Uart(13, 14, 9600)),
           35,
           40,
           40,
@@ -34,8 +33,7 @@ class PinPlanTest {
   }
 
   private PinPlan plan() {
-    XmlConfiguration variables = kit.context().configuration();
-    return IoioVariables.plan(variables, IoioVariables.actuators(variables));
+    return kit.context().configuration().settings(IoioVariables.class).get().plan();
   }
 
   private static Object value(String text) {

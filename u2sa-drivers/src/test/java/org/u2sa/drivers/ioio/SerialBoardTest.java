@@ -62,24 +62,24 @@ class SerialBoardTest {
     LibraryThreads.awaitNone();
   }
 
-  private void awaitBoard(BoardKeeper keeper) {
+  private void awaitBoard(BoardConnector connector) {
     await("the board")
         .atMost(PATIENCE)
         .until(
             () -> {
-              keeper.step(clock.micros());
-              return keeper.session().isPresent();
+              connector.step(clock.micros());
+              return connector.session().isPresent();
             });
   }
 
   @Test
   void connect_serialPort_drivesThePinsAndComesBackAfterUnplugging() throws Exception {
-    try (BoardKeeper keeper =
-        new BoardKeeper(
-            BoardConnection.of("serial:" + port), BoardKeeperTest.PLAN, SILENT_AFTER_S)) {
-      keeper.start();
-      awaitBoard(keeper);
-      keeper.session().orElseThrow().pins().pulse(0, 1.7e-3);
+    try (BoardConnector connector =
+        new BoardConnector(
+            BoardConnection.of("serial:" + port), BoardConnectorTest.PLAN, SILENT_AFTER_S)) {
+      connector.start();
+      awaitBoard(connector);
+      connector.session().orElseThrow().pins().pulse(0, 1.7e-3);
       await().atMost(PATIENCE).until(() -> bench.width(10) > 1.6e-3);
 
       unplug();
@@ -87,12 +87,12 @@ class SerialBoardTest {
           .atMost(PATIENCE)
           .until(
               () -> {
-                keeper.step(clock.micros());
-                return keeper.session().isEmpty() && bench.width(10) == 0.0;
+                connector.step(clock.micros());
+                return connector.session().isEmpty() && bench.width(10) == 0.0;
               });
       plugIn();
-      awaitBoard(keeper);
-      keeper.session().orElseThrow().pins().pulse(0, 1.7e-3);
+      awaitBoard(connector);
+      connector.session().orElseThrow().pins().pulse(0, 1.7e-3);
       await().atMost(PATIENCE).until(() -> bench.width(10) > 1.6e-3);
     }
   }

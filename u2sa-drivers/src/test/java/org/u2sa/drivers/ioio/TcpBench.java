@@ -22,42 +22,42 @@ final class TcpBench implements AutoCloseable {
     return BoardConnection.of("tcp:127.0.0.1:" + server.port());
   }
 
-  /** A keeper of a connection to the board. */
-  BoardKeeper keeper() {
-    return keeper(connection());
+  /** A connector of a connection to the board. */
+  BoardConnector connector() {
+    return connector(connection());
   }
 
-  /** A keeper of a connection. */
-  static BoardKeeper keeper(BoardConnection connection) {
-    return new BoardKeeper(connection, BoardKeeperTest.PLAN, SILENT_AFTER_S);
+  /** A connector of a connection. */
+  static BoardConnector connector(BoardConnection connection) {
+    return new BoardConnector(connection, BoardConnectorTest.PLAN, SILENT_AFTER_S);
   }
 
-  /** Starts the keeper, and waits until the board is there. */
-  BoardSession awaitBoard(BoardKeeper keeper) {
-    keeper.start();
-    return awaitBoardAgain(keeper);
+  /** Starts the connector, and waits until the board is there. */
+  BoardSession awaitBoard(BoardConnector connector) {
+    connector.start();
+    return awaitBoardAgain(connector);
   }
 
   /** Waits until the board is there. */
-  BoardSession awaitBoardAgain(BoardKeeper keeper) {
+  BoardSession awaitBoardAgain(BoardConnector connector) {
     await("the board")
         .atMost(PATIENCE)
         .until(
             () -> {
-              keeper.step(clock.micros());
-              return keeper.session().isPresent();
+              connector.step(clock.micros());
+              return connector.session().isPresent();
             });
-    return keeper.session().orElseThrow();
+    return connector.session().orElseThrow();
   }
 
   /** Waits until the board is not there. */
-  void awaitLoss(BoardKeeper keeper) {
+  void awaitLoss(BoardConnector connector) {
     await("the loss")
         .atMost(PATIENCE)
         .until(
             () -> {
-              keeper.step(clock.micros());
-              return keeper.session().isEmpty();
+              connector.step(clock.micros());
+              return connector.session().isEmpty();
             });
   }
 

@@ -26,8 +26,8 @@ class TcpBoardTest {
     on.bench.volts(40, 1.0);
     on.bench.pulses(35, 1.2e-3);
     byte[] text = "hello".getBytes(StandardCharsets.US_ASCII);
-    try (BoardKeeper keeper = on.keeper()) {
-      BoardPins pins = on.awaitBoard(keeper).pins();
+    try (BoardConnector connector = on.connector()) {
+      BoardPins pins = on.awaitBoard(connector).pins();
       pins.pulse(0, 1.75e-3);
       on.awaitWidth(1.75e-3);
       await().atMost(TcpBench.PATIENCE).until(() -> pins.volts().isPresent());
@@ -62,13 +62,13 @@ class TcpBoardTest {
 
   @Test
   void power_offAndOn_pinsFloatAndBoardIsBack() throws Exception {
-    try (BoardKeeper keeper = on.keeper()) {
-      BoardSession before = on.awaitBoard(keeper);
+    try (BoardConnector connector = on.connector()) {
+      BoardSession before = on.awaitBoard(connector);
       before.pins().pulse(0, 1.9e-3);
       on.awaitWidth(1.9e-3);
       on.server.power(false);
       assertThat(on.bench.width(10)).isZero();
-      on.awaitLoss(keeper);
+      on.awaitLoss(connector);
       assertThatThrownBy(
               () -> {
                 before.pins().pulse(0, 1.1e-3);
@@ -76,7 +76,7 @@ class TcpBoardTest {
               })
           .isInstanceOf(ConnectionLostException.class);
       on.server.power(true);
-      on.awaitBoardAgain(keeper).pins().pulse(0, 1.5e-3);
+      on.awaitBoardAgain(connector).pins().pulse(0, 1.5e-3);
       on.awaitWidth(1.5e-3);
     }
   }
@@ -84,12 +84,12 @@ class TcpBoardTest {
   @Test
   void session_cutAtManyBytes_boardIsBackAndNoThreadIsLeft() {
     for (int bytes = 0; bytes < 110; bytes += 27) {
-      try (BoardKeeper in =
-          TcpBench.keeper(new CutConnection(on.connection(), bytes, Integer.MAX_VALUE))) {
+      try (BoardConnector in =
+          TcpBench.connector(new CutConnection(on.connection(), bytes, Integer.MAX_VALUE))) {
         on.awaitBoard(in);
       }
-      try (BoardKeeper out =
-          TcpBench.keeper(new CutConnection(on.connection(), Integer.MAX_VALUE, bytes))) {
+      try (BoardConnector out =
+          TcpBench.connector(new CutConnection(on.connection(), Integer.MAX_VALUE, bytes))) {
         on.awaitBoard(out);
       }
     }

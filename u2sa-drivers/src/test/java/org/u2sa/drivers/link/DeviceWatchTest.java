@@ -43,7 +43,7 @@ class DeviceWatchTest {
         if (buffer[i] == 'a') {
           watch.heard(now);
         } else {
-          watch.malformed(++malformed);
+          watch.malformed(++malformed, "noise");
         }
       }
     }
@@ -86,18 +86,18 @@ class DeviceWatchTest {
     kit.advance(0.1);
     assertThat(isHeard()).isTrue();
     assertThat(kit.log("Listener"))
-        .anySatisfy(line -> assertThat(line).contains("INFO", "the sonar is there"));
+        .anySatisfy(line -> assertThat(line).contains("INFO", "the sonar is connected"));
   }
 
   @Test
   void look_silentDevice_isSaidOnceAndWhenItSpeaksAgain() {
     kit.advance(2.0);
-    assertThat(lastError()).hasValue("the sonar says nothing readable for more than 1.0 s");
+    assertThat(lastError()).hasValue("the sonar has sent nothing readable for more than 1.0 s");
     link.fromDevice((byte) 'a');
     kit.advance(0.2);
     List<String> log = kit.log("Listener");
-    assertThat(log.stream().filter(line -> line.contains("says nothing"))).hasSize(1);
-    assertThat(log).anySatisfy(line -> assertThat(line).contains("the sonar speaks again"));
+    assertThat(log.stream().filter(line -> line.contains("sent nothing"))).hasSize(1);
+    assertThat(log).anySatisfy(line -> assertThat(line).contains("the sonar sends again"));
   }
 
   @Test
@@ -110,7 +110,7 @@ class DeviceWatchTest {
     assertThat(kit.log("Late")).noneMatch(line -> line.contains("WARN"));
     late.plug();
     kit.advance(0.2);
-    assertThat(kit.log("Late")).anyMatch(line -> line.contains("the sonar is there"));
+    assertThat(kit.log("Late")).anyMatch(line -> line.contains("the sonar is connected"));
   }
 
   @Test
@@ -127,8 +127,8 @@ class DeviceWatchTest {
   @Test
   void malformed_flood_isSaidAtPowersOfTwo() {
     link.fromDevice(new byte[60]);
-    assertThat(lastError()).hasValue("the sonar sent what cannot be read (32 times so far)");
-    assertThat(kit.log("Listener").stream().filter(line -> line.contains("cannot be read")))
-        .hasSize(6);
+    assertThat(lastError())
+        .hasValue("the sonar sent unreadable data (32 times so far), last: noise");
+    assertThat(kit.log("Listener").stream().filter(line -> line.contains("unreadable"))).hasSize(6);
   }
 }

@@ -1,7 +1,6 @@
 package org.u2sa.drivers.motor;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -61,15 +60,5 @@ class PulseWidthProperties {
     double less = width.seconds(Math.min(one, other));
     double more = width.seconds(Math.max(one, other));
     assertThat(width.reversed() ? less - more : more - less).isNotNegative();
-  }
-
-  @Property
-  void percent_ofAPulse_isThePercentageThatGaveIt(
-      @ForAll("widths") PulseWidth width,
-      @ForAll @DoubleRange(min = -100.0, max = 100.0) double percent) {
-    PulseWidth lively =
-        new PulseWidth(
-            width.minimumUs(), width.neutralUs(), width.maximumUs(), width.reversed(), 0.0);
-    assertThat(lively.percent(lively.seconds(percent))).isCloseTo(percent, within(1.0e-6));
   }
 }

@@ -17,10 +17,12 @@ class RoboClawRequestTest {
   @Test
   void crc_knownVectors_agree() {
     byte[] check = "123456789".getBytes(US_ASCII);
-    assertThat(Crc16.of(0, check, 0, check.length)).as("CRC-16/XMODEM's check").isEqualTo(0x31C3);
+    assertThat(RoboClawRequest.crc(0, check, 0, check.length))
+        .as("CRC-16/XMODEM's check")
+        .isEqualTo(0x31C3);
     // A whole packet in the tests of github.com/dumbotics/roboclaw_serial: set velocity PID of M1.
     byte[] packet = hex("80 1c 00000000 000021b7 0000036e 0003135a");
-    assertThat(Crc16.of(0, packet, 0, packet.length)).isEqualTo(0x7D8E);
+    assertThat(RoboClawRequest.crc(0, packet, 0, packet.length)).isEqualTo(0x7D8E);
   }
 
   @Test
@@ -29,7 +31,9 @@ class RoboClawRequestTest {
         .startsWith(hex("80 22 7fff c001"))
         .hasSize(8);
     byte[] packet = RoboClawRequest.duty(100.0, -50.0).packet(0x80);
-    assertThat(Crc16.of(0, packet, 0, packet.length)).as("over all with its CRC").isZero();
+    assertThat(RoboClawRequest.crc(0, packet, 0, packet.length))
+        .as("over all with its CRC")
+        .isZero();
   }
 
   @Test
@@ -48,7 +52,7 @@ class RoboClawRequestTest {
   @Test
   void isAnsweredBy_anyBitTurned_isRefused() {
     byte[] data = hex("000030f0 ffffcfdc 0000");
-    int crc = Crc16.of(Crc16.of(0, hex("80 4e"), 0, 2), data, 0, 8);
+    int crc = RoboClawRequest.crc(RoboClawRequest.crc(0, hex("80 4e"), 0, 2), data, 0, 8);
     data[8] = (byte) (crc >> 8);
     data[9] = (byte) crc;
     assertThat(RoboClawRequest.encoders().isAnsweredBy(0x80, data, 10)).isTrue();

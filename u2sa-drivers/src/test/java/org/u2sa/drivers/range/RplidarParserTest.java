@@ -63,11 +63,11 @@ class RplidarParserTest {
   /** As Slamtec's SDK sends them. */
   @Test
   void motor_requests_areTheSdks() {
-    assertThat(RplidarRequest.motor(660))
+    assertThat(Rplidar.motor(660))
         .isEqualTo(new byte[] {(byte) 0xA5, (byte) 0xF0, 0x02, (byte) 0x94, 0x02, (byte) 0xC1});
-    assertThat(RplidarRequest.motor(0))
+    assertThat(Rplidar.motor(0))
         .isEqualTo(new byte[] {(byte) 0xA5, (byte) 0xF0, 0x02, 0x00, 0x00, 0x57});
-    assertThat(RplidarRequest.of(0xFF, 0, 0, 0, 0))
+    assertThat(Rplidar.request(0xFF, 0, 0, 0, 0))
         .isEqualTo(new byte[] {(byte) 0xA5, (byte) 0xFF, 0x04, 0, 0, 0, 0, 0x5E});
   }
 

@@ -47,25 +47,25 @@ class ScipTest {
 
   @Test
   void decode_examplesOfTheSpecification_agree() {
-    assertThat(Scip.decode("CB", 0, 2)).isEqualTo(1234);
-    assertThat(Scip.decode("1Dh", 0, 3)).isEqualTo(5432);
-    assertThat(Scip.decode("m2@0", 0, 4)).isEqualTo(16_000_000);
-    assertThat(Scip.decode("1 h", 0, 3)).as("a blank stands for nothing").isEqualTo(-1);
+    assertThat(ScipSensor.decode("CB", 0, 2)).isEqualTo(1234);
+    assertThat(ScipSensor.decode("1Dh", 0, 3)).isEqualTo(5432);
+    assertThat(ScipSensor.decode("m2@0", 0, 4)).isEqualTo(16_000_000);
+    assertThat(ScipSensor.decode("1 h", 0, 3)).as("a blank stands for nothing").isEqualTo(-1);
   }
 
   @Test
   void sum_linesOfRealSensors_agree() {
-    assertThat(Scip.isChecked("00P")).isTrue();
-    assertThat(Scip.isChecked("99b")).isTrue();
-    assertThat(Scip.isChecked("99c")).isFalse();
-    assertThat(Scip.isChecked("")).isFalse();
-    assertThat(Scip.sum("SERI:H0614967")).isEqualTo('V');
+    assertThat(ScipSensor.isChecked("00P")).isTrue();
+    assertThat(ScipSensor.isChecked("99b")).isTrue();
+    assertThat(ScipSensor.isChecked("99c")).isFalse();
+    assertThat(ScipSensor.isChecked("")).isFalse();
+    assertThat(ScipSensor.sum("SERI:H0614967")).isEqualTo('V');
   }
 
   @Test
   void parameters_answerOfARealSensor_areItsOwn() {
-    ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
-    assertThat(sensor).isEqualTo(new ScipParameters(20, 5600, 1024, 44, 725, 384, 600));
+    ScipSensor sensor = ScipSensor.of(PP).orElseThrow();
+    assertThat(sensor).isEqualTo(new ScipSensor(20, 5600, 1024, 44, 725, 384, 600));
     assertThat(sensor.stepS()).as("10 turns of 1024 steps a second").isEqualTo(0.1 / 1024);
     assertThat(sensor.azimuth(384)).isZero();
     assertThat(Math.toDegrees(sensor.azimuth(384 + 256))).as("left").isCloseTo(90.0, within(1e-9));
@@ -75,15 +75,15 @@ class ScipTest {
   void parameters_wrongSumMissingOrSenseless_areRefused() {
     List<String> wrong = new ArrayList<>(PP);
     wrong.set(1, "DMIN:21;4");
-    assertThat(ScipParameters.of(wrong)).isEmpty();
-    assertThat(ScipParameters.of(PP.subList(0, 5))).isEmpty();
-    wrong.set(1, "DMIN:xx;" + Scip.sum("DMIN:xx"));
-    assertThat(ScipParameters.of(wrong)).isEmpty();
+    assertThat(ScipSensor.of(wrong)).isEmpty();
+    assertThat(ScipSensor.of(PP.subList(0, 5))).isEmpty();
+    wrong.set(1, "DMIN:xx;" + ScipSensor.sum("DMIN:xx"));
+    assertThat(ScipSensor.of(wrong)).isEmpty();
     wrong.set(1, PP.get(1));
-    wrong.set(3, "ARES:0;" + Scip.sum("ARES:0"));
-    assertThat(ScipParameters.of(wrong)).isEmpty();
+    wrong.set(3, "ARES:0;" + ScipSensor.sum("ARES:0"));
+    assertThat(ScipSensor.of(wrong)).isEmpty();
     wrong.set(3, ";");
-    assertThat(ScipParameters.of(wrong)).isEmpty();
+    assertThat(ScipSensor.of(wrong)).isEmpty();
   }
 
   @Test
@@ -91,9 +91,8 @@ class ScipTest {
     List<String> answer = scanned();
     assertThat(answer.get(0)).isEqualTo("GD0044072501");
     assertThat(answer.get(1)).isEqualTo("00P");
-    ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
-    List<OptionalDouble> ranges =
-        ScipScan.ranges(answer.subList(2, answer.size()), sensor).orElseThrow();
+    ScipSensor sensor = ScipSensor.of(PP).orElseThrow();
+    List<OptionalDouble> ranges = sensor.ranges(answer.subList(2, answer.size())).orElseThrow();
     assertThat(ranges).as("none is left out").hasSize(682);
     List<Point> points =
         new RangeScan()
@@ -116,7 +115,7 @@ class ScipTest {
   @Test
   void points_anyCharacterOfAScanTurned_isRefusedOrAnotherAnswer() throws IOException {
     byte[] whole = room();
-    ScipParameters sensor = ScipParameters.of(PP).orElseThrow();
+    ScipSensor sensor = ScipSensor.of(PP).orElseThrow();
     for (int at = 17; at < whole.length - 2; at += 7) { // after echo and status
       byte[] turned = whole.clone();
       turned[at] ^= 0x01;
@@ -126,7 +125,7 @@ class ScipTest {
           reader
               .take()
               .filter(lines -> lines.size() > 2)
-              .flatMap(lines -> ScipScan.ranges(lines.subList(2, lines.size()), sensor));
+              .flatMap(lines -> sensor.ranges(lines.subList(2, lines.size())));
       assertThat(ranges).as("byte " + at).isEmpty();
     }
   }

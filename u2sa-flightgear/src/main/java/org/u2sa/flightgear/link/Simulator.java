@@ -1,5 +1,7 @@
 package org.u2sa.flightgear.link;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -7,10 +9,8 @@ import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.core.control.fixedwing.HandsOff;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -30,18 +30,16 @@ public final class Simulator extends ProprioceptiveSensor {
   private static final double POLLS_PER_S = 100.0;
   private static final double FULL_PERCENT = 100.0;
   private static final double RICH = 1.0;
-  private static final double ANNOUNCE_EVERY_S = 5.0;
 
   private final AircraftLink link;
   private final CommandedActuators commands;
   private long published; // sequence of the reading published last
   private boolean connected;
-  private double announceDueS;
 
   /** Opens the link that the configuration names. */
   public Simulator(ServiceContext context) {
     super(context, "Simulator", POLLS_PER_S);
-    commands = new CommandedActuators(this, CONTROLS.keySet());
+    commands = new CommandedActuators(this, CONTROLS.keySet(), this::write);
     link = new LinkConfiguration(this, context).open();
     registerPublisher(FlightChannels.TRUTH);
   }
@@ -62,40 +60,27 @@ public final class Simulator extends ProprioceptiveSensor {
 
   @Override
   protected void begin() {
-    announce();
-  }
-
-  /** Repeated: over a broker, late subscribers receive only the last announcement. */
-  private void announce() {
+    List<ActuatorAnnouncement> actuators = new ArrayList<>();
     new TreeMap<>(CONTROLS)
         .forEach(
             (name, effect) ->
-                commands.announce(
+                actuators.add(
                     new ActuatorAnnouncement()
                         .actuatorName(name)
                         .minimum(BOTH_WAYS.contains(name) ? -FULL_PERCENT : 0.0)
                         .maximum(FULL_PERCENT)
                         .effect(effect)));
-    announceDueS = nowS() + ANNOUNCE_EVERY_S;
+    commands.announce(actuators);
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      commands.obey(command);
-    } else if (!commands.heed(data)) {
-      unexpected(data);
-    } else if (!commands.mayMove()) {
-      link.write(controls()); // an emergency stop does not wait for the next step
-    }
+  private void write() {
+    link.write(controls());
   }
 
   @Override
   protected void step(double nowS) {
-    if (nowS >= announceDueS) {
-      announce();
-    }
-    link.write(controls());
+    commands.step(nowS);
+    write();
     AircraftReading reading = link.read(clock().micros());
     report(reading);
     if (reading.connected() && reading.sequence() != published) {

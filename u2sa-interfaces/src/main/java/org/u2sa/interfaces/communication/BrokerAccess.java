@@ -18,39 +18,33 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * As whom and how a client comes to the Communication Manager: user, password and encryption.
- * Immutable; the files are read once, when it is made.
+ * How a client logs in to the Communication Manager: user, password and encryption. Immutable; the
+ * files are read once, when it is made.
  */
 public final class BrokerAccess {
-  /** Name of the user; empty: none is said. */
-  public static final VariableDeclaration<String> USER =
-      VariableDeclaration.text("USER")
-          .ifAbsent("")
-          .describedAs(
-              "User at the Communication Manager, if it runs in another process; empty: none.");
-
-  /** File whose first line is the user's password. */
-  public static final VariableDeclaration<String> PASSWORD_FILE =
-      VariableDeclaration.text("PASSWORD FILE")
-          .ifAbsent("")
-          .describedAs("File whose first line is USER's password.");
-
-  /** Whether the connection is encrypted. */
-  public static final VariableDeclaration<Boolean> TLS =
-      VariableDeclaration.flag("TLS")
-          .ifAbsent(false)
-          .describedAs(
-              "Whether the way to the Communication Manager in another process is encrypted.");
-
-  /** Certificates of the authorities whose brokers are trusted. */
-  public static final VariableDeclaration<String> CA_FILE =
-      VariableDeclaration.text("CA FILE")
-          .ifAbsent("")
-          .describedAs(
-              "Certificates (PEM) of whom to trust with TLS, which it switches on; empty: those that Java trusts.");
+  /** How a client of a Communication Manager in another process logs in. */
+  public record Login(
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "User at the Communication Manager, if it runs in another process; empty: none.")
+          String user,
+      @Variable(ifAbsentText = "", text = "File whose first line is USER's password.")
+          String passwordFile,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether the connection to a Communication Manager in another process is encrypted.")
+          boolean tls,
+      @Variable(
+              name = "CA FILE",
+              ifAbsentText = "",
+              text =
+                  "Trusted authorities' certificates (PEM), which switches TLS on; empty: those that Java trusts.")
+          String authority) {}
 
   private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);
 
@@ -70,22 +64,19 @@ public final class BrokerAccess {
   }
 
   /**
-   * Reads {@link #USER}, {@link #PASSWORD_FILE}, {@link #TLS} and {@link #CA_FILE}.
+   * Access as the variables of {@link Login} say.
    *
    * @throws BadInputException if a file is missing or wrong, or they contradict each other
    */
   public static BrokerAccess configured(Configurator configuration) {
-    return of(
-        configuration.getVariable(USER),
-        configuration.getVariable(PASSWORD_FILE),
-        configuration.getVariable(TLS),
-        configuration.getVariable(CA_FILE));
+    Login login = configuration.settings(Login.class).get();
+    return of(login.user(), login.passwordFile(), login.tls(), login.authority());
   }
 
   /**
    * Access with these settings; an empty text stands for none.
    *
-   * @param user as whom to come
+   * @param user name of the user
    * @param passwordFile first line: the password
    * @param encrypted whether to use TLS; a CA file switches it on
    * @param caFile certificates (PEM) of the trusted authorities
@@ -112,7 +103,7 @@ public final class BrokerAccess {
   /**
    * Access with a password that stands in no file.
    *
-   * @param user as whom to come, not empty
+   * @param user name of the user, not empty
    * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
    * @throws BadInputException if the file is missing or wrong
    */
@@ -184,7 +175,7 @@ public final class BrokerAccess {
     }
   }
 
-  /** The user; empty if none is said. */
+  /** Name of the user; empty without one. */
   public Optional<String> user() {
     return user.isEmpty() ? Optional.empty() : Optional.of(user);
   }

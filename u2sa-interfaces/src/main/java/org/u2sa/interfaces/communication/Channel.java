@@ -1,7 +1,9 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.u2sa.messages.schema.MessageType;
@@ -21,32 +23,46 @@ public final class Channel<T extends U2SAData> {
   private final String name;
   private final MessageType<T> type;
   private final CarriedTypes carried; // null: the type and its subclasses, whatever they are
-  private final boolean every;
-  private final boolean retained;
-  private final boolean urgent;
-  private final boolean bySource; // if retained
-  private final boolean reserved;
   private final Function<? super T, String> source;
+  private final Set<Trait> traits;
+
+  private enum Trait {
+    EVERY,
+    RETAINED,
+    BY_SOURCE, // if retained
+    URGENT,
+    RESERVED
+  }
 
   private Channel(
       String name,
       MessageType<T> type,
       CarriedTypes carried,
-      boolean every,
-      boolean retained,
-      boolean urgent,
-      boolean bySource,
-      boolean reserved,
-      Function<? super T, String> source) {
+      Function<? super T, String> source,
+      Set<Trait> traits) {
     this.name = name;
     this.type = type;
     this.carried = carried;
-    this.every = every;
-    this.retained = retained;
-    this.urgent = urgent;
-    this.bySource = bySource;
-    this.reserved = reserved;
     this.source = source;
+    this.traits = traits;
+  }
+
+  private static <T extends U2SAData> Channel<T> of(
+      String name, MessageType<T> type, Function<? super T, String> source, Set<Trait> traits) {
+    if (!isName(name)) {
+      throw new IllegalArgumentException(
+          "channel \""
+              + name
+              + "\": expected lower-case words joined by hyphens, such as \"goal-reports\"");
+    }
+    Objects.requireNonNull(type, "type");
+    return new Channel<>(name, type, CarriedTypes.by(type), source, traits);
+  }
+
+  private Channel<T> with(Trait first, Trait... others) {
+    Set<Trait> all = EnumSet.of(first, others);
+    all.addAll(traits);
+    return new Channel<>(name, type, carried, source, all);
   }
 
   /**
@@ -57,16 +73,7 @@ public final class Channel<T extends U2SAData> {
    * @throws IllegalArgumentException if the name is not of that form
    */
   public static <T extends U2SAData> Channel<T> every(String name, MessageType<T> type) {
-    return new Channel<>(
-        checked(name),
-        Objects.requireNonNull(type, "type"),
-        CarriedTypes.by(type),
-        true,
-        false,
-        false,
-        false,
-        false,
-        message -> "");
+    return of(name, type, message -> "", EnumSet.of(Trait.EVERY));
   }
 
   /**
@@ -79,16 +86,7 @@ public final class Channel<T extends U2SAData> {
    */
   public static <T extends U2SAData> Channel<T> latest(
       String name, MessageType<T> type, Function<? super T, String> source) {
-    return new Channel<>(
-        checked(name),
-        Objects.requireNonNull(type, "type"),
-        CarriedTypes.by(type),
-        false,
-        false,
-        false,
-        false,
-        false,
-        source);
+    return of(name, type, source, EnumSet.noneOf(Trait.class));
   }
 
   /**
@@ -97,16 +95,12 @@ public final class Channel<T extends U2SAData> {
    */
   @SafeVarargs
   public final Channel<T> carrying(MessageType<? extends T>... types) {
-    return new Channel<>(
-        name, type, CarriedTypes.only(types), every, retained, urgent, bySource, reserved, source);
+    return new Channel<>(name, type, CarriedTypes.only(types), source, traits);
   }
 
-  /**
-   * This channel, but a subscriber that comes late is handed the last message of each source at
-   * once.
-   */
+  /** This channel, but late subscribers receive the last message of each source at once. */
   public Channel<T> retained() {
-    return new Channel<>(name, type, carried, every, true, urgent, bySource, reserved, source);
+    return with(Trait.RETAINED);
   }
 
   /**
@@ -114,7 +108,7 @@ public final class Channel<T extends U2SAData> {
    * under a topic that ends with its name.
    */
   public Channel<T> retainedBySource() {
-    return new Channel<>(name, type, carried, every, true, urgent, true, reserved, source);
+    return with(Trait.RETAINED, Trait.BY_SOURCE);
   }
 
   /**
@@ -122,7 +116,7 @@ public final class Channel<T extends U2SAData> {
    * each message matters.
    */
   public Channel<T> urgent() {
-    return new Channel<>(name, type, carried, every, retained, true, bySource, reserved, source);
+    return with(Trait.URGENT);
   }
 
   /**
@@ -130,7 +124,7 @@ public final class Channel<T extends U2SAData> {
    * theirs; they wait in their order all the same.
    */
   public Channel<T> reservingRoom() {
-    return new Channel<>(name, type, carried, every, retained, urgent, bySource, true, source);
+    return with(Trait.RESERVED);
   }
 
   /** The name that stands in the topic. */
@@ -145,27 +139,27 @@ public final class Channel<T extends U2SAData> {
 
   /** Whether each message matters; otherwise the newest of each source does. */
   public boolean deliversEvery() {
-    return every;
+    return traits.contains(Trait.EVERY);
   }
 
   /** Whether a late subscriber is handed the last message of each source. */
   public boolean isRetained() {
-    return retained;
+    return traits.contains(Trait.RETAINED);
   }
 
   /** Whether its messages find room where others have filled theirs. */
   public boolean reservesRoom() {
-    return reserved || urgent;
+    return traits.contains(Trait.RESERVED) || isUrgent();
   }
 
   /** Whether a topic of the channel may end with its source. */
   public boolean isRetainedBySource() {
-    return bySource;
+    return traits.contains(Trait.BY_SOURCE);
   }
 
   /** Whether its messages overtake others that wait for a service. */
   public boolean isUrgent() {
-    return urgent;
+    return traits.contains(Trait.URGENT);
   }
 
   /** Which source the message is of; newer messages of one source replace older ones. */
@@ -198,16 +192,6 @@ public final class Channel<T extends U2SAData> {
   /** Whether a channel may be called so. */
   static boolean isName(String name) {
     return NAME.matcher(name).matches();
-  }
-
-  private static String checked(String name) {
-    if (!isName(name)) {
-      throw new IllegalArgumentException(
-          "channel \""
-              + name
-              + "\": expected lower-case words joined by hyphens, such as \"goal-reports\"");
-    }
-    return name;
   }
 
   @Override

@@ -16,7 +16,7 @@ import org.u2sa.interfaces.BadInputException;
  * nothing of use.
  */
 public final class LocalToken {
-  /** As whom one comes with it. */
+  /** User name of clients that log in with the token. */
   public static final String USER = "local";
 
   private static final int MOST_BYTES = 256;

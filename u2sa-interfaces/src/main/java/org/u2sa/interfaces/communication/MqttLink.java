@@ -18,7 +18,7 @@ import org.u2sa.interfaces.time.Clock;
  * declares it open only when all that the connection was subscribed to is confirmed again. Paho's
  * own reconnecting would hide what fails then.
  *
- * <p>One daemon thread makes sessions and looks after the link, the connection's keeper.
+ * <p>One daemon thread makes sessions and looks after the link: the link thread.
  */
 final class MqttLink {
   private static final long ANSWER_WITHIN_MS = 4_000;
@@ -29,7 +29,7 @@ final class MqttLink {
   private final String address;
   private final String clientId;
   private final Owner owner;
-  private final ScheduledThreadPoolExecutor keeper;
+  private final ScheduledThreadPoolExecutor linkThread;
   private volatile Supplier<MqttConnectOptions> options;
   private volatile Clock clock;
   private volatile BackOff backOff;
@@ -37,20 +37,20 @@ final class MqttLink {
   private final AtomicBoolean catchesUp = new AtomicBoolean();
   private volatile boolean closed;
   private volatile MqttSession opened; // the last one, perhaps not in use yet
-  private String lastFailure = ""; // touched by the keeper only
-  private long lostAtMicros; // touched by the keeper only
+  private String lastFailure = ""; // touched by the link thread only
+  private long lostAtMicros; // touched by the link thread only
 
   /** Whose link it is. */
   interface Owner extends MqttSession.Listener {
     /**
-     * Renews on a new session what the broken one had, before it is in use. Called on the keeper's
+     * Renews on a new session what the broken one had, before it is in use. Called on the link
      * thread.
      */
     void renew(MqttSession session) throws MqttException, InterruptedException;
 
     /**
      * Does on a session in use what was asked for while it was not, or what it could not take then.
-     * Called on the keeper's thread.
+     * Called on the link thread.
      *
      * @return whether nothing is left to do
      */
@@ -74,7 +74,7 @@ final class MqttLink {
     this.address = address;
     this.clientId = clientId;
     this.owner = owner;
-    keeper =
+    linkThread =
         new ScheduledThreadPoolExecutor(
             1,
             task -> {
@@ -82,8 +82,8 @@ final class MqttLink {
               thread.setDaemon(true);
               return thread;
             });
-    keeper.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
-    keeper.setRemoveOnCancelPolicy(true);
+    linkThread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
+    linkThread.setRemoveOnCancelPolicy(true);
   }
 
   /**
@@ -102,7 +102,7 @@ final class MqttLink {
     long waitMs = 0;
     while (true) {
       try {
-        keeper.schedule(this::connectOnce, waitMs, TimeUnit.MILLISECONDS).get();
+        linkThread.schedule(this::connectOnce, waitMs, TimeUnit.MILLISECONDS).get();
         return;
       } catch (ExecutionException e) {
         if (!(e.getCause() instanceof MqttException failure)) {
@@ -142,7 +142,7 @@ final class MqttLink {
     if (closed || current.get() != null) {
       return false;
     }
-    MqttSession session = new MqttSession(address, clientId, keeper, ANSWER_WITHIN_MS, owner);
+    MqttSession session = new MqttSession(address, clientId, linkThread, ANSWER_WITHIN_MS, owner);
     boolean open = false;
     try {
       session.open(options.get());
@@ -170,7 +170,7 @@ final class MqttLink {
   /** Lets the owner catch up on the session in use before long. Called from any thread. */
   void catchUpSoon() {
     if (!catchesUp.getAndSet(true)) {
-      onKeeper(
+      onLinkThread(
           () -> {
             catchesUp.set(false); // first: what comes from here on wants another one
             MqttSession session = current.get();
@@ -211,7 +211,7 @@ final class MqttLink {
       return; // closed, or not in use yet: who opens it notices
     }
     owner.interrupted("connection to " + address + " lost: " + why);
-    onKeeper(
+    onLinkThread(
         () -> {
           lostAtMicros = clock.micros();
           lastFailure = "";
@@ -231,15 +231,15 @@ final class MqttLink {
         lastFailure = failure; // said once, however long it lasts
         owner.trouble("no way back to " + address + " yet: " + failure + "; tries on");
       }
-      onKeeper(this::connectAgain, backOff.nextMs());
+      onLinkThread(this::connectAgain, backOff.nextMs());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt(); // closed
     }
   }
 
-  private void onKeeper(Runnable task, long delayMs) {
+  private void onLinkThread(Runnable task, long delayMs) {
     try {
-      keeper.schedule(task, delayMs, TimeUnit.MILLISECONDS);
+      linkThread.schedule(task, delayMs, TimeUnit.MILLISECONDS);
     } catch (RejectedExecutionException e) {
       current.set(null); // closed meanwhile
     }
@@ -256,13 +256,13 @@ final class MqttLink {
     if (session != null) {
       owner.unconfirmed(session.close());
     }
-    keeper.shutdown();
+    linkThread.shutdown();
     MqttSession beginning = opened;
     if (beginning != null && beginning != session) {
       owner.unconfirmed(beginning.abandon());
     }
     try {
-      keeper.awaitTermination(END_WITHIN_MS, TimeUnit.MILLISECONDS);
+      linkThread.awaitTermination(END_WITHIN_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -56,7 +56,7 @@ final class MqttSession {
   MqttSession(
       String address,
       String clientId,
-      ScheduledExecutorService keeper,
+      ScheduledExecutorService linkThread,
       long answerWithinMs,
       Listener listener)
       throws MqttException {
@@ -64,7 +64,7 @@ final class MqttSession {
     this.answerWithinMs = answerWithinMs;
     client =
         new MqttAsyncClient(
-            address, clientId, new MemoryPersistence(), new KeepAlive(keeper), null);
+            address, clientId, new MemoryPersistence(), new KeepAlive(linkThread), null);
     client.setCallback(new Callback());
   }
 
@@ -189,7 +189,7 @@ final class MqttSession {
     return lost;
   }
 
-  /** Cuts the session off without a word. Safe on one that was never open. */
+  /** Cuts the session off without a DISCONNECT. Safe on one that was never open. */
   synchronized long abandon() {
     long lost = cut();
     if (gone) {

@@ -39,7 +39,7 @@ public final class MqttTransport implements Transport {
   /**
    * A transport for a broker that wants a user or encryption.
    *
-   * @param access as whom and how each client comes; the rest as above
+   * @param access how each client logs in; the rest as above
    */
   public MqttTransport(
       String host, int port, String systemId, MessageCodec codec, BrokerAccess access) {

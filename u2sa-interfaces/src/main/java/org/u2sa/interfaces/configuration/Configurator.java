@@ -33,7 +33,16 @@ public interface Configurator {
    *     record refuses the values together
    * @throws IllegalArgumentException if it is no such record
    */
-  <T> Settings<T> settings(Class<T> record);
+  default <T> Settings<T> settings(Class<T> record) {
+    return settings(record, "");
+  }
+
+  /**
+   * {@link #settings(Class)} where a service has several of a kind.
+   *
+   * @param prefix before each variable's name, such as {@code "LEFT MOTOR "}
+   */
+  <T> Settings<T> settings(Class<T> record, String prefix);
 
   /**
    * Changes a variable and writes it to the configuration file; a power cut leaves the old or the

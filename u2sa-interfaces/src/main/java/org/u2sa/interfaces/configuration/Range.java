@@ -1,20 +1,24 @@
 package org.u2sa.interfaces.configuration;
 
-/** The numbers that a variable may take, both ends included unless said otherwise. Immutable. */
-public final class Range {
+/**
+ * The numbers that a variable may take, both ends included unless said otherwise.
+ *
+ * @param min the lower end; negative infinity if there is none
+ * @param max the upper end; positive infinity if there is none
+ * @param minExcluded whether {@code min} itself is outside
+ */
+public record Range(double min, double max, boolean minExcluded) {
   private static final Range ANY =
       new Range(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, false);
-  private static final Range NON_NEGATIVE = new Range(0.0, Double.POSITIVE_INFINITY, false);
-  private static final Range POSITIVE = new Range(0.0, Double.POSITIVE_INFINITY, true);
 
-  private final double min;
-  private final double max;
-  private final boolean minExcluded;
-
-  private Range(double min, double max, boolean minExcluded) {
-    this.min = min;
-    this.max = max;
-    this.minExcluded = minExcluded;
+  /**
+   * @throws IllegalArgumentException if an end is NaN or nothing lies between them
+   */
+  public Range {
+    if (!(min < max || min == max && !minExcluded)) {
+      throw new IllegalArgumentException(
+          "a range " + (minExcluded ? "above " : "from ") + min + " to " + max + " holds nothing");
+    }
   }
 
   /**
@@ -23,9 +27,6 @@ public final class Range {
    * @throws IllegalArgumentException if an end is NaN or {@code min} is above {@code max}
    */
   public static Range of(double min, double max) {
-    if (!(min <= max)) {
-      throw new IllegalArgumentException("a range from " + min + " to " + max + " holds nothing");
-    }
     return new Range(min, max, false);
   }
 
@@ -35,35 +36,22 @@ public final class Range {
    * @throws IllegalArgumentException if nothing lies between them
    */
   public static Range above(double min, double max) {
-    if (!(min < max)) {
-      throw new IllegalArgumentException("a range above " + min + " to " + max + " holds nothing");
-    }
     return new Range(min, max, true);
   }
 
   /** Above zero. */
   public static Range positive() {
-    return POSITIVE;
+    return above(0.0, Double.POSITIVE_INFINITY);
   }
 
   /** Zero and above. */
   public static Range nonNegative() {
-    return NON_NEGATIVE;
+    return of(0.0, Double.POSITIVE_INFINITY);
   }
 
   /** Every finite number. */
   public static Range any() {
     return ANY;
-  }
-
-  /** The lower end; negative infinity if there is none. */
-  public double min() {
-    return min;
-  }
-
-  /** The upper end; positive infinity if there is none. */
-  public double max() {
-    return max;
   }
 
   /** Whether there is neither a lower nor an upper end. */
@@ -114,18 +102,5 @@ public final class Range {
       return "at most " + NumberText.of(max) + behind;
     }
     return (minExcluded ? "above " : "") + NumberText.of(min) + "…" + NumberText.of(max) + behind;
-  }
-
-  @Override
-  public boolean equals(Object other) {
-    return other instanceof Range that
-        && min == that.min
-        && max == that.max
-        && minExcluded == that.minExcluded;
-  }
-
-  @Override
-  public int hashCode() {
-    return Double.hashCode(min) * 31 + Double.hashCode(max) + (minExcluded ? 1 : 0);
   }
 }

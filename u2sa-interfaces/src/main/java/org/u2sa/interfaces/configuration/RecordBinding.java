@@ -18,20 +18,21 @@ final class RecordBinding<T> {
   private final Constructor<T> constructor;
   private final List<VariableDeclaration<?>> declarations = new ArrayList<>();
 
-  private RecordBinding(Constructor<T> constructor) {
+  private RecordBinding(Constructor<T> constructor, String prefix) {
     this.constructor = constructor;
     constructor.setAccessible(true);
     for (Parameter parameter : constructor.getParameters()) {
-      declarations.add(declaration(parameter));
+      declarations.add(declaration(parameter, prefix));
     }
   }
 
   /**
+   * @param prefix before each variable's name
    * @throws IllegalArgumentException if it is no record whose components are all variables, or one
    *     is declared wrongly; names it
    */
-  static <T> RecordBinding<T> of(Class<T> type) {
-    return in(type)
+  static <T> RecordBinding<T> of(Class<T> type, String prefix) {
+    return in(type, prefix)
         .orElseThrow(
             () ->
                 new IllegalArgumentException(
@@ -40,9 +41,13 @@ final class RecordBinding<T> {
                         + Variable.class.getSimpleName()));
   }
 
-  /** {@link #of}; empty if it is no such record. */
-  @SuppressWarnings("unchecked") // a class's constructors make objects of the class
+  /** {@link #of} without a prefix; empty if it is no such record. */
   static <T> Optional<RecordBinding<T>> in(Class<T> type) {
+    return in(type, "");
+  }
+
+  @SuppressWarnings("unchecked") // a class's constructors make objects of the class
+  private static <T> Optional<RecordBinding<T>> in(Class<T> type, String prefix) {
     return Arrays.stream(type.getDeclaredConstructors())
         .filter(each -> each.getParameterCount() > 0)
         .filter(
@@ -50,7 +55,7 @@ final class RecordBinding<T> {
                 Arrays.stream(each.getParameters())
                     .allMatch(parameter -> parameter.isAnnotationPresent(Variable.class)))
         .findFirst()
-        .map(each -> new RecordBinding<>((Constructor<T>) each));
+        .map(each -> new RecordBinding<>((Constructor<T>) each, prefix));
   }
 
   List<VariableDeclaration<?>> declarations() {
@@ -89,10 +94,11 @@ final class RecordBinding<T> {
         .orElseThrow(); // the choices are these
   }
 
-  private VariableDeclaration<?> declaration(Parameter parameter) {
+  private VariableDeclaration<?> declaration(Parameter parameter, String prefix) {
     Variable said = parameter.getAnnotation(Variable.class);
     try {
-      return declaration(said, name(said, parameter), parameter.getType()).describedAs(said.text());
+      return declaration(said, prefix + name(said, parameter), parameter.getType())
+          .describedAs(said.text());
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(
           constructor.getDeclaringClass().getName() + ": " + e.getMessage(), e);

@@ -20,7 +20,7 @@ final class RefusedTexts {
   private RefusedTexts() {}
 
   /**
-   * Refuses changes that no author of sound mind asks for.
+   * Refuses oversized changes.
    *
    * @throws ConfigurationException if there are too many variables, or texts are too long
    */

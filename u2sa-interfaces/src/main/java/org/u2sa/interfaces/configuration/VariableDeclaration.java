@@ -5,12 +5,13 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * What a service says about one of its configuration variables: name, type, unit, range, default
- * and meaning. A record with {@link Variable}s says it shorter; where a record does not do, this is
- * declared as {@code static final} in the service's class, where the configuration reference finds
- * it too. Immutable: each call returns a new one.
+ * and meaning. A record with {@link Variable}s says it shorter; this is for what is known only when
+ * the service runs, such as a default that a subclass gives. Immutable: each call returns a new
+ * one.
  *
  * <pre>{@code
  * static final VariableDeclaration<Double> GAIN =
@@ -19,38 +20,44 @@ import java.util.Optional;
  * }</pre>
  *
  * @param <T> {@link Double}, {@link Integer}, {@link String} or {@link Boolean}
+ * @param name the name in the file, unique in its service
+ * @param type the type that the file must give it
+ * @param javaType the same
+ * @param unit the unit in which the service gets it; empty text if none
+ * @param range the numbers that it may take
+ * @param ifAbsent the value if the file has none; empty if the file must have one
+ * @param choices the only values that it may take; empty if there is no such list
+ * @param description what it does; empty text if nobody said
  */
-public final class VariableDeclaration<T> {
-  private final String name;
-  private final VariableType type;
-  private final Class<T> javaType;
-  private final String unit;
-  private final Range range;
-  private final Optional<T> ifAbsent;
-  private final List<T> choices;
-  private final String description;
-
-  private VariableDeclaration(
-      String name,
-      VariableType type,
-      Class<T> javaType,
-      String unit,
-      Range range,
-      Optional<T> ifAbsent,
-      List<T> choices,
-      String description) {
+public record VariableDeclaration<T>(
+    String name,
+    VariableType type,
+    Class<T> javaType,
+    String unit,
+    Range range,
+    Optional<T> ifAbsent,
+    List<T> choices,
+    String description) {
+  /**
+   * @throws IllegalArgumentException without a name, or if range or choices exclude the default
+   */
+  public VariableDeclaration {
     if (name.trim().isEmpty()) {
       throw new IllegalArgumentException("a variable needs a name");
     }
-    this.name = name;
-    this.type = type;
-    this.javaType = javaType;
-    this.unit = Objects.requireNonNull(unit);
-    this.range = Objects.requireNonNull(range);
-    this.ifAbsent = ifAbsent;
-    this.choices = choices;
-    this.description = Objects.requireNonNull(description);
-    ifAbsent.flatMap(this::refusal).ifPresent(this::refuseDeclaration);
+    Objects.requireNonNull(unit);
+    Objects.requireNonNull(description);
+    if (ifAbsent.isPresent()) {
+      refusal(ifAbsent.get(), unit, range, choices)
+          .ifPresent(
+              reason -> {
+                throw new IllegalArgumentException(
+                    "variable \""
+                        + name
+                        + "\" is declared with a default that it refuses: "
+                        + reason);
+              });
+    }
   }
 
   private static <T> VariableDeclaration<T> of(
@@ -121,49 +128,7 @@ public final class VariableDeclaration<T> {
       only.add(value);
     }
     return new VariableDeclaration<>(
-        name,
-        type,
-        javaType,
-        unit,
-        range,
-        ifAbsent,
-        Collections.unmodifiableList(only),
-        description);
-  }
-
-  /** The name in the file, unique in its service. */
-  public String name() {
-    return name;
-  }
-
-  /** The type that the file must give it. */
-  public VariableType type() {
-    return type;
-  }
-
-  /** The unit in which the service gets it; empty text if none. */
-  public String unit() {
-    return unit;
-  }
-
-  /** The numbers that it may take. */
-  public Range range() {
-    return range;
-  }
-
-  /** The value if the file has none; empty if the file must have one. */
-  public Optional<T> ifAbsent() {
-    return ifAbsent;
-  }
-
-  /** The only values that it may take; empty if there is no such list. */
-  public List<T> choices() {
-    return choices;
-  }
-
-  /** What it does; empty text if nobody said. */
-  public String description() {
-    return description;
+        name, type, javaType, unit, range, ifAbsent, List.copyOf(only), description);
   }
 
   /** {@code value}, which is of this variable's type, as such. */
@@ -175,49 +140,31 @@ public final class VariableDeclaration<T> {
    * Why {@code value}, of this variable's type and unit, is refused: {@code 95 deg is outside …}.
    */
   Optional<String> refusal(Object value) {
+    return refusal(value, unit, range, choices);
+  }
+
+  private static Optional<String> refusal(Object value, String unit, Range range, List<?> choices) {
     if (value instanceof Number number && !range.contains(number.doubleValue())) {
       return Optional.of(
           range.refusal(NumberText.ofValue(value) + (unit.isEmpty() ? "" : " " + unit), unit));
     }
     if (!choices.isEmpty() && !choices.contains(value)) {
-      return Optional.of(quoted(value) + " is not one of " + choicesText());
+      return Optional.of(quoted(value) + " is not one of " + text(choices));
     }
     return Optional.empty();
   }
 
   /** The choices as a message lists them: {@code "a", "b"}. */
   String choicesText() {
-    StringBuilder text = new StringBuilder();
-    for (T choice : choices) {
-      text.append(text.length() == 0 ? "" : ", ").append(quoted(choice));
-    }
-    return text.toString();
+    return text(choices);
+  }
+
+  private static String text(List<?> choices) {
+    return choices.stream().map(VariableDeclaration::quoted).collect(Collectors.joining(", "));
   }
 
   private static String quoted(Object value) {
     return value instanceof String ? "\"" + value + "\"" : NumberText.ofValue(value);
-  }
-
-  private void refuseDeclaration(String reason) {
-    throw new IllegalArgumentException(
-        "variable \"" + name + "\" is declared with a default that it refuses: " + reason);
-  }
-
-  @Override
-  public boolean equals(Object other) {
-    return other instanceof VariableDeclaration<?> that
-        && name.equals(that.name)
-        && type == that.type
-        && unit.equals(that.unit)
-        && range.equals(that.range)
-        && ifAbsent.equals(that.ifAbsent)
-        && choices.equals(that.choices)
-        && description.equals(that.description);
-  }
-
-  @Override
-  public int hashCode() {
-    return name.hashCode();
   }
 
   @Override

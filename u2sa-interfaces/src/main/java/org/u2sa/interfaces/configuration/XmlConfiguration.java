@@ -136,8 +136,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   @Override
-  public <T> Settings<T> settings(Class<T> record) {
-    return new Settings<>(values, RecordBinding.of(record));
+  public <T> Settings<T> settings(Class<T> record, String prefix) {
+    return new Settings<>(values, RecordBinding.of(record, prefix));
   }
 
   /**
@@ -221,20 +221,6 @@ public final class XmlConfiguration implements Configurator {
   /** Counts the changes of the configuration, as far as this object has seen them. */
   public long revision() {
     return changes.revision();
-  }
-
-  /**
-   * Why {@link #setVariable} would refuse this value or text; empty if it would try to write it.
-   */
-  public Optional<String> reasonOfRefusal(String variableName, Object valueOrText) {
-    try {
-      ConfigurationValues now = values.get(ConfigurationValues::copy);
-      now.value(variableName); // there is one
-      now.bound(variableName, now.stated(variableName)).checked(valueOrText);
-      return Optional.empty();
-    } catch (ConfigurationException e) {
-      return Optional.of(e.getMessage());
-    }
   }
 
   @Override

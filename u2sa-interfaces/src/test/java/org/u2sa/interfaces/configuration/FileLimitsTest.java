@@ -21,9 +21,9 @@ class FileLimitsTest extends RefusedFile {
             "<variable name='BANK' type='double' value='30' unit='deg' min='10' max='50'/>");
     assertThat(configuration.getVariable(BANK)).isEqualTo(Math.toRadians(30));
 
-    assertThat(configuration.reasonOfRefusal("BANK", Math.toRadians(50.1))).isPresent();
-    assertThat(configuration.reasonOfRefusal("BANK", Math.toRadians(9.9))).isPresent();
-    assertThat(configuration.reasonOfRefusal("BANK", Math.toRadians(49.9))).isEmpty();
+    assertThat(configuration.change("BANK", Math.toRadians(50.1))).isPresent();
+    assertThat(configuration.change("BANK", Math.toRadians(9.9))).isPresent();
+    assertThat(configuration.change("BANK", Math.toRadians(49.9))).isEmpty();
   }
 
   @Test
@@ -45,11 +45,11 @@ class FileLimitsTest extends RefusedFile {
   }
 
   @Test
-  void reasonOfRefusal_outsideTheRange_saysItThoughNothingIsWritten() {
+  void change_outsideTheRange_isRefused() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of("GAP", 0.0005));
     configuration.getVariable(GAP);
 
-    assertThat(configuration.reasonOfRefusal("GAP", 0.002))
+    assertThat(configuration.change("GAP", 0.002))
         .contains("test, variable \"GAP\": 0.002 m is outside 0…0.001 m");
     assertThat(configuration.getVariable(GAP)).isEqualTo(0.0005);
   }

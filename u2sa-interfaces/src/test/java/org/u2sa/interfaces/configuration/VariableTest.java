@@ -125,18 +125,6 @@ class VariableTest {
   }
 
   @Test
-  void declared_variables_makeASectionOfTheReference() {
-    XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of("HOST", "a"));
-    configuration.getVariable(GAIN);
-
-    assertThat(ConfigurationReference.markdownFor("Control", configuration.declared()))
-        .isEqualTo(
-            "## Control\n\n| Variable | Type | Unit | Range | Default | Meaning |\n"
-                + "|---|---|---|---|---|---|\n"
-                + "| `HEADING GAIN` | double | %/rad | 0…500 | 120 | Turns. |\n");
-  }
-
-  @Test
   void enumerateFields_list_isTheCallersOwn() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", Map.of("HOST", "a"));
     configuration.enumerateFields().clear();

@@ -239,11 +239,4 @@ class LogFileTest extends LogFileFixture {
     assertThat(text(file)).isEmpty();
     assertThat(complaints()).isEmpty();
   }
-
-  @Test
-  void named_anyCase_isTheLevel() {
-    assertThat(LogLevelEnum.named(" Warn ")).isEqualTo(LogLevelEnum.WARN);
-    assertThatCode(() -> LogLevelEnum.named("loud"))
-        .hasMessage("\"loud\" is not a log level: DEBUG, INFO, WARN or ERROR");
-  }
 }

@@ -6,7 +6,7 @@ import org.u2sa.android.board.BoardChoice
 import org.u2sa.interfaces.BadInputException
 
 /** What the user chose. Kept by Android; each call reads or writes it at once. */
-class AppSettings(context: Context) {
+class PhoneSettings(context: Context) {
     private val store: SharedPreferences = context.getSharedPreferences("vehicle", Context.MODE_PRIVATE)
 
     /** The system file's name among the vehicle's files. */
@@ -40,9 +40,9 @@ class AppSettings(context: Context) {
     var speak: Boolean by flag("speak", true)
 
     private class Entry<T>(val get: () -> T, val set: (T) -> Unit) {
-        operator fun getValue(owner: AppSettings, property: kotlin.reflect.KProperty<*>): T = get()
+        operator fun getValue(owner: PhoneSettings, property: kotlin.reflect.KProperty<*>): T = get()
 
-        operator fun setValue(owner: AppSettings, property: kotlin.reflect.KProperty<*>, value: T) = set(value)
+        operator fun setValue(owner: PhoneSettings, property: kotlin.reflect.KProperty<*>, value: T) = set(value)
     }
 
     private fun text(name: String, ifAbsent: String) =

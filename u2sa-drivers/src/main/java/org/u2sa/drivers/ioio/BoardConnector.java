@@ -8,7 +8,7 @@ import org.u2sa.interfaces.time.Clock;
  * time a daemon thread of its own does what may wait; in lockstep it happens in {@link #step}. All
  * methods belong to the service's thread and wait for nothing but, at the end, the threads.
  */
-final class BoardKeeper implements AutoCloseable {
+final class BoardConnector implements AutoCloseable {
   private static final long RETRY_MS = 250;
   private static final long RETRY_MICROS = 1000 * RETRY_MS;
   private static final long ANSWER_WITHIN_MICROS = 3_000_000;
@@ -33,7 +33,7 @@ final class BoardKeeper implements AutoCloseable {
    *
    * @param silentAfterS time without a byte of the board after which it counts as lost [s]
    */
-  BoardKeeper(BoardConnection connection, PinPlan plan, double silentAfterS) {
+  BoardConnector(BoardConnection connection, PinPlan plan, double silentAfterS) {
     this.connection = connection;
     this.plan = plan;
     silentMicros = Clock.micros(silentAfterS);

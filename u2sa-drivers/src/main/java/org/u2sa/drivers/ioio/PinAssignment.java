@@ -4,12 +4,12 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 
-/** Gives out pins, each once and only for what it can do. */
-final class PinDesk {
+/** Which pins are taken: each once, and only for what it can do. */
+final class PinAssignment {
   private final boolean isOtg;
   private final Map<Integer, String> taken = new TreeMap<>(); // variable by pin
 
-  PinDesk(boolean isOtg) {
+  PinAssignment(boolean isOtg) {
     this.isOtg = isOtg;
   }
 

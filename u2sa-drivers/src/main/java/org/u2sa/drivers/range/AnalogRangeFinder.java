@@ -1,0 +1,154 @@
+package org.u2sa.drivers.range;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.DoubleFunction;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.RangeFinder;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * A range finder with an analog output, on an analog-to-digital converter that Linux's industrial
+ * I/O reads: a file such as {@code /sys/bus/iio/devices/iio:device0/in_voltage0_raw}.
+ */
+public final class AnalogRangeFinder implements RangeFinder {
+  /**
+   * Metres and volts of Sharp's GP2Y0A21YK0F, near to far: 0.4 V at 0.8 m, 1.9 V more at 0.1 m, and
+   * between them the typical curve of figure 2 of its data sheet (OP13008EN).
+   */
+  private static final double[][] SHARP = {
+    {0.10, 2.30},
+    {0.15, 1.65},
+    {0.20, 1.30},
+    {0.30, 0.92},
+    {0.40, 0.74},
+    {0.50, 0.61},
+    {0.60, 0.52},
+    {0.70, 0.45},
+    {0.80, 0.40}
+  };
+
+  private static final double MARGIN = 0.1; // of a voltage, beyond the ends: sensors vary
+
+  private final Path file;
+  private final double voltsPerCount;
+  private final DoubleFunction<OptionalDouble> curve;
+  private Optional<Distance> latest = Optional.empty();
+  private String trouble = "not read yet";
+  private int connections;
+
+  /**
+   * @param file of the converter's counts; need not be there
+   * @param curve distance [m] by voltage [V]
+   */
+  AnalogRangeFinder(Path file, double voltsPerCount, DoubleFunction<OptionalDouble> curve) {
+    this.file = file;
+    this.voltsPerCount = voltsPerCount;
+    this.curve = curve;
+  }
+
+  /**
+   * The distance that a MaxBotix LV-MaxSonar-EZ means [m]: supply / 512 volts an inch, 6…254 inches
+   * (data sheet PD11832). Nearer objects read as 6 inches.
+   */
+  static OptionalDouble maxBotixLvM(double volts, double supplyV) {
+    return SonarModel.LV.rangeM(volts / (supplyV / 512.0));
+  }
+
+  /**
+   * The distance that a Sharp GP2Y0A21YK0F means [m], 0.10…0.80: between two points of its curve
+   * the inverse is interpolated, as the voltage is about proportional to that. Nearer than 0.1 m
+   * the voltage falls again, so that such an object looks far: mount it 0.1 m back.
+   */
+  static OptionalDouble sharpM(double volts) {
+    int last = SHARP.length - 1;
+    if (!(volts <= SHARP[0][1] * (1.0 + MARGIN)) || volts < SHARP[last][1]) {
+      return OptionalDouble.empty(); // NaN, or nothing in reach
+    }
+    int far = 1;
+    while (volts < SHARP[far][1]) {
+      far++;
+    }
+    double[] near = SHARP[far - 1];
+    double share = Math.min(1.0, (volts - SHARP[far][1]) / (near[1] - SHARP[far][1]));
+    return OptionalDouble.of(
+        1.0 / (1.0 / SHARP[far][0] + share * (1.0 / near[0] - 1.0 / SHARP[far][0])));
+  }
+
+  @Override
+  public Optional<Distance> read(long nowMicros) {
+    try {
+      double counts = Double.parseDouble(new String(Files.readAllBytes(file), US_ASCII).trim());
+      latest = Optional.of(new Distance(nowMicros, curve.apply(counts * voltsPerCount)));
+      connections += isConnected() ? 0 : 1;
+      trouble = "";
+    } catch (IOException | NumberFormatException e) { // a lost device is a state, no exception
+      trouble = e.toString();
+    }
+    return latest;
+  }
+
+  @Override
+  public boolean isConnected() {
+    return trouble.isEmpty();
+  }
+
+  @Override
+  public int connections() {
+    return connections;
+  }
+
+  @Override
+  public String trouble() {
+    return trouble;
+  }
+
+  /** MODEL LV ANALOG and SHARP in a configuration. */
+  public static final class Provider extends DeviceProvider<RangeFinder> {
+    private record Tuning(
+        @Variable(
+                unit = "V",
+                min = 0,
+                max = 10,
+                minExcluded = true,
+                ifAbsent = 0.001,
+                text = "LV ANALOG, SHARP: voltage of one count of the converter in CONNECTION.")
+            double voltsPerCount,
+        @Variable(
+                unit = "V",
+                min = 2.5,
+                max = 5.5,
+                ifAbsent = 5,
+                text = "LV ANALOG: supply voltage of the sonar.")
+            double sonarSupply) {}
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(RangeFinder.class, "LV ANALOG", "SHARP");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
+    }
+
+    @Override
+    protected RangeFinder open(String name, ServiceContext context) {
+      Tuning tuning = context.configuration().settings(Tuning.class).get();
+      String connection = (String) context.configuration().getVariable("CONNECTION");
+      return new AnalogRangeFinder(
+          context.configuration().resolve(connection),
+          tuning.voltsPerCount(),
+          name.equals("SHARP")
+              ? AnalogRangeFinder::sharpM
+              : volts -> maxBotixLvM(volts, tuning.sonarSupply()));
+    }
+  }
+}

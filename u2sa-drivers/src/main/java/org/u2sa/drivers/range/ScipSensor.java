@@ -1,0 +1,165 @@
+package org.u2sa.drivers.range;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * What a SCIP 2 sensor says of itself in answer to "PP", and how its answers are read: check
+ * characters and numbers of six bits a character (Hokuyo C-42-03320B, "Communication Protocol
+ * Specification for SCIP2.0 Standard", chapters 6 and 7).
+ *
+ * @param nearestMm DMIN: less is an error code [mm]
+ * @param farthestMm DMAX: more is nothing [mm]
+ * @param stepsPerTurn ARES
+ * @param firstStep AMIN
+ * @param lastStep AMAX
+ * @param frontStep AFRT: the step straight ahead
+ * @param turnsPerMinute SCAN; 0 if it does not say
+ */
+record ScipSensor(
+    int nearestMm,
+    int farthestMm,
+    int stepsPerTurn,
+    int firstStep,
+    int lastStep,
+    int frontStep,
+    int turnsPerMinute) {
+  private static final int MOST_STEPS = 8192;
+  private static final double SECONDS_PER_MINUTE = 60.0;
+  private static final int SIX_BITS = 0x3F;
+  private static final int OFFSET = 0x30;
+  private static final int CHARACTERS = 3; // of a distance
+  static final double MILLI = 0.001;
+
+  /** Reads the lines after the status, each "NAME:value;sum"; empty if one is wrong or missing. */
+  static Optional<ScipSensor> of(List<String> lines) {
+    Map<String, Integer> values = new HashMap<>();
+    for (String line : lines) {
+      int colon = line.indexOf(':');
+      int semicolon = line.lastIndexOf(';');
+      if (colon < 0 || semicolon != line.length() - 2 || semicolon < colon) {
+        return Optional.empty();
+      }
+      // The sum leaves out the semicolon, against the specification's figure but as sensors do.
+      if (line.charAt(semicolon + 1) != sum(line.substring(0, semicolon))) {
+        return Optional.empty();
+      }
+      parse(line.substring(colon + 1, semicolon).trim())
+          .ifPresent(value -> values.put(line.substring(0, colon), value));
+    }
+    return of(values);
+  }
+
+  private static Optional<Integer> parse(String digits) {
+    boolean isNumber = !digits.isEmpty() && digits.length() < 10;
+    for (int i = 0; i < digits.length(); i++) {
+      isNumber &= digits.charAt(i) >= '0' && digits.charAt(i) <= '9';
+    }
+    return isNumber ? Optional.of(Integer.parseInt(digits)) : Optional.empty();
+  }
+
+  private static Optional<ScipSensor> of(Map<String, Integer> values) {
+    if (!values.keySet().containsAll(List.of("DMIN", "DMAX", "ARES", "AMIN", "AMAX", "AFRT"))) {
+      return Optional.empty();
+    }
+    ScipSensor parameters =
+        new ScipSensor(
+            values.get("DMIN"),
+            values.get("DMAX"),
+            values.get("ARES"),
+            values.get("AMIN"),
+            values.get("AMAX"),
+            values.get("AFRT"),
+            values.getOrDefault("SCAN", 0));
+    boolean fits =
+        parameters.stepsPerTurn > 0
+            && parameters.firstStep <= parameters.lastStep
+            && parameters.lastStep < MOST_STEPS;
+    return fits ? Optional.of(parameters) : Optional.empty();
+  }
+
+  /** How many distances a scan has. */
+  int steps() {
+    return lastStep - firstStep + 1;
+  }
+
+  /** From each step to the next [rad]. */
+  double stepRad() {
+    return 2.0 * Math.PI / stepsPerTurn;
+  }
+
+  /** Time from each step to the next [s]; 0 if not known. */
+  double stepS() {
+    return turnsPerMinute == 0 ? 0.0 : SECONDS_PER_MINUTE / turnsPerMinute / stepsPerTurn;
+  }
+
+  /** Direction of a step from straight ahead, to the left positive [rad]; seen from above. */
+  double azimuth(int step) {
+    return (step - frontStep) * stepRad();
+  }
+
+  /**
+   * What each step measured [m]; empty where no echo came: less than the nearest is an error code,
+   * more than the farthest nothing.
+   *
+   * @param lines after the status: time stamp, and blocks of at most 64 characters, each with its
+   *     check character
+   * @return empty if a check character is wrong, or there are not as many distances as steps
+   */
+  Optional<List<OptionalDouble>> ranges(List<String> lines) {
+    StringBuilder data = new StringBuilder();
+    for (int i = 0; i < lines.size(); i++) {
+      if (!isChecked(lines.get(i))) {
+        return Optional.empty();
+      }
+      if (i > 0) { // the first is the time stamp
+        data.append(lines.get(i), 0, lines.get(i).length() - 1);
+      }
+    }
+    if (data.length() != steps() * CHARACTERS) {
+      return Optional.empty();
+    }
+    List<OptionalDouble> ranges = new ArrayList<>(steps());
+    for (int i = 0; i < steps(); i++) {
+      int mm = decode(data, i * CHARACTERS, CHARACTERS);
+      if (mm < 0) {
+        return Optional.empty();
+      }
+      boolean isEcho = mm >= nearestMm && mm <= farthestMm;
+      ranges.add(isEcho ? OptionalDouble.of(mm * MILLI) : OptionalDouble.empty());
+    }
+    return Optional.of(ranges);
+  }
+
+  /** The check character of a text: the low six bits of the sum, as a printable character. */
+  static char sum(CharSequence text) {
+    int sum = 0;
+    for (int i = 0; i < text.length(); i++) {
+      sum += text.charAt(i);
+    }
+    return (char) ((sum & SIX_BITS) + OFFSET);
+  }
+
+  /** Whether a line ends with the check character of what is before it. */
+  static boolean isChecked(CharSequence line) {
+    int end = line.length() - 1;
+    return end >= 0 && line.charAt(end) == sum(line.subSequence(0, end));
+  }
+
+  /** The number that some characters stand for, six bits each; −1 if one cannot be. */
+  static int decode(CharSequence text, int from, int characters) {
+    int value = 0;
+    for (int i = from; i < from + characters; i++) {
+      int six = text.charAt(i) - OFFSET;
+      if (six < 0 || six > SIX_BITS) {
+        return -1;
+      }
+      value = value << 6 | six;
+    }
+    return value;
+  }
+}
