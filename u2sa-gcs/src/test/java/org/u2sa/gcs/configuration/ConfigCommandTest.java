@@ -97,7 +97,7 @@ class ConfigCommandTest {
 
     assertThat(err.toString())
         .startsWith("u2sa: ")
-        .contains("variable \"LOITER RADIUS\": -1 m is outside");
+        .contains("variable \"LOITER RADIUS\": -1 m is not at least 0 m");
   }
 
   @Test
