@@ -2,18 +2,16 @@ plugins {
     id("u2sa.java-conventions")
 }
 
-description = "Ground control: command line, reports."
+description = "Ground control: the command line and what joins a running system."
 
 dependencies {
     api(project(":u2sa-core"))
-    api(project(":u2sa-drivers"))
-    api(project(":u2sa-sim"))
     api(libs.picocli)
     api(libs.logback)
-    testImplementation(testFixtures(project(":u2sa-abstract")))
     api(libs.jackson.core)
-    api(libs.geographiclib)
+    testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.jackson.databind)
+    testImplementation(libs.junit.platform.launcher)
 }
 
 // version.properties says ${project.version}, as Maven's filtering understands it.

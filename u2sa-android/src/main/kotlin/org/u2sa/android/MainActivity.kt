@@ -23,7 +23,7 @@ import org.u2sa.android.screen.SettingsActivity
 import org.u2sa.android.text.Text
 import org.u2sa.android.screen.VehicleConnection
 import org.u2sa.android.sensor.CameraHook
-import org.u2sa.android.vehicle.Settings
+import org.u2sa.android.vehicle.AppSettings
 import org.u2sa.android.vehicle.VehicleHost
 import org.u2sa.android.vehicle.VehicleSnapshot
 import org.u2sa.core.launch.SystemFile
@@ -35,7 +35,7 @@ private const val REFRESH_MS = 200L
 class MainActivity : Activity(), Orders {
     private val main = Handler(Looper.getMainLooper())
     private val connection = VehicleConnection(this)
-    private lateinit var settings: Settings
+    private lateinit var settings: AppSettings
     private lateinit var choice: Choice
     private lateinit var panel: Panel
     private var dialog: AlertDialog? = null
@@ -43,7 +43,7 @@ class MainActivity : Activity(), Orders {
 
     override fun onCreate(savedInstanceState: Bundle?) {
         super.onCreate(savedInstanceState)
-        settings = Settings(this)
+        settings = AppSettings(this)
         choice = Choice(this, settings, ::tell)
         panel = Panel(this, this)
         setContentView(panel.root)

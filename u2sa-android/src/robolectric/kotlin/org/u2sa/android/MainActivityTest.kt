@@ -110,7 +110,7 @@ class MainActivityTest {
     @Test
     @Config(sdk = [35])
     fun bluetoothDenied_boardBehindBluetooth_doesNotStart() {
-        org.u2sa.android.vehicle.Settings(phone.application).board =
+        org.u2sa.android.vehicle.AppSettings(phone.application).board =
             org.u2sa.android.board.BoardChoice.Bluetooth("00:11:22:33:44:55")
         open()
         activity.onRequestPermissionsResult(1, arrayOf(Manifest.permission.BLUETOOTH_CONNECT), intArrayOf(-1))

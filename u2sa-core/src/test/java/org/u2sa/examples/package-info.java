@@ -1,5 +1,5 @@
 /**
- * The service that docs/tutorial.md writes, as its reader will have it. Tests of the framework
+ * A service with a message of its own, to which docs/extending.md points. Tests of the framework
  * itself do not belong here.
  */
 package org.u2sa.examples;

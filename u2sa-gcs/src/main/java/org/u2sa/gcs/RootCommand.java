@@ -1,8 +1,6 @@
 package org.u2sa.gcs;
 
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.util.Properties;
+import org.u2sa.gcs.command.ProgramVersion;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.IVersionProvider;
@@ -36,6 +34,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa demo cessna --realtime             watch it at the speed of the world",
       "  ./u2sa demo cessna --mission my.xml       your own waypoints",
       "  ./u2sa demo cessna --json | jq .          the result for a program",
+      "  ./u2sa new sensor barometer               a project with a sensor of yours",
       "  ./u2sa apk                                assemble the Android application",
       "  ./u2sa <command> --help                   all about one command",
       "",
@@ -81,28 +80,12 @@ final class RootCommand implements Runnable {
     return debug;
   }
 
-  /** Reads the version that the build wrote. */
+  /** The versions of U2SA and of what it runs on. */
   static final class Version implements IVersionProvider {
-
-    private static final String RESOURCE = "version.properties";
-
     @Override
     public String[] getVersion() {
-      Properties properties = new Properties();
-      try (InputStream in = RootCommand.class.getResourceAsStream(RESOURCE)) {
-        if (in == null) {
-          throw new IllegalStateException(
-              RESOURCE
-                  + " is missing beside "
-                  + RootCommand.class.getName()
-                  + ": incomplete build");
-        }
-        properties.load(in);
-      } catch (java.io.IOException e) {
-        throw new UncheckedIOException(RESOURCE + " cannot be read", e);
-      }
       return new String[] {
-        "u2sa " + properties.getProperty("version"),
+        "u2sa " + ProgramVersion.text(),
         "Java "
             + System.getProperty("java.version")
             + " ("

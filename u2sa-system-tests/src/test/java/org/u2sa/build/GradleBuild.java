@@ -24,9 +24,6 @@ final class GradleBuild {
   private static final Pattern TEST_PROPERTY =
       Pattern.compile("\\bit\\.systemProperty\\(\"([^\"]+)\", \"([^\"]*)\"\\)");
 
-  /** Gradle starts tests with it; Surefire brings its own. */
-  private static final String LAUNCHER = "org.junit.platform:junit-platform-launcher";
-
   private GradleBuild() {}
 
   static BuildDescription read(Path folder) throws IOException {
@@ -99,9 +96,7 @@ final class GradleBuild {
     SortedMap<String, String> managed = new TreeMap<>();
     for (Map.Entry<String, VersionCatalog.Library> entry : catalog.libraries().entrySet()) {
       VersionCatalog.Library library = entry.getValue();
-      if (!library.module().equals(LAUNCHER)) {
-        managed.put(library.module(), library.version());
-      }
+      managed.put(library.module(), library.version());
     }
     return managed;
   }

@@ -8,14 +8,14 @@ import android.net.Uri
 import kotlin.concurrent.thread
 import org.u2sa.android.file.Documents
 import org.u2sa.android.file.vehicleFiles
-import org.u2sa.android.vehicle.Settings
+import org.u2sa.android.vehicle.AppSettings
 import org.u2sa.interfaces.BadInputException
 
 private const val MISSION_REQUEST = 2
 private const val SYSTEM_REQUEST = 3
 
 /** Lets the user choose what runs, with Android's own file pickers, and says what is wrong with it. */
-internal class Choice(private val activity: Activity, private val settings: Settings, private val tell: (String) -> Unit) {
+internal class Choice(private val activity: Activity, private val settings: AppSettings, private val tell: (String) -> Unit) {
     private val documents = Documents(activity.applicationContext)
     private val files = vehicleFiles(activity)
 

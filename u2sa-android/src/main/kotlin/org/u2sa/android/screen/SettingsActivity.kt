@@ -19,7 +19,7 @@ import android.widget.RadioGroup
 import android.widget.ScrollView
 import android.widget.TextView
 import org.u2sa.android.board.BoardChoice
-import org.u2sa.android.vehicle.Settings
+import org.u2sa.android.vehicle.AppSettings
 import org.u2sa.interfaces.BadInputException
 
 private const val PAD_DP = 16
@@ -27,7 +27,7 @@ private const val BLUETOOTH_REQUEST = 1
 
 /** How the phone reaches the board, and what it watches over. What is changed here counts from the next start. */
 class SettingsActivity : Activity() {
-    private lateinit var settings: Settings
+    private lateinit var settings: AppSettings
     private lateinit var boards: RadioGroup
     private lateinit var tcp: EditText
     private lateinit var battery: EditText
@@ -36,7 +36,7 @@ class SettingsActivity : Activity() {
     override fun onCreate(savedInstanceState: Bundle?) {
         super.onCreate(savedInstanceState)
         title = Text.SETTINGS.of(this)
-        settings = Settings(this)
+        settings = AppSettings(this)
         show()
     }
 

@@ -25,7 +25,7 @@ private const val RUNS_KEPT = 20
 private const val MICROS_PER_SECOND = 1_000_000L
 
 /** From what the user chose to what [VehicleHost] starts: gives the services of a system file the phone that they need. */
-internal class VehiclePlan(context: Context, private val settings: Settings, private val clock: Clock) {
+internal class VehiclePlan(context: Context, private val settings: AppSettings, private val clock: Clock) {
     private val application = context.applicationContext
     private val files = vehicleFiles(application)
     private val link = boardLink() // null: the configuration file names the way to the board

@@ -38,7 +38,7 @@ class VehicleService : Service() {
     private val main = Handler(Looper.getMainLooper())
     private val clock: Clock = SystemClock()
     private val warnings = Warnings()
-    private lateinit var settings: Settings
+    private lateinit var settings: AppSettings
     private lateinit var notification: VehicleNotification
     private lateinit var host: VehicleHost
     private lateinit var wakeLock: PowerManager.WakeLock
@@ -59,7 +59,7 @@ class VehicleService : Service() {
 
     override fun onCreate() {
         super.onCreate()
-        settings = Settings(this)
+        settings = AppSettings(this)
         notification = VehicleNotification(this)
         val power = getSystemService(Context.POWER_SERVICE) as PowerManager
         wakeLock = power.newWakeLock(PowerManager.PARTIAL_WAKE_LOCK, "u2sa:vehicle").apply { setReferenceCounted(false) }

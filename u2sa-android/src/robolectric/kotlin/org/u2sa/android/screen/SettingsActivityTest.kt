@@ -18,14 +18,14 @@ import org.robolectric.annotation.Config
 import org.robolectric.shadows.ShadowToast
 import org.u2sa.android.OnPhone
 import org.u2sa.android.board.BoardChoice
-import org.u2sa.android.vehicle.Settings
+import org.u2sa.android.vehicle.AppSettings
 
 private const val DEVICE = "00:11:22:33:44:55"
 
 @RunWith(RobolectricTestRunner::class)
 class SettingsActivityTest {
     private val phone = OnPhone()
-    private val settings = Settings(phone.application)
+    private val settings = AppSettings(phone.application)
 
     private fun views(view: View): List<View> =
         if (view is ViewGroup) (0 until view.childCount).flatMap { views(view.getChildAt(it)) } + view else listOf(view)

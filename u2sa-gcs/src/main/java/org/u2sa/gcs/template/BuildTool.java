@@ -1,0 +1,76 @@
+package org.u2sa.gcs.template;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.u2sa.interfaces.BadInputException;
+
+/** What builds a project. */
+enum BuildTool {
+  MAVEN(
+      "pom.xml", "<groupId>\\s*([^<\\s]+)", "mvn -q install -DskipTests", "mvn verify", "target/*"),
+  GRADLE(
+      "build.gradle.kts",
+      "(?m)^group\\s*=\\s*\"([^\"]+)\"",
+      "./gradlew publishToMavenLocal",
+      "gradle build",
+      "build/libs/*");
+
+  private final String file;
+  private final Pattern group;
+
+  /** What installs U2SA where the tool finds it, said in U2SA's folder. */
+  final String install;
+
+  /** What builds and tests the project. */
+  final String build;
+
+  /** Where its jars are then. */
+  final String jars;
+
+  BuildTool(String file, String group, String install, String build, String jars) {
+    this.file = file;
+    this.group = Pattern.compile(group);
+    this.install = install;
+    this.build = build;
+    this.jars = jars;
+  }
+
+  /** The template with what a project of this tool has. */
+  String template() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+
+  /** What builds the project in a folder; empty if there is none. */
+  static Optional<BuildTool> in(Path folder) {
+    return Arrays.stream(values())
+        .filter(tool -> Files.isRegularFile(folder.resolve(tool.file)))
+        .findFirst();
+  }
+
+  /** Whether the project in the folder takes U2SA's versions from its BOM. */
+  boolean usesU2sa(Path folder) {
+    return Pattern.compile("<artifactId>u2sa-bom<|org\\.u2sa:u2sa-bom:")
+        .matcher(text(folder))
+        .find();
+  }
+
+  /** The group of the project in the folder, which is its package too. */
+  Optional<String> group(Path folder) {
+    Matcher matcher = group.matcher(text(folder));
+    return matcher.find() ? Optional.of(matcher.group(1)) : Optional.empty();
+  }
+
+  private String text(Path folder) {
+    try {
+      return Files.readString(folder.resolve(file));
+    } catch (IOException e) {
+      throw new BadInputException(folder.resolve(file) + ": " + e.getMessage(), e);
+    }
+  }
+}

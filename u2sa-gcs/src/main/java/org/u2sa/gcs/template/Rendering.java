@@ -1,0 +1,77 @@
+package org.u2sa.gcs.template;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import org.u2sa.interfaces.BadInputException;
+
+/** The files of several templates with placeholders filled in; of two for one place the later. */
+final class Rendering {
+  private static final String CLASS_NAME = "Name";
+
+  private final SortedMap<String, byte[]> files = new TreeMap<>();
+  private final Set<String> shared = new HashSet<>();
+
+  /**
+   * @param templates in order; the last is the kind's own
+   * @throws BadInputException if a template file is malformed, or uses a class of the new one's
+   *     name
+   */
+  Rendering(Templates source, List<String> templates, Placeholders placeholders) {
+    String own = templates.get(templates.size() - 1);
+    for (String template : templates) {
+      for (Map.Entry<String, Templates.File> each : source.files(template).entrySet()) {
+        String origin = each.getValue().origin();
+        String place = placeholders.fillPath(each.getKey(), origin);
+        files.put(place, filled(each.getValue(), placeholders));
+        if (template.equals(own)) {
+          shared.remove(place);
+        } else {
+          shared.add(place);
+        }
+      }
+    }
+  }
+
+  private static byte[] filled(Templates.File file, Placeholders placeholders) {
+    for (byte each : file.content()) {
+      if (each == 0) {
+        return file.content(); // a picture, an archive
+      }
+    }
+    String text;
+    try {
+      text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(file.content())).toString();
+    } catch (CharacterCodingException e) {
+      throw new BadInputException(file.origin() + ": expected UTF-8 (" + e.getMessage() + ")", e);
+    }
+    String className = placeholders.values().get(CLASS_NAME);
+    if (file.origin().endsWith(".java")
+        && Pattern.compile("\\b" + className + "\\b").matcher(text).find()) {
+      throw new BadInputException(
+          "name "
+              + className
+              + ": "
+              + file.origin()
+              + " uses a class of that name; expected another");
+    }
+    return placeholders.fill(text, file.origin()).getBytes(StandardCharsets.UTF_8);
+  }
+
+  /** What stands in each file, by its place in the project. */
+  SortedMap<String, byte[]> files() {
+    return files;
+  }
+
+  /** Places of files that other services of the project may have brought already. */
+  Set<String> shared() {
+    return shared;
+  }
+}

@@ -1,0 +1,25 @@
+package {{package}};
+
+import java.util.Collection;
+import java.util.List;
+import org.u2sa.core.planning.PlannerState;
+import org.u2sa.core.planning.PlannerStateProvider;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypeProvider;
+
+/**
+ * Makes {@link {{Name}}} known to missions, readers of messages and path planners; named in
+ * META-INF/services.
+ */
+public final class {{Name}}Provider implements MessageTypeProvider, PlannerStateProvider {
+  @Override
+  public Collection<MessageType<?>> messageTypes() {
+    return List.of({{Name}}.TYPE);
+  }
+
+  @Override
+  public Collection<PlannerState> plannerStates(Configurator planner) {
+    return List.of(new {{Name}}State());
+  }
+}

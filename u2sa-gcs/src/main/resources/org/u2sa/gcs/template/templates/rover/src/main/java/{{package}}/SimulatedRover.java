@@ -1,0 +1,96 @@
+package {{package}};
+
+import java.util.List;
+import java.util.Set;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.ProprioceptiveSensor;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Stands in for the device drivers of a ground vehicle with a driven wheel at each side: it rolls
+ * as it is commanded, without mass or slip, and measures exactly where it is. In: actuation. Out:
+ * sensed-state, actuators.
+ */
+public final class SimulatedRover extends ProprioceptiveSensor {
+  private static final double RATE_HZ = 20.0;
+  private static final List<String> MOTORS = List.of("LEFT MOTOR", "RIGHT MOTOR");
+
+  private record Tuning(
+      @Variable(
+              unit = "m",
+              min = 0.05,
+              max = 5,
+              ifAbsent = 0.5,
+              text = "Distance between the wheels.")
+          double track,
+      @Variable(
+              unit = "m/s",
+              min = 0.1,
+              max = 20,
+              ifAbsent = 2,
+              text = "Speed at full power of both motors.")
+          double maxSpeed) {}
+
+  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final CommandedActuators motors;
+  private double northM;
+  private double eastM;
+  private double headingRad; // clockwise from north
+
+  /** Called by the launcher. */
+  public SimulatedRover(ServiceContext context) {
+    super(context, "SimulatedRover", RATE_HZ);
+    motors = new CommandedActuators(this, Set.copyOf(MOTORS));
+  }
+
+  @Override
+  protected void begin() {
+    for (String motor : MOTORS) {
+      motors.announce(
+          new ActuatorAnnouncement().actuatorName(motor).minimum(-100.0).maximum(100.0));
+    }
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof ActuatorCommand command) {
+      motors.obey(command);
+    } else if (!motors.heed(data)) {
+      unexpected(data);
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    double left = speedMps(MOTORS.get(0));
+    double right = speedMps(MOTORS.get(1));
+    double speed = (left + right) / 2.0;
+    double turnRate = (left - right) / tuning.get().track(); // clockwise positive
+    double northMps = speed * Math.cos(headingRad);
+    double eastMps = speed * Math.sin(headingRad);
+    northM += northMps * periodS();
+    eastM += eastMps * periodS();
+    headingRad = Math.IEEEremainder(headingRad + turnRate * periodS(), 2.0 * Math.PI);
+    publish(
+        new StateInformation()
+            .sensorName(sensorName())
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(northM)
+            .y(eastM)
+            .psi(headingRad)
+            .xDot(northMps)
+            .yDot(eastMps)
+            .psiDot(turnRate));
+  }
+
+  private double speedMps(String motor) {
+    return motors.percentage(motor).orElse(0.0) / 100.0 * tuning.get().maxSpeed();
+  }
+}

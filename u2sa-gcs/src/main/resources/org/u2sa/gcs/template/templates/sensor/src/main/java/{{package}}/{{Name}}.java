@@ -1,0 +1,45 @@
+package {{package}};
+
+import java.util.Random;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.service.ProprioceptiveSensor;
+import org.u2sa.service.ServiceContext;
+
+/** Measures the vehicle's altitude above mean sea level. Out: sensed-state. */
+public final class {{Name}} extends ProprioceptiveSensor {
+  private static final double RATE_HZ = 10.0;
+
+  private record Tuning(
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 0.2,
+              text = "Standard deviation of a reading.")
+          double noise) {}
+
+  private final Settings<Tuning> tuning = settings(Tuning.class);
+  private final Random random;
+
+  /** Called by the launcher. */
+  public {{Name}}(ServiceContext context) {
+    super(context, "{{Name}}", RATE_HZ);
+    random = new Random(context.seed());
+  }
+
+  @Override
+  protected void step(double nowS) {
+    publish(
+        new StateInformation()
+            .sensorName(sensorName())
+            .z(altitudeM(nowS))
+            .zSigma(tuning.get().noise()));
+  }
+
+  /** Simulated: 100 m, and a slow swell. Read your device here; a lost one publishes nothing. */
+  private double altitudeM(double nowS) {
+    return 100.0 + 5.0 * Math.sin(nowS / 10.0) + tuning.get().noise() * random.nextGaussian();
+  }
+}
