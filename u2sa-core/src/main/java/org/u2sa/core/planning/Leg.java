@@ -6,22 +6,22 @@ package org.u2sa.core.planning;
  * <p>Along is counted from the start towards the end, across is positive to the right of the
  * direction of travel.
  */
-record Leg(double startNorthM, double startEastM, double endNorthM, double endEastM) {
+public record Leg(double startNorthM, double startEastM, double endNorthM, double endEastM) {
   /** Shorter legs have no direction to speak of [m]. */
   static final double SHORTEST_M = 1.0e-3;
 
   /** Length of the leg [m]. */
-  double lengthM() {
+  public double lengthM() {
     return Math.hypot(endNorthM - startNorthM, endEastM - startEastM);
   }
 
   /** Whether start and end are too near to each other for a direction. */
-  boolean isPoint() {
+  public boolean isPoint() {
     return lengthM() < SHORTEST_M;
   }
 
   /** Direction of travel [rad, clockwise from north, -π…π]; 0 if the leg {@link #isPoint}. */
-  double bearingRad() {
+  public double bearingRad() {
     return isPoint() ? 0.0 : Math.atan2(endEastM - startEastM, endNorthM - startNorthM);
   }
 
@@ -29,13 +29,13 @@ record Leg(double startNorthM, double startEastM, double endNorthM, double endEa
    * How far along the leg the point's foot lies [m]; negative before the start, more than the
    * length past the end.
    */
-  double alongM(double northM, double eastM) {
+  public double alongM(double northM, double eastM) {
     double bearing = bearingRad();
     return (northM - startNorthM) * Math.cos(bearing) + (eastM - startEastM) * Math.sin(bearing);
   }
 
   /** How far to the right of the leg the point lies [m]; negative to the left. */
-  double acrossM(double northM, double eastM) {
+  public double acrossM(double northM, double eastM) {
     double bearing = bearingRad();
     return (eastM - startEastM) * Math.cos(bearing) - (northM - startNorthM) * Math.sin(bearing);
   }
@@ -43,27 +43,27 @@ record Leg(double startNorthM, double startEastM, double endNorthM, double endEa
   /**
    * How far the point still has to go along the leg [m]; negative when it is past the finish line.
    */
-  double remainingM(double northM, double eastM) {
+  public double remainingM(double northM, double eastM) {
     return lengthM() - alongM(northM, eastM);
   }
 
   /** North of the point of the leg's line that lies so far along [m]. */
-  double northAtM(double alongM) {
+  public double northAtM(double alongM) {
     return startNorthM + alongM * Math.cos(bearingRad());
   }
 
   /** East of the point of the leg's line that lies so far along [m]. */
-  double eastAtM(double alongM) {
+  public double eastAtM(double alongM) {
     return startEastM + alongM * Math.sin(bearingRad());
   }
 
   /** Change of direction from this leg to the next [rad, -π…π], positive to the right. */
-  double turnToRad(Leg next) {
+  public double turnToRad(Leg next) {
     return wrapped(next.bearingRad() - bearingRad());
   }
 
   /** The shortest distance from a point to the leg between its ends [m]. */
-  double distanceM(double northM, double eastM) {
+  public double distanceM(double northM, double eastM) {
     double along = Math.max(0.0, Math.min(lengthM(), alongM(northM, eastM)));
     return Math.hypot(northM - northAtM(along), eastM - eastAtM(along));
   }

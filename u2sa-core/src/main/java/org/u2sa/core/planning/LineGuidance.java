@@ -6,8 +6,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
 /**
- * Follows the straight line between waypoints, by whatever {@link LineLaw}: when a leg begins and
- * ends, and when the vehicle turns to the next one.
+ * Follows the straight line between waypoints, by whatever {@link GuidanceLaw}: when a leg begins
+ * and ends, and when the vehicle turns to the next one.
  *
  * <p>Where the leg has no given start, the vehicle heads straight for the waypoint, and the leg
  * begins where it has turned towards it. A waypoint inside the vehicle's turning circle is first
@@ -41,7 +41,7 @@ final class LineGuidance implements WaypointGuidance {
   private static final double GROWN_M = 1.0;
 
   private final Supplier<LineSettings> settings;
-  private final LineLaw law;
+  private final GuidanceLaw law;
   private Optional<Place> start = Optional.empty();
   private boolean leaving; // flies away from a waypoint inside its turning circle
   private boolean turning; // already follows the next leg
@@ -51,10 +51,10 @@ final class LineGuidance implements WaypointGuidance {
 
   /** Leads to a point on the line. */
   LineGuidance(Supplier<LineSettings> settings) {
-    this(settings, LineLaw.carrot());
+    this(settings, GuidanceLaw.carrot());
   }
 
-  LineGuidance(Supplier<LineSettings> settings, LineLaw law) {
+  LineGuidance(Supplier<LineSettings> settings, GuidanceLaw law) {
     this.settings = settings;
     this.law = law;
   }

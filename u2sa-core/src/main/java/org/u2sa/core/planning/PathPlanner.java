@@ -28,17 +28,16 @@ import org.u2sa.service.ServiceRole;
  * class serves aircraft and ground vehicles; only their configuration differs (thesis 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
-  private enum Guidance {
-    LINE,
-    DIRECT
-  }
-
   private record Choice(
       @Variable(
-              ifAbsentText = "LINE",
+              ifAbsentText = ChosenGuidance.LINE,
               text =
-                  "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4).")
-          Guidance guidance) {}
+                  "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); or the name of an extension's law.")
+          String guidance) {
+    Choice {
+      ChosenGuidance.requireKnown(guidance);
+    }
+  }
 
   private final Settings<PlanningSettings> settings = settings(PlanningSettings.class);
   private final PlannerStates states;
@@ -79,7 +78,7 @@ public class PathPlanner extends EventDrivenService {
 
   private static WaypointGuidance chosenGuidance(PathPlanner planner) {
     Settings<Choice> choice = planner.settings(Choice.class);
-    return new ChosenGuidance(() -> choice.get().guidance() == Guidance.LINE, planner::lines);
+    return new ChosenGuidance(() -> choice.get().guidance(), planner::lines, planner);
   }
 
   /** As configured; but a glide path to land on is a line, whatever the mission's altitudes are. */

@@ -27,6 +27,7 @@ public final class VectorFieldPlanner extends PathPlanner {
   private static WaypointGuidance guidance(PathPlanner planner) {
     Settings<Field> field = planner.settings(Field.class);
     return new LineGuidance(
-        planner::lines, LineLaw.vectorField(() -> Math.toRadians(field.get().interceptAngle())));
+        planner::lines,
+        GuidanceLaw.vectorField(() -> Math.toRadians(field.get().interceptAngle())));
   }
 }

@@ -1,7 +1,6 @@
 package org.u2sa.core.safety;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -88,7 +87,8 @@ final class ArmingChecks {
 
   /** A mission to land by must be loaded if the matrix says LAND anywhere. */
   private Optional<String> landMission() {
-    return Arrays.stream(Hazard.values())
+    return watches.stream()
+        .map(Watch::hazard)
         .filter(hazard -> hazard.action(matrix) == FailsafeAction.LAND)
         .filter(hazard -> landGoals.orElse(0) == 0)
         .map(

@@ -2,9 +2,9 @@ package org.u2sa.core.safety;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.BinaryOperator;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
@@ -25,13 +25,19 @@ final class FailsafeDecision {
 
   private final Configurator matrix;
   private final Supplier<SafetySettings> settings;
-  private final Map<Hazard, Cause> causes = new EnumMap<>(Hazard.class);
+  private final List<Hazard> hazards;
+  private final Map<Hazard, Cause> causes;
   private Cause kept; // the most severe of those that stay though they are gone; null if none does
 
-  FailsafeDecision(Configurator matrix, Supplier<SafetySettings> settings) {
+  /**
+   * @param hazards all that there are, in the order in which equal causes are reported
+   */
+  FailsafeDecision(Configurator matrix, Supplier<SafetySettings> settings, List<Hazard> hazards) {
     this.matrix = matrix;
     this.settings = settings;
-    for (Hazard hazard : Hazard.values()) {
+    this.hazards = hazards;
+    causes = new TreeMap<>(Comparator.comparingInt(hazards::indexOf));
+    for (Hazard hazard : hazards) {
       hazard.action(matrix); // declares it
     }
   }
@@ -64,7 +70,7 @@ final class FailsafeDecision {
 
   /** Keeps an action of the previous Safety Manager, if it is one that stays. */
   void adopt(FailsafeAction action, List<String> words) {
-    for (Hazard hazard : Hazard.values()) {
+    for (Hazard hazard : hazards) {
       String prefix = hazard.words() + ": ";
       if (!words.isEmpty() && words.get(0).startsWith(prefix)) {
         String cause = words.get(0).substring(prefix.length()).replace(OVER, "");

@@ -1,26 +1,53 @@
 package org.u2sa.core.safety;
 
 import java.util.Arrays;
+import java.util.List;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.contract.FailsafeAction;
 
 /** What can go wrong with a moving vehicle, each with its entry in the failsafe matrix. */
-enum Hazard {
-  OPERATOR("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN),
-  POSITION("position", "ON POSITION LOSS", FailsafeAction.HOLD),
-  ESTIMATOR("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD),
-  ACTUATOR_LINK("actuator link", "ON ACTUATOR LINK LOSS", FailsafeAction.HOLD),
-  ACTUATION("actuation refused", "ON ACTUATION REFUSED", FailsafeAction.HOLD),
-  HEALTH_MONITOR("health monitor", "ON HEALTH MONITOR LOSS", FailsafeAction.CONTINUE),
-  SERVICE("service given up", "ON SERVICE LOSS", FailsafeAction.HOLD),
-  LOW_BATTERY("low battery", "ON LOW BATTERY", FailsafeAction.RETURN),
-  CRITICAL_BATTERY("critical battery", "ON CRITICAL BATTERY", FailsafeAction.RETURN),
-  FENCE("geofence", "ON FENCE", FailsafeAction.RETURN);
+final class Hazard {
+  static final Hazard OPERATOR =
+      new Hazard("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN);
+  static final Hazard POSITION = new Hazard("position", "ON POSITION LOSS", FailsafeAction.HOLD);
+  static final Hazard ESTIMATOR =
+      new Hazard("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD);
+  static final Hazard ACTUATOR_LINK =
+      new Hazard("actuator link", "ON ACTUATOR LINK LOSS", FailsafeAction.HOLD);
+  static final Hazard ACTUATION =
+      new Hazard("actuation refused", "ON ACTUATION REFUSED", FailsafeAction.HOLD);
+  static final Hazard HEALTH_MONITOR =
+      new Hazard("health monitor", "ON HEALTH MONITOR LOSS", FailsafeAction.CONTINUE);
+  static final Hazard SERVICE =
+      new Hazard("service given up", "ON SERVICE LOSS", FailsafeAction.HOLD);
+  static final Hazard LOW_BATTERY =
+      new Hazard("low battery", "ON LOW BATTERY", FailsafeAction.RETURN);
+  static final Hazard CRITICAL_BATTERY =
+      new Hazard("critical battery", "ON CRITICAL BATTERY", FailsafeAction.RETURN);
+  static final Hazard FENCE = new Hazard("geofence", "ON FENCE", FailsafeAction.RETURN);
+
+  /** The hazards of every vehicle, in the order in which equal causes are reported. */
+  static final List<Hazard> STANDARD =
+      List.of(
+          OPERATOR,
+          POSITION,
+          ESTIMATOR,
+          ACTUATOR_LINK,
+          ACTUATION,
+          HEALTH_MONITOR,
+          SERVICE,
+          LOW_BATTERY,
+          CRITICAL_BATTERY,
+          FENCE);
 
   private final String words;
   private final VariableDeclaration<String> action;
 
+  /**
+   * @param words what it is called in causes
+   * @param variable the name of its variable
+   */
   Hazard(String words, String variable, FailsafeAction ifAbsent) {
     this.words = words;
     action =
@@ -46,5 +73,10 @@ enum Hazard {
   /** The name of its variable. */
   String variable() {
     return action.name();
+  }
+
+  @Override
+  public String toString() {
+    return words;
   }
 }

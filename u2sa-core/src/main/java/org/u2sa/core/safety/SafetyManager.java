@@ -1,10 +1,12 @@
 package org.u2sa.core.safety;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -51,9 +53,9 @@ public final class SafetyManager extends PeriodicService {
   public SafetyManager(ServiceContext context) {
     super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S);
     emergency = new EmergencyLatch(clock(), context.systemId());
-    decision = new FailsafeDecision(this, settings);
     fence = new FenceFile(context.configuration());
     watches = Watches.of(this, settings, conditions, fence);
+    decision = new FailsafeDecision(this, settings, watches.stream().map(Watch::hazard).toList());
     ArmingChecks checks = new ArmingChecks(this, settings, watches, conditions, emergency);
     arming = new Arming(this, checks, settings.get().armAtStart());
     predecessor = new Predecessor(clock().micros());
@@ -62,17 +64,22 @@ public final class SafetyManager extends PeriodicService {
     registerPublisher(Channels.EMERGENCY_STOP);
     heedsEmergencyStops(emergency.identities());
     handleMessagesAtSteps();
-    subscribe(Channels.STATE, this::see);
+    for (Channel<?> channel : heard()) {
+      subscribe(channel, message -> see(channel, message));
+    }
     subscribe(Channels.CONDITIONS, this::onCondition);
-    subscribe(Channels.HEALTH, this::see);
-    subscribe(Channels.OPERATOR, this::see);
-    subscribe(Channels.POWER, this::see);
-    subscribe(Channels.ACTUATORS, this::see);
-    subscribe(Channels.GOALS, this::see);
     subscribe(Channels.ARMING, this::obey);
-    subscribe(Channels.ARMING_STATE, this::see); // of the previous Safety Manager
-    subscribe(Channels.FAILSAFE, this::see); // likewise
     subscribe(Channels.EMERGENCY_STOP, this::stopOrGo);
+  }
+
+  private Set<Channel<?>> heard() {
+    Set<Channel<?>> channels = new LinkedHashSet<>(Watch.STANDARD);
+    for (Watch watch : watches) {
+      if (watch instanceof ExtensionWatch extension) {
+        channels.addAll(extension.channels());
+      }
+    }
+    return channels;
   }
 
   /**
@@ -120,16 +127,20 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
-  private void see(U2SAData message) {
+  private void see(Channel<?> channel, U2SAData message) {
     long now = clock().micros();
     predecessor.see(message, now);
     arming.see(message, now);
-    watches.forEach(watch -> watch.see(message, now));
+    for (Watch watch : watches) {
+      if (watch.hears(channel)) {
+        watch.see(message, now);
+      }
+    }
   }
 
   private void onCondition(ServiceCondition condition) {
     conditions.see(condition);
-    see(condition);
+    see(Channels.CONDITIONS, condition);
   }
 
   private void obey(ArmCommand command) {

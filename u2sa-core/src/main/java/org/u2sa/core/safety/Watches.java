@@ -1,11 +1,13 @@
 package org.u2sa.core.safety;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 
-/** Makes the watches of all hazards. */
+/** Makes the watches of all hazards: the standard ones, then the extensions'. */
 final class Watches {
   private Watches() {}
 
@@ -15,7 +17,9 @@ final class Watches {
       Conditions conditions,
       FenceFile fence) {
     PositionWatch position = new PositionWatch(settings);
-    return List.of(
+    List<Watch> all = new ArrayList<>();
+    Collections.addAll(
+        all,
         HeartbeatWatch.ofOperators(settings),
         position,
         new ServiceWatch(
@@ -34,5 +38,7 @@ final class Watches {
         BatteryWatch.low(settings),
         BatteryWatch.critical(settings),
         new FenceWatch(matrix, settings, fence, position));
+    all.addAll(ExtensionWatch.discovered(matrix));
+    return all;
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.core.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
@@ -160,6 +161,24 @@ class PathPlannerTest extends PlannedVehicle {
     kit.advance(0.1);
     kit.publish(Channels.STATE, state(0, 0, 0));
     assertThat(point().x()).isCloseTo(1.0, within(1.0e-9));
+  }
+
+  @Test
+  void guidance_ofAnExtension_leadsAsItsLawSays() {
+    kit.with("LOOK AHEAD", 5.0).with("GUIDANCE", "OFFSET").with("SIDE OFFSET", 2.0);
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 100, 0));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+
+    assertThat(point().x()).isCloseTo(5.0, within(1.0e-9));
+    assertThat(point().y()).isCloseTo(-2.0, within(1.0e-9)); // BODY: y to the left
+  }
+
+  @Test
+  void guidance_thatNobodyProvides_isRefusedWithAllThereAre() {
+    kit.with("GUIDANCE", "OFSET");
+    assertThatThrownBy(() -> kit.start(PathPlanner::new))
+        .hasMessageContaining("GUIDANCE \"OFSET\" is not one of DIRECT, LINE, OFFSET");
   }
 
   private void change(String variable, String value) {

@@ -17,7 +17,8 @@ class FailsafeDecisionTest {
 
   private static FailsafeDecision decision(Map<String, ?> values) {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", values);
-    return new FailsafeDecision(configuration, configuration.settings(SafetySettings.class));
+    return new FailsafeDecision(
+        configuration, configuration.settings(SafetySettings.class), Hazard.STANDARD);
   }
 
   @Test

@@ -112,8 +112,8 @@ class UgvDemoTest {
           --set  | Contrl:RATE=50 | expected one of
           --set  | UgvPlanner:RATE=50 | lists no service of class
           --set  | IoioService:NOPE=1 | variable "NOPE": no service declares it
-          --swap | 5:x=y | no service "x" runs; expected one of
-          --swap | 5:Contrl=org.example.Other | did you mean "Control"?
+          --swap | 5:x=org.u2sa.core.planning.PathPlanner | no service "x" runs; expected one of
+          --swap | 5:Contrl=org.u2sa.core.planning.PathPlanner | did you mean "Control"?
           """)
   void demo_whatWouldHaveNoEffect_isRefused(String option, String value, String expected) {
     UgvCommandLine run = drive("out", "--loops", "1", option, value);

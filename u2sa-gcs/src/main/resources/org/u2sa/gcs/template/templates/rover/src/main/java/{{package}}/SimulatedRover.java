@@ -4,11 +4,9 @@ import java.util.List;
 import java.util.Set;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
@@ -47,28 +45,22 @@ public final class SimulatedRover extends ProprioceptiveSensor {
   /** Called by the launcher. */
   public SimulatedRover(ServiceContext context) {
     super(context, "SimulatedRover", RATE_HZ);
-    motors = new CommandedActuators(this, Set.copyOf(MOTORS));
+    // Without mass it stops by itself: a step asks for percentages, and a stopped motor has none.
+    motors = new CommandedActuators(this, Set.copyOf(MOTORS), () -> {});
   }
 
   @Override
   protected void begin() {
-    for (String motor : MOTORS) {
-      motors.announce(
-          new ActuatorAnnouncement().actuatorName(motor).minimum(-100.0).maximum(100.0));
-    }
+    motors.announce(MOTORS.stream().map(SimulatedRover::announcement).toList());
   }
 
-  @Override
-  public void callback(U2SAData data) {
-    if (data instanceof ActuatorCommand command) {
-      motors.obey(command);
-    } else if (!motors.heed(data)) {
-      unexpected(data);
-    }
+  private static ActuatorAnnouncement announcement(String motor) {
+    return new ActuatorAnnouncement().actuatorName(motor).minimum(-100.0).maximum(100.0);
   }
 
   @Override
   protected void step(double nowS) {
+    motors.step(nowS);
     double left = speedMps(MOTORS.get(0));
     double right = speedMps(MOTORS.get(1));
     double speed = (left + right) / 2.0;

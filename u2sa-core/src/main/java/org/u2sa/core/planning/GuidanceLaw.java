@@ -3,8 +3,11 @@ package org.u2sa.core.planning;
 import java.util.function.DoubleSupplier;
 import org.u2sa.messages.frame.Point;
 
-/** How a vehicle is led onto a line and along it. */
-interface LineLaw {
+/**
+ * How a vehicle is led onto a line and along it. A law of your own comes by a {@link
+ * GuidanceLawProvider}.
+ */
+public interface GuidanceLaw {
   /**
    * The point to go to now: north, east [m] from the vehicle, z 0.
    *
@@ -17,7 +20,7 @@ interface LineLaw {
    * Leads to a point on the line, the look-ahead ahead of the vehicle's foot on it (after Park,
    * Deyst, How: A New Nonlinear Guidance Logic for Trajectory Tracking, AIAA 2004-4900).
    */
-  static LineLaw carrot() {
+  static GuidanceLaw carrot() {
     return (leg, lookAheadM) -> {
       double along = leg.alongM(0.0, 0.0) + lookAheadM;
       return Point.of(leg.northAtM(along), leg.eastAtM(along), 0.0);
@@ -34,7 +37,7 @@ interface LineLaw {
    *
    * @param interceptRad course relative to the line, far off it [rad], above 0, at most π/2
    */
-  static LineLaw vectorField(DoubleSupplier interceptRad) {
+  static GuidanceLaw vectorField(DoubleSupplier interceptRad) {
     return (leg, lookAheadM) -> {
       double intercept = interceptRad.getAsDouble();
       // χ = χq − χ∞ · 2/π · atan(k e), with k such that χ ≈ χq − e / look-ahead near the line

@@ -1,0 +1,111 @@
+package org.u2sa.core.safety;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.Set;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.messages.schema.U2SAData;
+
+/** Watches by an extension's {@link SafetyCheck}, whose faults must not silence other watches. */
+final class ExtensionWatch implements Watch {
+  private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9 ]*");
+
+  private final SafetyCheck check;
+  private final Hazard hazard;
+  private Optional<String> fault = Optional.empty(); // of the check itself, at the last message
+
+  private ExtensionWatch(SafetyCheck check) {
+    this.check = check;
+    String name = check.name();
+    if (!NAME.matcher(name).matches()) {
+      throw new BadInputException(
+          "safety check "
+              + check.getClass().getName()
+              + ": name \""
+              + name
+              + "\"; expected lower-case letters, digits and spaces");
+    }
+    hazard = new Hazard(name, "ON " + name.toUpperCase(Locale.ROOT), check.defaultAction());
+  }
+
+  /**
+   * The watches of all checks on the class path.
+   *
+   * @throws BadInputException if a check's name is malformed or taken
+   */
+  static List<Watch> discovered(Configurator configuration) {
+    List<Watch> watches = new ArrayList<>();
+    List<Hazard> taken = new ArrayList<>(Hazard.STANDARD);
+    for (SafetyCheckProvider provider : ServiceLoader.load(SafetyCheckProvider.class)) {
+      for (SafetyCheck check : provider.checks(configuration)) {
+        ExtensionWatch watch = new ExtensionWatch(check);
+        for (Hazard other : taken) {
+          if (other.variable().equals(watch.hazard.variable())
+              || other.words().equals(watch.hazard.words())) {
+            throw new BadInputException(
+                "safety check " + check.getClass().getName() + ": name \"" + other + "\" is taken");
+          }
+        }
+        taken.add(watch.hazard);
+        watches.add(watch);
+      }
+    }
+    return watches;
+  }
+
+  Set<Channel<?>> channels() {
+    return check.channels();
+  }
+
+  @Override
+  public boolean hears(Channel<?> channel) {
+    return check.channels().contains(channel);
+  }
+
+  @Override
+  public Hazard hazard() {
+    return hazard;
+  }
+
+  @Override
+  public void see(U2SAData message, long nowMicros) {
+    try {
+      check.see(message, nowMicros);
+      fault = Optional.empty();
+    } catch (RuntimeException e) {
+      fault = Optional.of(failed(e));
+    }
+  }
+
+  @Override
+  public Optional<String> trouble(long nowMicros) {
+    return asked(() -> check.trouble(nowMicros));
+  }
+
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    return asked(() -> check.objection(nowMicros));
+  }
+
+  private Optional<String> asked(Supplier<Optional<String>> question) {
+    if (fault.isPresent()) {
+      return fault;
+    }
+    try {
+      return question.get();
+    } catch (RuntimeException e) {
+      return Optional.of(failed(e));
+    }
+  }
+
+  private static String failed(RuntimeException e) {
+    return "the check failed: " + e;
+  }
+}
