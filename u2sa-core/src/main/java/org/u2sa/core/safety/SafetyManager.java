@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -55,7 +56,8 @@ public final class SafetyManager extends PeriodicService {
     emergency = new EmergencyLatch(clock(), context.systemId());
     fence = new FenceFile(context.configuration());
     watches = Watches.of(this, settings, conditions, fence);
-    decision = new FailsafeDecision(this, settings, watches.stream().map(Watch::hazard).toList());
+    List<Hazard> hazards = watches.stream().map(Watch::hazard).collect(Collectors.toList());
+    decision = new FailsafeDecision(this, settings, hazards);
     ArmingChecks checks = new ArmingChecks(this, settings, watches, conditions, emergency);
     arming = new Arming(this, checks, settings.get().armAtStart());
     predecessor = new Predecessor(clock().micros());

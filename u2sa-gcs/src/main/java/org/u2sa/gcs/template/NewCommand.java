@@ -213,6 +213,6 @@ public final class NewCommand implements Callable<Integer> {
     out.println("  " + (where.equals(".") ? "" : "cd " + where + " && ") + build.build);
     String advice =
         placeholders.fill(made.advice(), made.origin() + "/" + made.name() + "/" + Templates.ABOUT);
-    out.println(advice.replace("~/u2sa", home));
+    advice.replace("~/u2sa", home).lines().forEach(out::println); // a println is one line
   }
 }
