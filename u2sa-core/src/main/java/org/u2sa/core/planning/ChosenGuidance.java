@@ -1,13 +1,14 @@
 package org.u2sa.core.planning;
 
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
-import java.util.Set;
-import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.HandOver;
 
@@ -16,49 +17,40 @@ import org.u2sa.service.HandOver;
  * change on the way.
  */
 final class ChosenGuidance implements WaypointGuidance {
-  static final String LINE = "LINE";
+  private static final String LINE = "LINE";
   private static final String DIRECT = "DIRECT";
 
   private final Supplier<String> name;
-  private final Map<String, GuidanceLaw> laws = new TreeMap<>();
+  private final Map<String, GuidanceLaw> laws = new LinkedHashMap<>();
   private final WaypointGuidance lines;
   private final WaypointGuidance direct = new DirectGuidance();
 
   /**
-   * @param name LINE, DIRECT or the name of an extension's law, as {@link #requireKnown} has it
-   * @param configuration the planner's, for laws
+   * @param configuration the planner's, in which GUIDANCE names LINE, DIRECT or an extension's law
    */
-  ChosenGuidance(
-      Supplier<String> name, Supplier<LineSettings> settings, Configurator configuration) {
-    this.name = name;
+  ChosenGuidance(Configurator configuration, Supplier<LineSettings> settings) {
     laws.put(LINE, GuidanceLaw.carrot());
     for (GuidanceLawProvider provider : ServiceLoader.load(GuidanceLawProvider.class)) {
       laws.putIfAbsent(provider.name(), provider.law(configuration));
     }
+    List<String> names = new ArrayList<>(laws.keySet());
+    names.add(1, DIRECT);
+    VariableDeclaration<String> guidance =
+        VariableDeclaration.text("GUIDANCE")
+            .oneOf(names.toArray(new String[0]))
+            .ifAbsent(LINE)
+            .describedAs(
+                "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); others are laws of extensions.");
+    name = () -> configuration.getVariable(guidance);
+    name.get(); // a wrong value must fail before the vehicle moves
     lines =
         new LineGuidance(
             settings, (leg, lookAheadM) -> laws.get(lawName()).pointAhead(leg, lookAheadM));
   }
 
-  /** Altitudes and turns are a line's even while DIRECT is chosen: it may change on the way. */
+  /** Legs and turns are a line's even while DIRECT is chosen: it may change on the way. */
   private String lawName() {
     return name.get().equals(DIRECT) ? LINE : name.get();
-  }
-
-  /**
-   * Refuses a guidance that nobody provides.
-   *
-   * @throws IllegalArgumentException listing what there is
-   */
-  static void requireKnown(String guidance) {
-    Set<String> known = new TreeSet<>(Set.of(LINE, DIRECT));
-    for (GuidanceLawProvider provider : ServiceLoader.load(GuidanceLawProvider.class)) {
-      known.add(provider.name());
-    }
-    if (!known.contains(guidance)) {
-      throw new IllegalArgumentException(
-          "GUIDANCE \"" + guidance + "\" is not one of " + String.join(", ", known));
-    }
   }
 
   private WaypointGuidance chosen() {

@@ -6,7 +6,6 @@ import java.util.Set;
 import java.util.function.Function;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
-import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
@@ -28,17 +27,6 @@ import org.u2sa.service.ServiceRole;
  * class serves aircraft and ground vehicles; only their configuration differs (thesis 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
-  private record Choice(
-      @Variable(
-              ifAbsentText = ChosenGuidance.LINE,
-              text =
-                  "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); or the name of an extension's law.")
-          String guidance) {
-    Choice {
-      ChosenGuidance.requireKnown(guidance);
-    }
-  }
-
   private final Settings<PlanningSettings> settings = settings(PlanningSettings.class);
   private final PlannerStates states;
   private final EndOfMission end;
@@ -55,7 +43,7 @@ public class PathPlanner extends EventDrivenService {
 
   /** Called by the launcher. */
   public PathPlanner(ServiceContext context) {
-    this(context, PathPlanner::chosenGuidance);
+    this(context, planner -> new ChosenGuidance(planner, planner::lines));
   }
 
   /**
@@ -74,11 +62,6 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.GOALS, this::onGoals);
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
     subscribe(Channels.FAILSAFE, state -> react(state.action()));
-  }
-
-  private static WaypointGuidance chosenGuidance(PathPlanner planner) {
-    Settings<Choice> choice = planner.settings(Choice.class);
-    return new ChosenGuidance(() -> choice.get().guidance(), planner::lines, planner);
   }
 
   /** As configured; but a glide path to land on is a line, whatever the mission's altitudes are. */

@@ -178,7 +178,8 @@ class PathPlannerTest extends PlannedVehicle {
   void guidance_thatNobodyProvides_isRefusedWithAllThereAre() {
     kit.with("GUIDANCE", "OFSET");
     assertThatThrownBy(() -> kit.start(PathPlanner::new))
-        .hasMessageContaining("GUIDANCE \"OFSET\" is not one of DIRECT, LINE, OFFSET");
+        .hasMessageContaining("GUIDANCE")
+        .hasMessageContaining("\"OFSET\" is not one of \"LINE\", \"DIRECT\", \"OFFSET\"");
   }
 
   private void change(String variable, String value) {

@@ -87,4 +87,49 @@ class CodecEdgesTest {
     assertThat(GoalList.TYPE.field("goals").orElseThrow().kind()).isEqualTo(Kind.MESSAGE_LIST);
     assertThat(ScalarKinds.POINT.kind()).isEqualTo(Kind.POINT);
   }
+
+  /** {"goals": 1} and {"goals": [1]}. */
+  @Test
+  void decode_listThatIsNone_isToldWhatWasExpected() {
+    assertThatThrownBy(() -> decode(GoalList.TYPE.chain(), "a1 65676f616c73 01"))
+        .hasMessageContaining("an array");
+    assertThatThrownBy(() -> decode(GoalList.TYPE.chain(), "a1 65676f616c73 81 01"))
+        .hasMessageContaining("a map");
+  }
+
+  /** {"origin": 1}. */
+  @Test
+  void decode_originThatIsANumber_isToldThatAnArrayWasExpected() {
+    assertThatThrownBy(() -> decode(StopCommand.TYPE.chain(), "a1 666f726967696e 01"))
+        .hasMessageContaining("an array of sender and sequence");
+  }
+
+  /** The keys of a message in a list are not the outer one's: its origin comes after them. */
+  @Test
+  void decode_originAfterAListOfMessages_isTheMessages() throws MalformedMessageException {
+    Waypoint goal = new Waypoint().uid("1").x(1).y(2).horizontalThreshold(3);
+    GoalList list = new GoalList().goals(List.of(goal));
+    String bytes = HexFormat.of().formatHex(list.serialize());
+    assertThat(bytes)
+        .startsWith("a2") // goals and upcoming
+        .contains("65676f616c73");
+
+    U2SAData read =
+        decode(list.typeChain(), "a3" + bytes.substring(2) + "666f726967696e 82 6161 07");
+
+    assertThat(read.origin()).contains(new Origin("a", 7));
+    assertThat(((GoalList) read).goals()).hasSize(1);
+  }
+
+  @Test
+  void decode_exactlyTheMostBytes_areRead() throws MalformedMessageException {
+    byte[] bytes = new byte[Limits.PAYLOAD_BYTES];
+    byte[] begin = HexFormat.of().parseHex("a1" + "6171" + "9f"); // {"q": [_ … ]}
+    System.arraycopy(begin, 0, bytes, 0, begin.length);
+    bytes[bytes.length - 1] = (byte) 0xff; // in between numbers 0, more than a list may have
+    assertThatThrownBy(() -> codec.decode(UNKNOWN, bytes)).hasMessageContaining("elements");
+    byte[] more = new byte[Limits.PAYLOAD_BYTES + 1];
+    assertThatThrownBy(() -> codec.decode(UNKNOWN, more))
+        .hasMessageContaining("at most " + Limits.PAYLOAD_BYTES + " bytes");
+  }
 }
