@@ -125,4 +125,8 @@ def flight(folder):
 
 def demos():
     """The demos that there are."""
-    return re.findall(r"^ +u2sa demo (\w+)", run([HOME / "u2sa", "demo"], "Asking for the demos"), re.MULTILINE)
+    listed = run([HOME / "u2sa", "demo"], "Asking for the demos").partition("\nDEMOS\n")[2]
+    names = re.findall(r"^  (\w+)  ", listed, re.MULTILINE)
+    if not names:
+        raise Refused("u2sa demo: expected a list of demos below DEMOS", 1)
+    return names
