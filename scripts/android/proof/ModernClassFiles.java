@@ -1,3 +1,4 @@
+import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -18,7 +19,7 @@ import org.objectweb.asm.Opcodes;
 /**
  * Lifts the class files of enjarify, which are Java 5's, to Java 8's: only there may interfaces have methods with code, as they have in dex.
  * Instructions stay as they are. Adds the frames that the virtual machine's verifier asks for, and says of each called method whether it is an
- * interface's. Run as {@code java -cp asm.jar ModernClassFiles.java FROM.jar TO.jar}.
+ * interface's, and what {@link DexAnnotations} has. Run as {@code java -cp asm.jar:. ModernClassFiles FROM.jar TO.jar}.
  */
 final class ModernClassFiles {
   private static final String OBJECT = "java/lang/Object";
@@ -28,6 +29,7 @@ final class ModernClassFiles {
 
   private final Map<String, byte[]> classes = new HashMap<>();
   private final Map<String, Outline> outlines = new HashMap<>();
+  private DexAnnotations annotations;
 
   public static void main(String[] args) throws IOException {
     ModernClassFiles files = new ModernClassFiles();
@@ -37,6 +39,9 @@ final class ModernClassFiles {
 
   private void read(Path jar) throws IOException {
     try (ZipFile zip = new ZipFile(jar.toFile())) {
+      try (InputStream in = zip.getInputStream(zip.getEntry("annotations"))) {
+        annotations = DexAnnotations.read(new BufferedInputStream(in));
+      }
       for (Enumeration<? extends ZipEntry> all = zip.entries(); all.hasMoreElements(); ) {
         ZipEntry entry = all.nextElement();
         String name = entry.getName();
@@ -71,14 +76,20 @@ final class ModernClassFiles {
     new ClassReader(file)
         .accept(
             new ClassVisitor(Opcodes.ASM9, writer) {
+              private String owner;
+
               @Override
               public void visit(int version, int access, String name, String signature, String parent, String[] interfaces) {
                 super.visit(Opcodes.V1_8, access, name, signature, parent, interfaces);
+                owner = name;
+                annotations.visit(name, cv);
               }
 
               @Override
               public MethodVisitor visitMethod(int access, String name, String descriptor, String signature, String[] exceptions) {
-                return new MethodVisitor(Opcodes.ASM9, super.visitMethod(access, name, descriptor, signature, exceptions)) {
+                MethodVisitor method = super.visitMethod(access, name, descriptor, signature, exceptions);
+                annotations.visit(owner, name, descriptor, method);
+                return new MethodVisitor(Opcodes.ASM9, method) {
                   @Override
                   public void visitMethodInsn(int opcode, String owner, String method, String type, boolean isInterface) {
                     boolean array = owner.startsWith("[");

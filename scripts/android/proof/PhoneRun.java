@@ -4,6 +4,9 @@ import java.net.MalformedURLException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.Enumeration;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListSet;
@@ -120,6 +123,14 @@ final class PhoneRun {
     public URL getResource(String name) {
       URL found = phone.getResource(name);
       return found != null ? found : super.getResource(name);
+    }
+
+    /** Both parts' providers of a service. */
+    @Override
+    public Enumeration<URL> getResources(String name) throws IOException {
+      List<URL> all = Collections.list(phone.findResources(name));
+      all.addAll(Collections.list(super.getResources(name)));
+      return Collections.enumeration(all);
     }
   }
 }
