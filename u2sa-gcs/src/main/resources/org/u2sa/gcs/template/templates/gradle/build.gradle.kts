@@ -14,9 +14,9 @@ dependencies {
     implementation(platform("org.u2sa:u2sa-bom:{{version}}"))
     implementation("org.u2sa:u2sa-core")
     testImplementation("org.u2sa:u2sa-abstract:{{version}}:test-fixtures")
-    testImplementation("org.junit.jupiter:junit-jupiter:5.11.4")
+    testImplementation("org.junit.jupiter:junit-jupiter:5.14.4")
     testImplementation("org.assertj:assertj-core:3.27.7")
-    testRuntimeOnly("org.junit.platform:junit-platform-launcher:1.11.4")
+    testRuntimeOnly("org.junit.platform:junit-platform-launcher:1.14.4")
 }
 
 tasks.withType<JavaCompile> {
