@@ -5,6 +5,8 @@ package org.u2sa.core.estimation.fusion;
  * that are not known yet say so in the has… methods.
  */
 public final class Estimate {
+  private static final double VERTICAL = 0.02; // cos θ below which the heading's rate is undefined
+
   private final FilterState s;
   private final MeasurementModel model;
   private final FilterTuning tuning;
@@ -133,6 +135,14 @@ public final class Estimate {
     int bias = FilterState.GYRO_BIAS + axis;
     double own = s.variance(FilterState.RATE + axis);
     return Math.sqrt(own + (s.isInertial ? s.variance(bias) : 0.0));
+  }
+
+  /** Rate of the heading [rad/s] (Stevens and Lewis, 2nd ed., section 1.3). */
+  double headingRate() {
+    double cos = Math.sqrt(r[7] * r[7] + r[8] * r[8]);
+    double[] x = s.x;
+    double turn = r[7] * x[FilterState.W + 1] + r[8] * x[FilterState.W + 2];
+    return cos < VERTICAL ? 0.0 : turn / (cos * cos);
   }
 
   /** Bias of a gyroscope [rad/s]. */

@@ -17,6 +17,8 @@ import org.ejml.data.DMatrixRMaj;
  */
 final class FilterState {
   static final int N = 21;
+  static final int NO_SOURCE = -1;
+  static final int RESUMED = -2; // some source, whose biases are known
   static final int POSITION = 0;
   static final int VELOCITY = 3;
   static final int ATTITUDE = 6;
@@ -67,7 +69,7 @@ final class FilterState {
   long startedMicros;
   long gyroMicros; // of the newest inertial input
   long forceMicros;
-  int gyroSource = -1;
+  int gyroSource = NO_SOURCE;
   long positionMicros; // newest measurement of each that was used
   long velocityMicros;
   long headingMicros;

@@ -105,8 +105,8 @@ final class Fuser {
         model.variance[i] += UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA;
       }
     }
-    if (quantity == SensedQuantity.LOCAL_PLACE) {
-      shift(s, at);
+    if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
+      shift(s, quantity, at);
     }
     if (isFrozen(s, source, quantity, at)) {
       s.trust[at + SourceTrust.GATED]++;
@@ -280,6 +280,14 @@ final class Fuser {
         Alignment.local(s, m.value(quantity, 0), m.value(quantity, 1), v0, v1);
         s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
         return true;
+      case LOCAL_DOWN:
+        if (s.hasAltitude) {
+          return false;
+        }
+        s.x[FilterState.NORTH + 2] = m.value(quantity, 0);
+        Alignment.altitude(s, -m.value(quantity, 0), v0);
+        s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
+        return true;
       case HEADING:
         if (s.hasHeading) {
           return false;
@@ -308,14 +316,14 @@ final class Fuser {
   }
 
   /** A local frame whose origin is not the filter's is laid so that its first position fits. */
-  private void shift(FilterState s, int at) {
+  private void shift(FilterState s, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {
+      boolean isElsewhere = quantity == SensedQuantity.LOCAL_DOWN || s.hasPlace;
       for (int i = 0; i < model.rows; i++) {
-        t[at + SourceTrust.OFFSET + i] = s.hasPlace ? model.innovation[i] : 0.0;
+        t[at + SourceTrust.OFFSET + i] = isElsewhere ? model.innovation[i] : 0.0;
       }
       t[at + SourceTrust.HAS_OFFSET] = 1.0;
-      s.hasLocal = true;
     }
     for (int i = 0; i < model.rows; i++) {
       model.innovation[i] -= t[at + SourceTrust.OFFSET + i];

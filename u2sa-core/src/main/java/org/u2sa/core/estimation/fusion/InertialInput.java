@@ -73,7 +73,7 @@ final class InertialInput {
     density(s, m, continues ? gyroJump : 0.0, continues && hasForce ? forceJump : 0.0);
     model.predict(s, m.micros());
     System.arraycopy(held, 0, x, FilterState.GYRO, 3);
-    if (s.gyroSource != source) {
+    if (s.gyroSource != source && s.gyroSource != FilterState.RESUMED) {
       begin(s); // another sensor has other biases
     }
     s.isInertial = true;

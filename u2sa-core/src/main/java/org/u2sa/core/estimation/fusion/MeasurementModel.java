@@ -40,7 +40,7 @@ final class MeasurementModel {
         return s.hasAltitude && altitude(s, m);
       case LOCAL_PLACE:
         local(s, m, quantity, 0, 2);
-        return s.hasLocal;
+        return s.hasLocal || s.hasPlace;
       case LOCAL_DOWN:
         local(s, m, quantity, 2, 1);
         return true;
