@@ -186,6 +186,17 @@ public abstract class U2SAService extends Thread
     log(LogLevelEnum.WARN, what);
   }
 
+  /**
+   * Says in every health report from now on how a part of the service is, such as one of its
+   * sources or algorithms: counters, or what is wrong. From any thread.
+   *
+   * @param part its name; a later remark on the same part replaces this one
+   * @param what in words and numbers; empty: no more remark
+   */
+  public final void remark(String part, String what) {
+    health.remark(part, what);
+  }
+
   // Messages (thesis 3.2.1.2–3.2.1.4)
 
   @Override

@@ -205,16 +205,28 @@ public class ObjectDescription extends U2SAData {
     ObjectDescription moved = copy();
     Optional<Point> velocity = motion().velocity();
     if (velocity.isPresent()) {
-      Point way = scaled(velocity.get(), seconds);
-      Metric around = metric();
-      moved.eachPoint(point -> around.point(around.metres(point).plus(way)));
-      Point center = around.point(way);
-      moved.x(center.x()).y(center.y()).z(center.z());
+      moved.shift(scaled(velocity.get(), seconds));
       moved.motion().grow(seconds);
     }
     timestamp()
         .ifPresent(micros -> moved.timestamp(micros + Math.round(seconds * MICROS_PER_SECOND)));
     return moved;
+  }
+
+  /** The same object around another centre, as a new message: its points move along. */
+  public ObjectDescription movedTo(Point newCenter) {
+    ObjectDescription moved = copy();
+    moved.shift(metres(newCenter));
+    moved.x(newCenter.x()).y(newCenter.y()).z(newCenter.z()); // to the last digit
+    return moved;
+  }
+
+  /** Moves the centre and all points by metres along the frame's axes. */
+  private void shift(Point way) {
+    Metric around = metric();
+    eachPoint(point -> around.point(around.metres(point).plus(way)));
+    Point center = around.point(way);
+    x(center.x()).y(center.y()).z(center.z());
   }
 
   private static Point scaled(Point v, double factor) {

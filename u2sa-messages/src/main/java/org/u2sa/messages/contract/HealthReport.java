@@ -54,6 +54,9 @@ public class HealthReport extends U2SAData {
   private static final ValueField<HealthReport, List<String>> EMERGENCY_STOPS =
       SCHEMA.since(3).optionalTexts("emergencyStops");
 
+  private static final ValueField<HealthReport, List<String>> REMARKS =
+      SCHEMA.optionalTexts("remarks");
+
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
 
@@ -306,6 +309,20 @@ public class HealthReport extends U2SAData {
   /** Sets {@link #commandsRefused()}. */
   public HealthReport commandsRefused(long value) {
     return put(COMMANDS_REFUSED, value);
+  }
+
+  /**
+   * What the service says of its parts, each beginning with the part's name and a colon; empty if
+   * it says nothing.
+   */
+  public List<String> remarks() {
+    List<String> remarks = get(REMARKS);
+    return remarks == null ? List.of() : remarks;
+  }
+
+  /** Sets {@link #remarks()}. */
+  public HealthReport remarks(List<String> value) {
+    return put(REMARKS, List.copyOf(value));
   }
 
   /** Names of the channels that the broker does not let it hear, with commas between; or empty. */

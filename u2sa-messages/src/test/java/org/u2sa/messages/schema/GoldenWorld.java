@@ -3,6 +3,9 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Box;
@@ -36,6 +39,8 @@ final class GoldenWorld {
     golden.add("Sphere-seen", seen(new Sphere()));
     golden.add("Cylinder-seen", seen(new Cylinder()));
     golden.add("Box-seen", seen(new Box()));
+    golden.add("HealthReport-remarks", remarking(new HealthReport()));
+    golden.add("ConnectionLost-remarks", remarking(new ConnectionLost()));
     golden.add(
         "OccupancyGrid",
         new OccupancyGrid()
@@ -43,6 +48,13 @@ final class GoldenWorld {
             .corner(-1.5, 2.0)
             .resolution(0.25)
             .cells(3, new byte[] {OccupancyGrid.UNKNOWN, 0, 20, -20, 127, -127}));
+  }
+
+  private static HealthReport remarking(HealthReport report) {
+    return report
+        .serviceName("WorldModeler")
+        .status(ServiceStatus.RUNNING)
+        .remarks(List.of("GRID: 12 scans", "OBJECTS: 3 objects"));
   }
 
   private static ObjectDescription seen(ObjectDescription object) {
