@@ -53,6 +53,7 @@ public final class RangeSensor extends ExteroceptiveSensor {
     ObjectDescription object =
         new ObjectDescription()
             .uid(sensorName())
+            .sensorName(sensorName())
             .referenceFrame(ReferenceFrame.BODY)
             .x(seen.x())
             .y(seen.y())

@@ -1,9 +1,12 @@
 package org.u2sa.service;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.HealthReport;
@@ -31,9 +34,9 @@ final class ServiceHealth {
   private long expired;
   private String lastError;
   private Exception lastException;
+  private final Map<String, String> remarks = new TreeMap<>(); // by part
   private boolean died;
   private List<String> emergencyStops; // null: heeds none
-  private List<String> remarks; // null: makes none
   private volatile long busySinceMicros = IDLE; // of the stopwatch; written by the service's thread
 
   /**
@@ -124,12 +127,17 @@ final class ServiceHealth {
     return changed;
   }
 
-  synchronized void remarks(List<String> lines) {
-    remarks = List.copyOf(lines);
-  }
-
   synchronized void error(String what) {
     lastError = what;
+  }
+
+  /** Takes note of what is to be said of a part of the service; empty: nothing. */
+  synchronized void remark(String part, String what) {
+    if (what.isEmpty()) {
+      remarks.remove(part);
+    } else {
+      remarks.put(part, what);
+    }
   }
 
   /** Takes note that the service's thread died of something. */
@@ -168,8 +176,10 @@ final class ServiceHealth {
     if (emergencyStops != null) {
       report.emergencyStops(emergencyStops);
     }
-    if (remarks != null) {
-      report.remarks(remarks);
+    if (!remarks.isEmpty()) {
+      List<String> said = new ArrayList<>();
+      remarks.forEach((part, what) -> said.add(part + ": " + what));
+      report.remarks(said);
     }
     return report
         .overruns(overruns)

@@ -187,11 +187,14 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Says in the health reports from now on what else there is to say of the service's work, a line
-   * each; replaces what was said before. From any thread.
+   * Says in every health report from now on how a part of the service is, such as one of its
+   * sources or algorithms: counters, or what is wrong. From any thread.
+   *
+   * @param part its name; a later remark on the same part replaces this one
+   * @param what in words and numbers; empty: no more remark
    */
-  protected final void remarks(List<String> lines) {
-    health.remarks(lines);
+  public final void remark(String part, String what) {
+    health.remark(part, what);
   }
 
   // Messages (thesis 3.2.1.2–3.2.1.4)

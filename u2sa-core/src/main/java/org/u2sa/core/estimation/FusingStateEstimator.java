@@ -119,22 +119,21 @@ public final class FusingStateEstimator extends StateEstimator {
     if (++reports % REPORTS_REMEMBERED == 0) {
       remember();
     }
-    List<String> lines = new ArrayList<>();
     for (Report report : filter.sources().at(now)) {
-      lines.add(report.text());
+      remark(report.source(), report.text());
       Standing before = standings.put(report.source(), report.standing());
       if (before != report.standing()) {
         say(report, before);
       }
     }
-    lines.add(
+    remark(
+        "all sources",
         "late "
             + filter.late()
             + ", replayed "
             + filter.replayed()
             + ", begun anew "
             + filter.resets());
-    remarks(lines);
     if (filter.resets() > resets) {
       trouble("all sources of a quantity contradicted the estimate: it began anew from them");
     }
@@ -144,9 +143,9 @@ public final class FusingStateEstimator extends StateEstimator {
   private void say(Report report, Standing before) {
     boolean isFine = report.standing() == Standing.USED || report.standing() == Standing.UNUSED;
     if (!isFine) {
-      trouble(report.text());
+      trouble(report.source() + " " + report.text());
     } else if (before != Standing.UNUSED || report.standing() == Standing.USED) {
-      log(report.text());
+      log(report.source() + " " + report.text());
     }
   }
 

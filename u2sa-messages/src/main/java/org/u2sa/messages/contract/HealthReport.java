@@ -94,19 +94,6 @@ public class HealthReport extends U2SAData {
     return put(LAST_ERROR, value);
   }
 
-  /**
-   * What else the service says of its present work, a line each: a State Estimator of its sources.
-   * Empty if it makes no remarks.
-   */
-  public Optional<List<String>> remarks() {
-    return Optional.ofNullable(get(REMARKS));
-  }
-
-  /** Sets {@link #remarks()}. */
-  public HealthReport remarks(List<String> value) {
-    return put(REMARKS, value);
-  }
-
   /** Messages that wait now. */
   public long inboxDepth() {
     return require(INBOX_DEPTH);
@@ -321,6 +308,20 @@ public class HealthReport extends U2SAData {
   /** Sets {@link #commandsRefused()}. */
   public HealthReport commandsRefused(long value) {
     return put(COMMANDS_REFUSED, value);
+  }
+
+  /**
+   * What the service says of its parts, each beginning with the part's name and a colon; empty if
+   * it says nothing.
+   */
+  public List<String> remarks() {
+    List<String> remarks = get(REMARKS);
+    return remarks == null ? List.of() : remarks;
+  }
+
+  /** Sets {@link #remarks()}. */
+  public HealthReport remarks(List<String> value) {
+    return put(REMARKS, List.copyOf(value));
   }
 
   /** Names of the channels that the broker does not let it hear, with commas between; or empty. */

@@ -38,12 +38,10 @@ public final class SourceReports {
   public record Report(
       String source, Standing standing, long used, long gated, double sigmaFactor) {
 
-    /** "GPS biased: used 312, gated 40, sigma x2.9". */
+    /** "biased, used 312, gated 40, sigma x2.9". */
     public String text() {
-      return source
-          + " "
-          + standing.name().toLowerCase(Locale.ROOT)
-          + ": used "
+      return standing.name().toLowerCase(Locale.ROOT)
+          + ", used "
           + used
           + ", gated "
           + gated

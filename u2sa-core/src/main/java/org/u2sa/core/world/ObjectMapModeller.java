@@ -1,0 +1,258 @@
+package org.u2sa.core.world;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
+
+/**
+ * Keeps a map of objects over time (thesis 4.1.1.2): recognises what it has seen before, becomes
+ * certain of what it sees repeatedly, follows what moves, and drops what is not where it should be.
+ */
+final class ObjectMapModeller implements Modeller {
+  private final Settings<ObjectMapSettings> settings;
+  private final List<Track> tracks = new ArrayList<>();
+  private final TrackReport report = new TrackReport();
+  private List<ObjectDescription> known = List.of();
+  private long knownMicros;
+  private MapFrame frame = MapFrame.BODY;
+  private long sightings;
+  private long unplaced;
+
+  ObjectMapModeller(Configurator configuration) {
+    settings = configuration.settings(ObjectMapSettings.class);
+  }
+
+  @Override
+  public void objects(List<ObjectDescription> seen, Sighting sighting) {
+    ObjectMapSettings tuning = settings.get();
+    List<Detection> detections = new ArrayList<>();
+    for (ObjectDescription each : seen) {
+      Optional<Detection> placed = Detection.of(each, sighting, tuning.defaultSigma());
+      placed.ifPresent(detections::add);
+      unplaced += placed.isPresent() ? 0 : 1;
+    }
+    sightings += seen.size();
+    tracks.forEach(track -> track.predict(sighting.micros()));
+    int[] match = new SightingMatch(tracks, tuning).of(detections);
+    String sensor = seen.get(0).sensorName();
+    Set<Track> hit = new HashSet<>();
+    for (int i = 0; i < match.length; i++) {
+      if (match[i] != SightingMatch.NONE) {
+        Track track = tracks.get(match[i]);
+        track.hit(detections.get(i), sighting.micros(), tuning.detectionProbability());
+        track.judge(tuning.confirmHits(), tuning.confirmWindow());
+        hit.add(track);
+      }
+    }
+    lookFor(sensor, hit, sighting, tuning);
+    for (int i = 0; i < match.length; i++) {
+      if (match[i] == SightingMatch.NONE && tracks.size() < 2 * tuning.mostObjects()) {
+        begin(detections.get(i), sighting.micros(), tuning);
+      }
+    }
+    tidy(sighting.micros(), tuning);
+  }
+
+  private Track begin(Detection detection, long micros, ObjectMapSettings tuning) {
+    Track track =
+        new Track(
+            freeUid(detection.object().uid()), detection, micros, tuning.assumptions(), false);
+    track.occasion(1);
+    track.judge(tuning.confirmHits(), tuning.confirmWindow());
+    tracks.add(track);
+    return track;
+  }
+
+  /** The sensor's own name for it, with a number if another object has that. */
+  private String freeUid(String wanted) {
+    Set<String> taken = new HashSet<>();
+    tracks.forEach(track -> taken.add(track.uid()));
+    String uid = wanted;
+    for (int n = 2; taken.contains(uid); n++) {
+      uid = wanted + " " + n;
+    }
+    return uid;
+  }
+
+  /** Counts against objects that this sensor should have seen. */
+  private void lookFor(String sensor, Set<Track> hit, Sighting sighting, ObjectMapSettings tuning) {
+    FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
+    for (Track track : tracks) {
+      if (hit.contains(track)) {
+        continue;
+      }
+      if (field != null && field.sees(fromVehicle(track.place(), sighting))) {
+        track.miss(tuning.detectionProbability());
+      } else if (field == null
+          && !track.isConfirmed()
+          && track.template().sensorName().equals(sensor)) {
+        track.occasion(0);
+      }
+    }
+  }
+
+  private static Point fromVehicle(Point place, Sighting sighting) {
+    MapFrame map = sighting.frame();
+    if (map.frame().isBody()) {
+      return Point.of(place.x(), -place.y(), place.z());
+    }
+    Point way = place.minus(map.vehicle(sighting.vehicle()));
+    return map.mapFromFrd(sighting.vehicle()).transposed().times(way);
+  }
+
+  @Override
+  public void scan(RangeScan scan, ScanPoses poses) {
+    ObjectMapSettings tuning = settings.get();
+    ScanThrough through = null;
+    for (Track track : tracks) {
+      boolean shown =
+          scan.sensorName().equals(track.template().sensorName())
+              || tuning.scannerSees(track.template().objectType());
+      if (shown) {
+        through = through == null ? new ScanThrough(scan, poses.at(scan, 0.5)) : through;
+        Point sigma = track.filter().sigma();
+        double radius = track.radius() + Math.max(sigma.x(), sigma.y());
+        if (through.passed(track.place(), radius)) {
+          track.miss(tuning.detectionProbability());
+        }
+      }
+    }
+    tidy(poses.first().micros(), tuning);
+  }
+
+  private void tidy(long micros, ObjectMapSettings tuning) {
+    tracks.removeIf(track -> track.isGone(tuning, micros));
+    for (int i = 0; i < tracks.size(); i++) {
+      for (int k = tracks.size() - 1; k > i; k--) {
+        if (areOne(tracks.get(i), tracks.get(k), tuning)) {
+          tracks.get(i).absorb(tracks.remove(k)); // the older keeps its name
+        }
+      }
+    }
+    if (tracks.size() > tuning.mostObjects()) {
+      List<Track> surest = new ArrayList<>(tracks);
+      surest.sort(Comparator.comparingDouble(track -> -track.existence())); // stable
+      tracks.retainAll(new HashSet<>(surest.subList(0, tuning.mostObjects())));
+    }
+  }
+
+  private static boolean areOne(Track a, Track b, ObjectMapSettings tuning) {
+    if (a.isFromFile() && b.isFromFile()
+        || !a.isConfirmed()
+        || !b.isConfirmed()
+        || !a.isLike(b.template(), tuning.trustUids())) {
+      return false;
+    }
+    if (a.isFromFile()) {
+      return a.template().distanceTo(b.template().center()) < tuning.mergeWithin();
+    }
+    Point way = a.place().minus(b.place());
+    return way.distance() < tuning.mergeWithin()
+        && a.filter().distance(b.place(), b.filter().sigma()) < tuning.gate() * tuning.gate();
+  }
+
+  @Override
+  public void known(List<ObjectDescription> objects, Sighting now) {
+    known = List.copyOf(objects);
+    knownMicros = now.micros();
+    tracks.removeIf(Track::isFromFile);
+    enterKnown(now);
+  }
+
+  private void enterKnown(Sighting now) {
+    int at = 0;
+    for (ObjectDescription object : known) {
+      Optional<Detection> placed = Detection.of(object, now, 0.0);
+      if (placed.isPresent()) {
+        tracks.add(
+            at++,
+            new Track(
+                freeUid(object.uid()),
+                placed.get(),
+                knownMicros,
+                settings.get().assumptions(),
+                true));
+      }
+    }
+  }
+
+  @Override
+  public void enter(MapFrame newFrame, Sighting now) {
+    List<Track> before = new ArrayList<>(tracks);
+    Sighting there = new Sighting(now.micros(), newFrame, now.vehicle());
+    tracks.clear();
+    for (Track track : before) {
+      if (!track.isFromFile()) {
+        ObjectDescription object = report.estimate(track, frame);
+        Optional<Detection> placed = Detection.of(object, there, settings.get().defaultSigma());
+        placed.ifPresent(
+            detection -> {
+              track.replace(detection, settings.get().assumptions());
+              tracks.add(track);
+            });
+      }
+    }
+    frame = newFrame;
+    enterKnown(new Sighting(now.micros(), newFrame, Optional.empty()));
+  }
+
+  @Override
+  public List<ObjectDescription> objects(Sighting now) {
+    ObjectMapSettings tuning = settings.get();
+    tidy(now.micros(), tuning);
+    List<ObjectDescription> objects = new ArrayList<>();
+    for (Track track : tracks) {
+      if (track.isConfirmed()) {
+        track.predict(now.micros());
+        objects.add(report.of(track, frame, tuning, now.micros()));
+      }
+    }
+    for (ObjectDescription object : known) { // for which there is no way into this frame
+      if (frame.placed(object, now.vehicle()).isEmpty()) {
+        objects.add(object.after(Clock.seconds(now.micros() - knownMicros)));
+      }
+    }
+    return objects;
+  }
+
+  @Override
+  public String remark() {
+    long confirmed = tracks.stream().filter(Track::isConfirmed).count();
+    long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
+    return String.format(
+        "%d objects, %d confirmed, %d moving, %d of %d sightings without a way into %s",
+        tracks.size(), confirmed, moving, unplaced, sightings, frame.frame());
+  }
+
+  @Override
+  public void handOver(HandOver state, Sighting now) {
+    List<ObjectDescription> objects = new ArrayList<>();
+    for (Track track : tracks) {
+      if (track.isConfirmed() && !track.isFromFile()) {
+        objects.add(report.estimate(track, frame));
+      }
+    }
+    state.messages("OBJECTS", objects);
+  }
+
+  @Override
+  public void takeOver(HandOver state, Sighting now) {
+    StateInformation vehicle = now.vehicle().orElse(null);
+    for (ObjectDescription object : state.messages("OBJECTS", ObjectDescription.class)) {
+      Sighting sighting = new Sighting(now.micros(), frame, Optional.ofNullable(vehicle));
+      Detection.of(object, sighting, settings.get().defaultSigma())
+          .ifPresent(detection -> begin(detection, now.micros(), settings.get()).confirm());
+    }
+  }
+}

@@ -1,0 +1,187 @@
+package org.u2sa.core.world;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
+
+/** One object of the map: what it is, where it is, and how certain it is that it exists. */
+final class Track {
+  private static final double FALSE_ALARM = 0.1; // probability that a sighting is of nothing
+  private static final double NEW = 0.5;
+  private static final double SUREST = 0.999;
+  private static final double GONE = 0.05;
+
+  private final String uid;
+  private final boolean fromFile;
+  private final Map<String, String> sensorUids = new TreeMap<>(); // by sensor
+  private TrackFilter filter;
+  private ObjectDescription template; // the newest sighting, in the map's frame
+  private double radius;
+  private double existence = NEW;
+  private int seen; // bits of the last occasions, the newest is 1
+  private int occasions;
+  private boolean confirmed;
+  private long filteredMicros;
+  private long seenMicros;
+
+  Track(
+      String uid, Detection first, long micros, TrackFilter.Assumptions assumed, boolean fromFile) {
+    this.uid = uid;
+    this.fromFile = fromFile;
+    filter =
+        new TrackFilter(
+            first.place(), first.sigma(), first.velocity(), first.velocitySigma(), assumed);
+    filteredMicros = micros;
+    see(first, micros);
+    confirmed = fromFile;
+    existence = fromFile ? SUREST : NEW;
+  }
+
+  /** Carries the estimate on to a time; an earlier one changes nothing. */
+  void predict(long micros) {
+    if (micros > filteredMicros) {
+      double seconds = Clock.seconds(micros - filteredMicros);
+      if (!fromFile) {
+        filter.predict(seconds);
+      } else if (template.motion().velocity().isPresent()) {
+        template = template.after(seconds); // traffic as the file has it
+      }
+      filteredMicros = micros;
+    }
+  }
+
+  /** Takes a sighting of it. */
+  void hit(Detection detection, long micros, double detectionProbability) {
+    if (!fromFile) {
+      filter.update(
+          detection.place(), detection.sigma(), detection.velocity(), detection.velocitySigma());
+    }
+    see(detection, micros);
+    occasion(1);
+    existence =
+        existence
+            * detectionProbability
+            / (existence * detectionProbability + (1.0 - existence) * FALSE_ALARM);
+    existence = Math.min(SUREST, existence);
+  }
+
+  private void see(Detection detection, long micros) {
+    if (!fromFile || template == null) {
+      template = detection.object();
+      radius = Extent.radius(template);
+    }
+    if (!detection.object().sensorName().isEmpty()) {
+      sensorUids.put(detection.object().sensorName(), detection.object().uid());
+    }
+    seenMicros = Math.max(seenMicros, micros);
+  }
+
+  /** Takes note that a sensor looked where it is and did not see it. */
+  void miss(double detectionProbability) {
+    occasion(0);
+    existence = existence * (1.0 - detectionProbability) / (1.0 - existence * detectionProbability);
+  }
+
+  /** Takes note that a sensor, of whose field of view nothing is known, saw other things. */
+  void occasion(int was) {
+    seen = seen << 1 | was;
+    occasions++;
+  }
+
+  /** Confirms it if it was seen on so many of the last occasions. */
+  void judge(int hits, int window) {
+    confirmed |= Integer.bitCount(seen & mask(window)) >= hits;
+  }
+
+  private static int mask(int window) {
+    return window >= Integer.SIZE ? -1 : (1 << window) - 1;
+  }
+
+  /** Whether it never became certain and cannot any more, or is known to be gone. */
+  boolean isGone(ObjectMapSettings settings, long nowMicros) {
+    if (fromFile) {
+      return settings.doubtFile() && existence < GONE;
+    }
+    if (!confirmed && occasions >= settings.confirmWindow()) {
+      return true;
+    }
+    double limit = filter.isMoving() ? settings.forgetMoving() : settings.forgetStanding();
+    boolean old = limit > 0.0 && Clock.seconds(nowMicros - seenMicros) > limit;
+    return old || existence < GONE;
+  }
+
+  /** Whether a sighting may be of this object, by what both are said to be. */
+  boolean isLike(ObjectDescription other, boolean trustUids) {
+    String mine = template.objectType();
+    boolean types =
+        mine.isEmpty() || other.objectType().isEmpty() || mine.equals(other.objectType());
+    String named = sensorUids.get(other.sensorName());
+    return types && (!trustUids || named == null || named.equals(other.uid()));
+  }
+
+  /** Whether this sensor has called it by this name before. */
+  boolean isCalled(ObjectDescription other) {
+    return other.uid().equals(sensorUids.get(other.sensorName()));
+  }
+
+  /** Takes over what another track of the same object knows of names. */
+  void absorb(Track other) {
+    other.sensorUids.forEach(sensorUids::putIfAbsent);
+    seenMicros = Math.max(seenMicros, other.seenMicros);
+    existence = Math.max(existence, other.existence);
+  }
+
+  /** Goes on in another map, where it is as said. */
+  void replace(Detection placed, TrackFilter.Assumptions assumed) {
+    filter =
+        new TrackFilter(
+            placed.place(), placed.sigma(), placed.velocity(), placed.velocitySigma(), assumed);
+    template = placed.object();
+  }
+
+  /** Certain from the start: taken over from another modeller. */
+  void confirm() {
+    confirmed = true;
+    existence = Math.max(existence, template.confidence().orElse(SUREST));
+  }
+
+  String uid() {
+    return uid;
+  }
+
+  boolean isFromFile() {
+    return fromFile;
+  }
+
+  boolean isConfirmed() {
+    return confirmed;
+  }
+
+  TrackFilter filter() {
+    return filter;
+  }
+
+  ObjectDescription template() {
+    return template;
+  }
+
+  /** [m]. */
+  double radius() {
+    return radius;
+  }
+
+  double existence() {
+    return existence;
+  }
+
+  long seenMicros() {
+    return seenMicros;
+  }
+
+  /** Where it is, in metres of the map. */
+  Point place() {
+    return filter.place();
+  }
+}
