@@ -5,6 +5,7 @@ import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
@@ -98,7 +99,8 @@ public final class StandardTypes implements MessageTypeProvider {
           ConfigurationUndo.TYPE,
           ConfigurationTransactionResult.TYPE,
           BatteryState.TYPE,
-          RangeScan.TYPE);
+          RangeScan.TYPE,
+          InertialMeasurement.TYPE);
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConnectionLost;
@@ -45,6 +46,7 @@ final class GoldenFormat3 {
                     new RangeScan.Beam(0.0, OptionalDouble.empty()),
                     new RangeScan.Beam(-0.015625, OptionalDouble.of(2.5)))));
     golden.add("RangeScan-empty", new RangeScan().sensorName("Laser").maxRange(12.0));
+    golden.add("InertialMeasurement", inertial());
     golden.add(
         "EmergencyStop-named",
         new EmergencyStop().active(true).operator("anna").reason("smoke").stopId("anna 1"));
@@ -71,6 +73,21 @@ final class GoldenFormat3 {
             .commandsObeyed(1_000)
             .commandsRefused(3)
             .refusedSubscriptions("goal-commands,stop"));
+  }
+
+  private static InertialMeasurement inertial() {
+    InertialMeasurement measured =
+        new InertialMeasurement()
+            .rollRate(0.125)
+            .pitchRate(-0.25)
+            .yawRate(0.5)
+            .angularRateSigma(0.0078125)
+            .specificForceX(1.5)
+            .specificForceY(-0.75)
+            .specificForceZ(-9.8125)
+            .specificForceSigma(0.0625);
+    measured.sensorName("IMU");
+    return measured;
   }
 
   private static HealthReport stopped(HealthReport report) {

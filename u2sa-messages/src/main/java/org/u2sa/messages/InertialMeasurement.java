@@ -1,0 +1,151 @@
+package org.u2sa.messages;
+
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+
+/**
+ * What gyroscopes and accelerometers measure themselves: angular rates and specific force about and
+ * along the vehicle's axes, in BODY_FRD until {@link #referenceFrame} says BODY or BODY_FLU. Not
+ * the rates of Euler angles and the accelerations over ground that a {@link StateInformation}
+ * speaks of; what else an inertial sensor knows (attitude, say) may stand in those fields of
+ * another message. A reader that does not know this class receives a StateInformation.
+ */
+public class InertialMeasurement extends StateInformation {
+  private static final Schema<InertialMeasurement> SCHEMA =
+      Schema.of(InertialMeasurement.class, InertialMeasurement::blank, StateInformation.TYPE);
+  private static final NumberField<InertialMeasurement> ROLL_RATE =
+      SCHEMA.since(3).optionalNumber("rollRate", "rad/s");
+  private static final NumberField<InertialMeasurement> PITCH_RATE =
+      SCHEMA.optionalNumber("pitchRate", "rad/s");
+  private static final NumberField<InertialMeasurement> YAW_RATE =
+      SCHEMA.optionalNumber("yawRate", "rad/s");
+  private static final NumberField<InertialMeasurement> ANGULAR_RATE_SIGMA =
+      SCHEMA.optionalNumber("angularRateSigma", "rad/s", 0.0);
+  private static final NumberField<InertialMeasurement> SPECIFIC_FORCE_X =
+      SCHEMA.optionalNumber("specificForceX", "m/s2");
+  private static final NumberField<InertialMeasurement> SPECIFIC_FORCE_Y =
+      SCHEMA.optionalNumber("specificForceY", "m/s2");
+  private static final NumberField<InertialMeasurement> SPECIFIC_FORCE_Z =
+      SCHEMA.optionalNumber("specificForceZ", "m/s2");
+  private static final NumberField<InertialMeasurement> SPECIFIC_FORCE_SIGMA =
+      SCHEMA.optionalNumber("specificForceSigma", "m/s2", 0.0);
+
+  /** The schema. */
+  public static final MessageType<InertialMeasurement> TYPE = SCHEMA.build();
+
+  /** An empty measurement in BODY_FRD. */
+  public InertialMeasurement() {
+    referenceFrame(ReferenceFrame.BODY_FRD);
+  }
+
+  private InertialMeasurement(@SuppressWarnings("unused") Void nothingSet) {}
+
+  /** What a reader and a copy begin with: each field is set once. */
+  private static InertialMeasurement blank() {
+    return new InertialMeasurement(null);
+  }
+
+  @Override
+  public MessageType<? extends InertialMeasurement> type() {
+    return TYPE;
+  }
+
+  /** Angular rate about the x (forward) axis [rad/s]; right side down positive in BODY_FRD. */
+  public OptionalDouble rollRate() {
+    return get(ROLL_RATE);
+  }
+
+  /** Sets {@link #rollRate()}. */
+  public InertialMeasurement rollRate(double radPerS) {
+    put(ROLL_RATE, radPerS);
+    return this;
+  }
+
+  /** Angular rate about the y axis [rad/s]; nose up positive in BODY_FRD. */
+  public OptionalDouble pitchRate() {
+    return get(PITCH_RATE);
+  }
+
+  /** Sets {@link #pitchRate()}. */
+  public InertialMeasurement pitchRate(double radPerS) {
+    put(PITCH_RATE, radPerS);
+    return this;
+  }
+
+  /** Angular rate about the z axis [rad/s]; nose to the right positive in BODY_FRD. */
+  public OptionalDouble yawRate() {
+    return get(YAW_RATE);
+  }
+
+  /** Sets {@link #yawRate()}. */
+  public InertialMeasurement yawRate(double radPerS) {
+    put(YAW_RATE, radPerS);
+    return this;
+  }
+
+  /** Standard deviation of each angular rate [rad/s]; empty if unknown. */
+  public OptionalDouble angularRateSigma() {
+    return get(ANGULAR_RATE_SIGMA);
+  }
+
+  /** Sets {@link #angularRateSigma()}. */
+  public InertialMeasurement angularRateSigma(double radPerS) {
+    put(ANGULAR_RATE_SIGMA, radPerS);
+    return this;
+  }
+
+  /**
+   * Specific force along x [m/s²]: acceleration less gravity, what an accelerometer shows; positive
+   * when the vehicle speeds up forward.
+   */
+  public OptionalDouble specificForceX() {
+    return get(SPECIFIC_FORCE_X);
+  }
+
+  /** Sets {@link #specificForceX()}. */
+  public InertialMeasurement specificForceX(double mps2) {
+    put(SPECIFIC_FORCE_X, mps2);
+    return this;
+  }
+
+  /** Specific force along y [m/s²]; to the right positive in BODY_FRD. */
+  public OptionalDouble specificForceY() {
+    return get(SPECIFIC_FORCE_Y);
+  }
+
+  /** Sets {@link #specificForceY()}. */
+  public InertialMeasurement specificForceY(double mps2) {
+    put(SPECIFIC_FORCE_Y, mps2);
+    return this;
+  }
+
+  /** Specific force along z [m/s²]; -9.81 at rest and level in BODY_FRD, whose z is down. */
+  public OptionalDouble specificForceZ() {
+    return get(SPECIFIC_FORCE_Z);
+  }
+
+  /** Sets {@link #specificForceZ()}. */
+  public InertialMeasurement specificForceZ(double mps2) {
+    put(SPECIFIC_FORCE_Z, mps2);
+    return this;
+  }
+
+  /** Standard deviation of each component of specific force [m/s²]; empty if unknown. */
+  public OptionalDouble specificForceSigma() {
+    return get(SPECIFIC_FORCE_SIGMA);
+  }
+
+  /** Sets {@link #specificForceSigma()}. */
+  public InertialMeasurement specificForceSigma(double mps2) {
+    put(SPECIFIC_FORCE_SIGMA, mps2);
+    return this;
+  }
+
+  @Override
+  public InertialMeasurement copy() {
+    return (InertialMeasurement) super.copy();
+  }
+}
