@@ -29,8 +29,8 @@ public final class CameraFrame implements Device.Reading {
   }
 
   /**
-   * A pinhole camera's geometry (Hartley and Zisserman, Multiple View Geometry, 2nd ed., eq. 6.9):
-   * a point at x right, y down, z ahead of the lens is seen at column {@code focalX · x/z +
+   * A pinhole camera's geometry (Hartley and Zisserman, Multiple View Geometry, 2nd ed., chapter
+   * 6): a point at x right, y down, z ahead of the lens is seen at column {@code focalX · x/z +
    * centreX}, row {@code focalY · y/z + centreY}. Lens distortion is not part of it.
    *
    * @param focalX focal length in widths of a pixel, positive

@@ -89,7 +89,7 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
     return pushN();
   }
 
-  /** With T = k·n·|n| (Fossen, Handbook of Marine Craft Hydrodynamics, 2nd ed., eq. 9.7). */
+  /** With T = k·n·|n| (Fossen, Handbook of Marine Craft Hydrodynamics, chapter on propulsion). */
   private double pushN() {
     double share = rpm / propeller.fullRpm();
     double fullN = rpm > 0.0 ? propeller.fullThrustN() : propeller.reverseThrustN();
@@ -140,8 +140,7 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
         measuredAtMicros,
         OptionalDouble.of(measured),
         OptionalDouble.empty(),
-        OptionalDouble.of(
-            propeller.fullCurrentA() * share * share * share), // power ~ n³, ibid. 9.8
+        OptionalDouble.of(propeller.fullCurrentA() * share * share * share), // power ~ n³
         OptionalDouble.of(propeller.batteryV()));
   }
 
