@@ -51,7 +51,13 @@ class OldReaderTest {
         asThemselves.add(read.className());
       } else {
         assertThat(read.className())
-            .isIn("OpaqueMessage", "HealthReport", "StateInformation", "UnknownShape", "Line", "Sphere");
+            .isIn(
+                "OpaqueMessage",
+                "HealthReport",
+                "StateInformation",
+                "UnknownShape",
+                "Line",
+                "Sphere");
       }
     }
     assertThat(asThemselves).contains("HealthReport", "Waypoint", "DiscoveryResponse");
