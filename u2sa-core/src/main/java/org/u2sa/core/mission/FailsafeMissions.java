@@ -1,6 +1,5 @@
 package org.u2sa.core.mission;
 
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
@@ -11,6 +10,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.FailsafeAction;
 
@@ -75,12 +75,18 @@ final class FailsafeMissions {
   /** Names must differ from the mission's, so that a planner sees that the goal is another. */
   private static GoalInformation renamed(GoalInformation goal, String prefix) {
     GoalInformation copy = goal.copy();
-    List<String> next = new ArrayList<>();
-    goal.next().forEach(name -> next.add(prefix + name));
     copy.uid(prefix + goal.uid());
-    copy.next(next);
+    copy.next(renamed(goal.next(), prefix));
+    for (GoalResult result : List.of(GoalResult.DONE, GoalResult.FAILED, GoalResult.TIMED_OUT)) {
+      goal.nextIf(result).ifPresent(next -> copy.nextIf(result, renamed(next, prefix)));
+    }
+    goal.repeatFrom().ifPresent(from -> copy.repeatFrom(prefix + from));
     copy.freeze();
     return copy;
+  }
+
+  private static List<String> renamed(List<String> names, String prefix) {
+    return names.stream().map(name -> prefix + name).collect(Collectors.toList());
   }
 
   /**
