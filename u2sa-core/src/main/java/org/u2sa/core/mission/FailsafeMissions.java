@@ -21,6 +21,7 @@ final class FailsafeMissions {
   private final Supplier<MissionSettings> settings;
   private final Map<FailsafeAction, List<GoalInformation>> goals =
       new EnumMap<>(FailsafeAction.class);
+  private final Map<FailsafeAction, GoalInformation> homes = new EnumMap<>(FailsafeAction.class);
 
   /**
    * Reads the files that the configuration names.
@@ -61,12 +62,17 @@ final class FailsafeMissions {
   }
 
   private List<GoalInformation> load(FailsafeAction action, String variable, String path) {
+    homes.remove(action);
     if (path.isEmpty()) {
       files.forget(variable);
       return Collections.emptyList();
     }
     Mission mission = files.load(variable, path, manager.thresholdM());
     manager.log(variable + " " + mission.origin() + " loaded");
+    mission
+        .home()
+        .map(place -> place.waypoint(MissionManager.HOME, manager.thresholdM()))
+        .ifPresent(home -> homes.put(action, renamed(home, action + " ")));
     return mission.goals().stream()
         .map(goal -> renamed(goal, action + " "))
         .collect(Collectors.toList());
@@ -112,7 +118,9 @@ final class FailsafeMissions {
           "failsafe " + action + " without a RETURN MISSION or a home: holding");
       return Optional.of(ended());
     }
-    return Optional.of(new GoalSequence(own, false, GoalSequence.Options.ALL));
+    GoalSequence sequence = new GoalSequence(own, false, GoalSequence.Options.ALL);
+    homes.values().stream().filter(each -> !sequence.knows(each.uid())).forEach(sequence::update);
+    return Optional.of(sequence);
   }
 
   /** Goals of which none is left: the planner holds as at a mission's end. */

@@ -16,7 +16,8 @@ import org.u2sa.messages.schema.MessageType;
 
 /** A goal and the elements of the file that it was read from, so that errors can say where. */
 final class GoalElement {
-  private static final List<String> NOT_IN_FILES =
+  /** Fields that messages have and files have not, or say in another way. */
+  static final List<String> NOT_IN_FILES =
       Arrays.asList(
           "systemId",
           "timestamp",
@@ -30,6 +31,7 @@ final class GoalElement {
           "nextIfTimedOut",
           "repeatFrom",
           "repeatTimes");
+
   private static final String FRAME = "referenceFrame";
 
   private final XmlElement element;

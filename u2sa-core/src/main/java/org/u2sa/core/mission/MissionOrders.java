@@ -120,7 +120,7 @@ final class MissionOrders {
 
   private String insert(MissionOrder order) {
     GoalSequence mission = manager.progress().mission();
-    List<GoalInformation> goals = reader().readAdded(root(order), mission.book().names());
+    List<GoalInformation> goals = reader().readAdded(root(order), mission.book());
     GoalInsertion insertion = new GoalInsertion(mission, goals);
     if (order.now()) {
       if (mission.isInTheMiddleOfOptions()) {

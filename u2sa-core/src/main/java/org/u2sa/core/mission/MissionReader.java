@@ -50,9 +50,10 @@ final class MissionReader {
    * Reads goals that are added to a mission: they may lead to the mission's, and have names that
    * the mission's have not.
    *
-   * @param known the names of the mission's goals
+   * @param mission the goals that the mission has
    */
-  List<GoalInformation> readAdded(XmlElement root, Collection<String> known) {
+  List<GoalInformation> readAdded(XmlElement root, GoalBook mission) {
+    List<String> known = mission.names();
     refuseAllBut(root);
     Map<String, GoalElement> goals = goals(root, known, true);
     for (GoalElement goal : goals.values()) {
@@ -65,7 +66,7 @@ final class MissionReader {
                     + "\"; expected another name, or update");
       }
     }
-    WaypointRules.check(goals.values());
+    WaypointRules.check(goals.values(), mission);
     new GoalGraph(goals, known).refuseUnknownSuccessors();
     return messages(goals);
   }
@@ -74,7 +75,7 @@ final class MissionReader {
    * Reads changed fields of goals.
    *
    * @param known the mission's goals
-   * @return a goal each with the fields that change
+   * @return a goal each with nothing but its name and the fields that change
    */
   List<GoalInformation> readChanged(XmlElement root, GoalBook known) {
     refuseAllBut(root);
@@ -92,8 +93,10 @@ final class MissionReader {
       changed.add(goal.with(GoalBook.merged(now.copy(), change, Collections.emptyList())));
       goal.links().refuseOthers(known.names());
     }
-    WaypointRules.check(changed);
-    return messages(goals);
+    WaypointRules.check(changed, known);
+    List<GoalInformation> changes = new ArrayList<>();
+    goals.values().forEach(goal -> changes.add(goal.message()));
+    return changes;
   }
 
   private static RuntimeException unnamed(XmlElement goal) {
