@@ -2,6 +2,7 @@ package org.u2sa.core.mission;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.core.mission.MissionSettings.Resumption;
@@ -50,7 +51,7 @@ final class Resumable {
   }
 
   private Path file() {
-    return Path.of(manager.mission().origin());
+    return Paths.get(manager.mission().origin());
   }
 
   /** What another process left, once. */

@@ -18,6 +18,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.contract.MissionReport;
 import org.u2sa.messages.contract.MissionRequest;
+import org.u2sa.messages.schema.MessageType;
 
 /** A class of goals, its planner state and its element in missions come from a jar (4.2.1.3). */
 class GoalsFromAJarTest {
@@ -43,11 +44,11 @@ class GoalsFromAJarTest {
         }
 
         double shots() {
-          return get(SHOTS);
+          return require(SHOTS);
         }
 
         double fired() {
-          return get(FIRED);
+          return require(FIRED);
         }
 
         HulaHoop fired(double value) {
@@ -196,7 +197,7 @@ class GoalsFromAJarTest {
 
   @SuppressWarnings("unchecked")
   private static <T extends GoalInformation> Object field(T goal, String name) {
-    var type = (org.u2sa.messages.schema.MessageType<T>) goal.type();
+    var type = (MessageType<T>) goal.type();
     return type.field(name).orElseThrow().get(goal).orElseThrow();
   }
 }
