@@ -1,6 +1,5 @@
 package org.u2sa.core.mission;
 
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
@@ -11,6 +10,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.FailsafeAction;
 
@@ -21,6 +21,7 @@ final class FailsafeMissions {
   private final Supplier<MissionSettings> settings;
   private final Map<FailsafeAction, List<GoalInformation>> goals =
       new EnumMap<>(FailsafeAction.class);
+  private final Map<FailsafeAction, GoalInformation> homes = new EnumMap<>(FailsafeAction.class);
 
   /**
    * Reads the files that the configuration names.
@@ -61,12 +62,17 @@ final class FailsafeMissions {
   }
 
   private List<GoalInformation> load(FailsafeAction action, String variable, String path) {
+    homes.remove(action);
     if (path.isEmpty()) {
       files.forget(variable);
       return Collections.emptyList();
     }
     Mission mission = files.load(variable, path, manager.thresholdM());
     manager.log(variable + " " + mission.origin() + " loaded");
+    mission
+        .home()
+        .map(place -> place.waypoint(MissionManager.HOME, manager.thresholdM()))
+        .ifPresent(home -> homes.put(action, renamed(home, action + " ")));
     return mission.goals().stream()
         .map(goal -> renamed(goal, action + " "))
         .collect(Collectors.toList());
@@ -75,12 +81,18 @@ final class FailsafeMissions {
   /** Names must differ from the mission's, so that a planner sees that the goal is another. */
   private static GoalInformation renamed(GoalInformation goal, String prefix) {
     GoalInformation copy = goal.copy();
-    List<String> next = new ArrayList<>();
-    goal.next().forEach(name -> next.add(prefix + name));
     copy.uid(prefix + goal.uid());
-    copy.next(next);
+    copy.next(renamed(goal.next(), prefix));
+    for (GoalResult result : List.of(GoalResult.DONE, GoalResult.FAILED, GoalResult.TIMED_OUT)) {
+      goal.nextIf(result).ifPresent(next -> copy.nextIf(result, renamed(next, prefix)));
+    }
+    goal.repeatFrom().ifPresent(from -> copy.repeatFrom(prefix + from));
     copy.freeze();
     return copy;
+  }
+
+  private static List<String> renamed(List<String> names, String prefix) {
+    return names.stream().map(name -> prefix + name).collect(Collectors.toList());
   }
 
   /**
@@ -106,7 +118,9 @@ final class FailsafeMissions {
           "failsafe " + action + " without a RETURN MISSION or a home: holding");
       return Optional.of(ended());
     }
-    return Optional.of(new GoalSequence(own, false, GoalSequence.Options.ALL));
+    GoalSequence sequence = new GoalSequence(own, false, GoalSequence.Options.ALL);
+    homes.values().stream().filter(each -> !sequence.knows(each.uid())).forEach(sequence::update);
+    return Optional.of(sequence);
   }
 
   /** Goals of which none is left: the planner holds as at a mission's end. */

@@ -16,25 +16,46 @@ import org.u2sa.messages.schema.MessageType;
 
 /** A goal and the elements of the file that it was read from, so that errors can say where. */
 final class GoalElement {
-  private static final List<String> NOT_IN_FILES =
-      Arrays.asList("systemId", "timestamp", "completed", "abandoned");
+  /** Fields that messages have and files have not, or say in another way. */
+  static final List<String> NOT_IN_FILES =
+      Arrays.asList(
+          "systemId",
+          "timestamp",
+          "completed",
+          "abandoned",
+          "result",
+          "reason",
+          "arrivedAt",
+          "nextIfDone",
+          "nextIfFailed",
+          "nextIfTimedOut",
+          "repeatFrom",
+          "repeatTimes");
+
   private static final String FRAME = "referenceFrame";
 
   private final XmlElement element;
   private final GoalInformation message;
   private final Map<String, XmlElement> fields;
+  private final GoalLinks links;
 
-  private GoalElement(XmlElement element, GoalInformation message, Map<String, XmlElement> fields) {
+  private GoalElement(
+      XmlElement element,
+      GoalInformation message,
+      Map<String, XmlElement> fields,
+      GoalLinks links) {
     this.element = element;
     this.message = message;
     this.fields = fields;
+    this.links = links;
   }
 
   /** Reads the children of a goal's element as fields of its class, converting units. */
   static <T extends GoalInformation> GoalElement read(XmlElement element, MessageType<T> type) {
     element.refuseUnknownAttributes();
     T message = type.create();
-    Map<String, List<XmlElement>> byField = byField(element, type);
+    GoalLinks links = new GoalLinks(element);
+    Map<String, List<XmlElement>> byField = byField(element, type, links);
     ReferenceFrame frame = ReferenceFrame.GLOBAL;
     if (byField.containsKey(FRAME)) { // first, for the units of the others depend on it
       fill(message, type.field(FRAME).orElseThrow(), byField.get(FRAME), frame);
@@ -45,13 +66,22 @@ final class GoalElement {
       fill(message, type.field(entry.getKey()).orElseThrow(), entry.getValue(), frame);
       fields.put(entry.getKey(), entry.getValue().get(0));
     }
-    return new GoalElement(element, message, fields);
+    links.readInto(message);
+    return new GoalElement(element, message, fields, links);
+  }
+
+  /** The same with another goal, which has what the elements say and more. */
+  GoalElement with(GoalInformation other) {
+    return new GoalElement(element, other, fields, links);
   }
 
   private static <T extends GoalInformation> Map<String, List<XmlElement>> byField(
-      XmlElement element, MessageType<T> type) {
+      XmlElement element, MessageType<T> type, GoalLinks links) {
     Map<String, List<XmlElement>> byField = new LinkedHashMap<>();
     for (XmlElement child : element.children()) {
+      if (links.takes(child)) {
+        continue;
+      }
       MessageField<T> field =
           type.fieldByElementName(child.name())
               .filter(known -> !NOT_IN_FILES.contains(known.name()))
@@ -69,6 +99,7 @@ final class GoalElement {
         names.add(field.name());
       }
     }
+    names.addAll(GoalLinks.ELEMENTS);
     return child.error(
         "unknown element in <"
             + element.name()
@@ -123,6 +154,11 @@ final class GoalElement {
   /** The goal. */
   GoalInformation message() {
     return message;
+  }
+
+  /** What it says of the goals that come after it. */
+  GoalLinks links() {
+    return links;
   }
 
   /** The element of a field, by the field's own name; empty if the file leaves it out. */

@@ -1,47 +1,58 @@
 package org.u2sa.core.mission;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.u2sa.interfaces.xml.NearestNames;
-import org.u2sa.interfaces.xml.XmlElement;
+import java.util.stream.Collectors;
+import org.u2sa.messages.GoalInformation;
 
-/** Which goals of a file lead to which. */
+/** Which goals of a file lead to which, whatever comes of them. */
 final class GoalGraph {
   private final Map<String, GoalElement> goals;
+  private final Collection<String> further; // known, though no goals of the file
+  private final Followers followers;
 
-  GoalGraph(Map<String, GoalElement> goals) {
+  /**
+   * @param further names that goals may name besides each other's
+   */
+  GoalGraph(Map<String, GoalElement> goals, Collection<String> further) {
     this.goals = goals;
+    this.further = further;
+    List<GoalInformation> messages =
+        goals.values().stream().map(GoalElement::message).collect(Collectors.toList());
+    followers = new Followers(new GoalBook(messages), Followers.orderOf(messages));
   }
 
-  /** Refuses a {@code <next>} that names no goal. */
+  /** The names that a goal may name. */
+  Set<String> known() {
+    Set<String> known = new LinkedHashSet<>(goals.keySet());
+    known.addAll(further);
+    return known;
+  }
+
+  /** Refuses what names no goal. */
   void refuseUnknownSuccessors() {
-    for (GoalElement goal : goals.values()) {
-      for (String next : goal.message().next()) {
-        if (!goals.containsKey(next)) {
-          XmlElement element = goal.field("next").orElse(goal.element());
-          throw element.error(
-              "\""
-                  + next
-                  + "\" names no goal; the goals are "
-                  + String.join(", ", goals.keySet())
-                  + NearestNames.didYouMean(next, goals.keySet()));
-        }
-      }
-    }
+    Set<String> known = known();
+    goals.values().forEach(goal -> goal.links().refuseOthers(known));
   }
 
-  /** A warning for each goal that is reached from the first one by no way of {@code <next>}. */
-  List<String> warnings() {
+  /**
+   * A warning for each goal that nothing leads to from the first one, and for goals from which
+   * nothing leads to an end.
+   *
+   * @param also where the mission goes when its time limit passes
+   * @param ends whether it ends anyway, by its time limit
+   */
+  List<String> warnings(Collection<String> also, boolean ends) {
+    List<String> from = new ArrayList<>(also);
+    from.retainAll(goals.keySet());
+    from.add(goals.keySet().iterator().next());
+    Set<String> reachable = followers.reachable(from);
     List<String> warnings = new ArrayList<>();
-    if (goals.values().stream().allMatch(goal -> goal.message().next().isEmpty())) {
-      return warnings; // the file's order leads to each
-    }
-    Set<String> reachable = reachable();
     goals.forEach(
         (name, goal) -> {
           if (!reachable.contains(name)) {
@@ -52,19 +63,48 @@ final class GoalGraph {
                     + "\" from the first; it is pursued on command only");
           }
         });
+    Set<String> endless = endless(reachable);
+    if (!ends && !endless.isEmpty()) {
+      warnings.add(
+          goals.get(endless.iterator().next()).element()
+              + ": a loop without an exit: no <next> leads from "
+              + String.join(", ", endless)
+              + " to an end of the mission");
+    }
     return warnings;
   }
 
-  private Set<String> reachable() {
-    Set<String> reachable = new LinkedHashSet<>();
-    Deque<String> open = new ArrayDeque<>();
-    open.add(goals.keySet().iterator().next());
-    while (!open.isEmpty()) {
-      String name = open.remove();
-      if (reachable.add(name)) {
-        open.addAll(goals.get(name).message().next());
+  /** The goals from which the mission can reach no end, whatever comes of each. */
+  private Set<String> endless(Set<String> reachable) {
+    Set<String> ending = new LinkedHashSet<>();
+    boolean grows = true;
+    while (grows) {
+      grows = false;
+      for (String name : reachable) {
+        boolean ends =
+            !ending.contains(name)
+                && followers.possible(name).values().stream()
+                    .anyMatch(next -> next.isEmpty() || !Collections.disjoint(next, ending));
+        if (ends || !ending.contains(name) && leadsFurther(name)) {
+          ending.add(name);
+          grows = true;
+        }
       }
     }
-    return reachable;
+    Set<String> endless = new LinkedHashSet<>(reachable);
+    endless.removeAll(ending);
+    return endless;
+  }
+
+  /** Whether a goal of another file, or the home, follows it. */
+  private boolean leadsFurther(String name) {
+    GoalInformation goal = goals.get(name).message();
+    return !Collections.disjoint(goal.next(), further)
+        || followers.possible(name).keySet().stream()
+            .anyMatch(
+                result ->
+                    goal.nextIf(result)
+                        .filter(next -> !Collections.disjoint(next, further))
+                        .isPresent());
   }
 }

@@ -9,18 +9,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.schema.MessageField;
-import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.GoalResult;
 import org.u2sa.service.HandOver;
 
 /**
- * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3).
+ * The order in which the goals of a mission become current (thesis 3.2.3.2, 3.2.3.3): {@link
+ * Followers} says what follows a goal, this class what that means for the goals beside it.
  *
- * <p>A goal is followed by those that its {@code next} names. If no goal of the mission has a
- * {@code next}, each is followed by the one after it. A goal that is finished does not become
- * current again, unless all that could follow are finished: then a new lap begins. Belongs to one
- * thread.
+ * <p>A goal that is finished does not become current again, unless all that could follow are
+ * finished: then a new lap begins. Belongs to one thread.
  */
 final class GoalSequence {
   /** What becomes of several goals that are current at the same time. */
@@ -31,13 +30,11 @@ final class GoalSequence {
     ANY
   }
 
-  private final Map<String, GoalInformation> goals = new LinkedHashMap<>();
-  private final List<String> order = new ArrayList<>(); // empty if the mission is linked by next
-  private final Set<String> current = new LinkedHashSet<>();
-  private final Set<String> pending =
-      new LinkedHashSet<>(); // ALL: what follows once current is empty
-  private final Set<String> finished = new LinkedHashSet<>(); // in this lap
+  private final GoalBook book;
+  private final Followers followers;
   private final String first;
+  private final Map<String, Long> pursuedMicros = new LinkedHashMap<>(); // by current goal
+  private Position at;
   private boolean loop;
   private Options options;
 
@@ -45,58 +42,50 @@ final class GoalSequence {
    * @param goals at least one, with unique names; the first is where the mission begins
    * @param loop whether the mission begins anew when no goal is left
    */
-  GoalSequence(List<GoalInformation> goals, boolean loop, Options options) {
-    goals.forEach(goal -> this.goals.put(goal.uid(), goal));
-    if (goals.stream().allMatch(goal -> goal.next().isEmpty())) {
-      order.addAll(this.goals.keySet());
-    }
+  GoalSequence(List<? extends GoalInformation> goals, boolean loop, Options options) {
+    this(
+        new GoalBook(goals), Followers.orderOf(goals), goals.get(0).uid(), new Position(), options);
     this.loop = loop;
-    this.options = options;
-    first = goals.get(0).uid();
-    current.add(first);
+    at.current.add(first);
   }
 
-  private GoalSequence(GoalSequence other) {
-    goals.putAll(other.goals);
-    order.addAll(other.order);
-    current.addAll(other.current);
-    pending.addAll(other.pending);
-    finished.addAll(other.finished);
-    first = other.first;
-    loop = other.loop;
-    options = other.options;
+  private GoalSequence(
+      GoalBook book, List<String> order, String first, Position at, Options options) {
+    this.book = book;
+    this.first = first;
+    this.at = at;
+    this.options = options;
+    followers = new Followers(book, order);
   }
 
   /** Writes down how far it is, under a name, for a Mission Manager that takes over. */
   void handOver(HandOver state, String name) {
+    book.handOver(state, name);
+    at.handOver(state, name);
     state
-        .messages(name + " GOALS", goals.values())
-        .texts(name + " ORDER", order)
-        .texts(name + " CURRENT", current)
-        .texts(name + " PENDING", pending)
-        .texts(name + " FINISHED", finished)
+        .texts(name + " ORDER", followers.order())
+        .texts(name + " PURSUED TIMES", Position.texts(pursuedMicros))
         .text(name + " FIRST", first);
   }
 
   /** The sequence that was handed over under a name, as far as it was; empty if there is none. */
   static Optional<GoalSequence> takenOver(
       HandOver state, String name, boolean loop, Options options) {
-    List<GoalInformation> goals = state.messages(name + " GOALS", GoalInformation.class);
-    return goals.isEmpty()
-        ? Optional.empty()
-        : Optional.of(new GoalSequence(state, name, goals, loop, options));
-  }
-
-  private GoalSequence(
-      HandOver state, String name, List<GoalInformation> goals, boolean loop, Options options) {
-    goals.forEach(goal -> this.goals.put(goal.uid(), goal));
-    order.addAll(state.texts(name + " ORDER"));
-    current.addAll(state.texts(name + " CURRENT"));
-    pending.addAll(state.texts(name + " PENDING"));
-    finished.addAll(state.texts(name + " FINISHED"));
-    first = state.text(name + " FIRST").orElseGet(() -> goals.get(0).uid());
-    this.loop = loop;
-    this.options = options;
+    return GoalBook.takenOver(state, name)
+        .map(
+            book -> {
+              String first = state.text(name + " FIRST").orElseGet(() -> book.names().get(0));
+              GoalSequence sequence =
+                  new GoalSequence(
+                      book,
+                      state.texts(name + " ORDER"),
+                      first,
+                      Position.takenOver(state, name),
+                      options);
+              sequence.loop = loop;
+              sequence.pursuedMicros.putAll(Position.numbers(state.texts(name + " PURSUED TIMES")));
+              return sequence;
+            });
   }
 
   /** Changes how the mission goes on from here. */
@@ -105,9 +94,24 @@ final class GoalSequence {
     options = newOptions;
   }
 
+  /** All its goals, as they are now. */
+  GoalBook book() {
+    return book;
+  }
+
+  /** What follows each goal. */
+  Followers followers() {
+    return followers;
+  }
+
   /** The goals to be pursued now; none if the mission is over. */
   List<GoalInformation> current() {
-    return named(current);
+    return book.named(at.current);
+  }
+
+  /** The names of the goals to be pursued now. */
+  Set<String> currentNames() {
+    return Collections.unmodifiableSet(at.current);
   }
 
   /**
@@ -115,78 +119,97 @@ final class GoalSequence {
    * org.u2sa.messages.GoalList#upcoming} has it.
    */
   List<GoalInformation> upcoming() {
-    if (current.size() == 1) {
-      GoalSequence ahead = new GoalSequence(this);
-      ahead.finish(current.iterator().next());
-      return ahead.current();
+    if (at.current.size() == 1) {
+      Position ahead = new Position(at);
+      move(ahead, at.current.iterator().next(), GoalResult.DONE);
+      return book.named(ahead.current);
     }
     Set<String> next = new LinkedHashSet<>();
-    if (options == Options.ANY) {
-      current.forEach(name -> next.addAll(followers(name)));
-      next.removeAll(finished);
+    if (options == Options.ANY || at.wanted > 0) {
+      at.current.forEach(name -> next.addAll(followers.usual(name)));
+      next.removeAll(at.finished);
     }
-    return named(next);
-  }
-
-  private List<GoalInformation> named(Collection<String> names) {
-    List<GoalInformation> list = new ArrayList<>();
-    names.forEach(name -> list.add(goals.get(name)));
-    return list;
+    return book.named(next);
   }
 
   boolean knows(String uid) {
-    return goals.containsKey(uid);
+    return book.knows(uid);
   }
 
   boolean isOver() {
-    return current.isEmpty();
+    return at.current.isEmpty();
+  }
+
+  /** {@link #finish(String, GoalResult, Optional, String, long)} of a goal that was reached. */
+  boolean finish(String uid) {
+    return finish(uid, GoalResult.DONE, Optional.empty(), "", 0);
   }
 
   /**
    * Goes on from a goal that was completed or given up.
    *
+   * @param report the Path Planner's; empty if there is none
+   * @param reason why it was given up; empty if it was not, or if the report says so
+   * @param micros the time now [µs of the run's clock]
    * @return false if the goal is not current
    */
-  boolean finish(String uid) {
-    if (!current.remove(uid)) {
+  boolean finish(
+      String uid, GoalResult result, Optional<GoalInformation> report, String reason, long micros) {
+    if (!at.current.contains(uid)) {
       return false;
     }
-    finished.add(uid);
-    List<String> followers = followers(uid);
-    if (options == Options.ALL) {
-      pending.addAll(followers);
-      if (current.isEmpty()) {
-        open(new ArrayList<>(pending));
-        pending.clear();
+    book.finish(uid, result, report, reason, micros);
+    pursuedMicros.remove(uid);
+    move(at, uid, result);
+    for (String name : at.current) {
+      if (book.goal(name).result().isPresent()) {
+        book.renew(name);
       }
-    } else if (!followers.isEmpty()) {
-      open(followers);
-    }
-    if (current.isEmpty() && loop) {
-      open(Collections.singletonList(first));
     }
     return true;
   }
 
-  private List<String> followers(String uid) {
-    List<String> next = goals.get(uid).next();
-    int place = order.indexOf(uid);
-    if (!next.isEmpty() || place < 0 || place + 1 == order.size()) {
-      List<String> known = new ArrayList<>(next);
-      known.retainAll(goals.keySet()); // an update may name goals that are still to come
-      return known;
+  /** Moves a position on from a current goal. */
+  private void move(Position from, String uid, GoalResult result) {
+    from.current.remove(uid);
+    from.finished.add(uid);
+    List<String> next = followers.after(uid, result, from.repeats);
+    if (from.wanted > 0) {
+      from.pending.addAll(next);
+      boolean done = result == GoalResult.DONE || result == GoalResult.SKIPPED;
+      from.wanted -= done ? 1 : 0;
+      if (from.wanted == 0 || from.current.isEmpty()) {
+        openPending(from, uid);
+      }
+    } else if (options == Options.ALL) {
+      from.pending.addAll(next);
+      if (from.current.isEmpty()) {
+        openPending(from, uid);
+      }
+    } else if (!next.isEmpty()) {
+      open(from, next, uid);
     }
-    return Collections.singletonList(order.get(place + 1));
+    if (from.current.isEmpty() && loop) {
+      open(from, Collections.singletonList(first), uid);
+    }
   }
 
-  private void open(List<String> names) {
-    current.clear();
-    current.addAll(names);
-    current.removeAll(finished);
-    if (current.isEmpty()) { // a new lap
-      finished.clear();
-      current.addAll(names);
+  private void openPending(Position from, String after) {
+    List<String> names = new ArrayList<>(from.pending);
+    from.pending.clear();
+    open(from, names, after);
+  }
+
+  private void open(Position from, List<String> names, String after) {
+    from.current.clear();
+    from.current.addAll(names);
+    from.current.removeAll(from.finished);
+    if (from.current.isEmpty()) { // a new lap
+      from.finished.clear();
+      from.current.addAll(names);
     }
+    long chosen = book.goal(after).choose().orElse(0);
+    from.wanted = chosen < from.current.size() ? chosen : 0;
   }
 
   /**
@@ -194,10 +217,33 @@ final class GoalSequence {
    * open again.
    */
   void changeTo(String uid) {
-    finished.clear();
-    pending.clear();
-    current.clear();
-    current.add(uid);
+    changeTo(List.of(uid));
+  }
+
+  /** {@link #changeTo(String)} with several of which the planner chooses. */
+  void changeTo(Collection<String> uids) {
+    at = new Position();
+    at.current.addAll(uids);
+    pursuedMicros.keySet().retainAll(uids);
+    uids.forEach(book::renew);
+  }
+
+  /** How far it is, to come back to. */
+  Position position() {
+    return new Position(at);
+  }
+
+  /** Goes back to where it was. */
+  void backTo(Position before) {
+    at = new Position(before);
+    at.current.forEach(book::renew);
+  }
+
+  /** Ends: no goal is current any more. */
+  void end() {
+    at = new Position();
+    pursuedMicros.clear();
+    loop = false;
   }
 
   /**
@@ -207,25 +253,36 @@ final class GoalSequence {
    * @return whether it was known
    */
   boolean update(GoalInformation update) {
-    GoalInformation known = goals.get(update.uid());
-    GoalInformation merged =
-        known != null && known.type() == update.type()
-            ? merged(known.copy(), update, update.type())
-            : update.copy();
-    merged.freeze();
-    goals.put(merged.uid(), merged);
-    return known != null;
+    return book.update(update);
   }
 
-  @SuppressWarnings("unchecked") // both are of the type
-  private static <T extends GoalInformation> GoalInformation merged(
-      GoalInformation into, GoalInformation from, MessageType<?> type) {
-    for (MessageField<?> each : type.fields()) {
-      MessageField<GoalInformation> field = (MessageField<GoalInformation>) each;
-      if (field.isSet(from)) {
-        field.set(into, field.get(from).orElseThrow());
-      }
-    }
-    return into;
+  /** Whether what follows the current goals depends on more than their own fields. */
+  boolean isInTheMiddleOfOptions() {
+    return at.wanted > 0 || !at.pending.isEmpty();
+  }
+
+  /** Pursues a goal before the current ones, which its {@code next} names. */
+  void putBefore(String uid) {
+    at.current.clear();
+    at.current.add(uid);
+    at.finished.remove(uid);
+    pursuedMicros.keySet().retainAll(at.current);
+  }
+
+  /** Takes note that the current goals were pursued for another while [µs]. */
+  void pursuedFor(long micros) {
+    at.current.forEach(uid -> pursuedMicros.merge(uid, micros, Long::sum));
+    pursuedMicros.keySet().retainAll(at.current);
+  }
+
+  /** A current goal whose time limit has passed. */
+  Optional<GoalInformation> timedOut() {
+    return current().stream()
+        .filter(goal -> goal.timeLimit().isPresent())
+        .filter(
+            goal ->
+                pursuedMicros.getOrDefault(goal.uid(), 0L)
+                    >= Clock.micros(goal.timeLimit().getAsDouble()))
+        .findFirst();
   }
 }

@@ -21,15 +21,20 @@ public final class Mission {
   private final String origin;
   private final Optional<Home> home;
   private final List<GoalInformation> goals;
+  private final Optional<MissionLimit> limit;
   private final List<String> warnings;
-
   private final XmlElement root;
 
   Mission(
-      XmlElement root, Optional<Home> home, List<GoalInformation> goals, List<String> warnings) {
+      XmlElement root,
+      Optional<Home> home,
+      List<GoalInformation> goals,
+      Optional<MissionLimit> limit,
+      List<String> warnings) {
     this.root = root;
     this.origin = root.origin();
     this.home = home;
+    this.limit = limit;
     this.goals = Collections.unmodifiableList(new ArrayList<>(goals));
     this.warnings = Collections.unmodifiableList(new ArrayList<>(warnings));
   }
@@ -76,6 +81,16 @@ public final class Mission {
     return goals;
   }
 
+  /** How long the mission may take [s], above 0; empty: as long as it takes. */
+  public OptionalDouble timeLimit() {
+    return limit.isPresent() ? OptionalDouble.of(limit.get().seconds()) : OptionalDouble.empty();
+  }
+
+  /** {@link #timeLimit()}, and what comes when it has passed. */
+  Optional<MissionLimit> limit() {
+    return limit;
+  }
+
   /**
    * What is wrong with the home for somebody who cannot start there: names file, line and element.
    *
@@ -95,7 +110,8 @@ public final class Mission {
    */
   public BadInputException goalError(int index, String what) {
     return root.children().stream()
-        .filter(element -> !element.name().equals("home"))
+        .filter(element -> !element.name().equals(MissionManager.HOME))
+        .filter(element -> !element.name().equals(MissionLimit.ELEMENT))
         .skip(index)
         .findFirst()
         .orElseThrow()

@@ -13,25 +13,31 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
-import org.u2sa.service.EventDrivenService;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.HandOver;
+import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
  * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
- * goal-updates, goal-commands, failsafe. Out: goals, at the start, at each change, and in answer to
- * a report of a goal that is not current.
+ * goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, at each
+ * change, and in answer to a report of a goal that is not current; mission, in answer to requests
+ * and orders.
  *
- * <p>A mission's home is a goal too, named "home", to which nothing but a command leads. A list
- * without goals says that the mission is over. A failsafe to return or to land has goals of its
- * own; afterwards the mission resumes where it was left. After a restart in the same run it resumes
- * where it was, unless the mission file has changed.
+ * <p>A mission's home is a goal too, named "home". A list without goals says that the mission is
+ * over. A failsafe to return or to land has goals of its own; afterwards the mission resumes where
+ * it was left. After a restart in the same run it resumes where it was, unless the mission file has
+ * changed.
  */
-public final class MissionManager extends EventDrivenService {
+public final class MissionManager extends PeriodicService {
   /**
    * Defaults for what a mission omits. Itself required: near enough for an aircraft is another
    * place for a rover.
@@ -49,14 +55,21 @@ public final class MissionManager extends EventDrivenService {
   /** The goal to which a vehicle returns on command. */
   static final String HOME = "home";
 
+  private static final String NAME = "MissionManager";
+  private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
 
   private final Settings<MissionSettings> settings = settings(MissionSettings.class);
   private final Settings<Defaults> defaults = settings(Defaults.class);
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
+  private final MissionOrders orders;
+  private final MissionTime time = new MissionTime();
+  private final Resumable resumable;
+  private Mission mission; // as its file has it
   private MissionProgress progress;
   private Optional<Waypoint> home = Optional.empty();
+  private boolean beginsAnew = true; // false: it was taken over
   private long repeatDueMicros; // of the current goals, to one who does not know them
 
   /**
@@ -65,15 +78,20 @@ public final class MissionManager extends EventDrivenService {
    * @throws org.u2sa.interfaces.BadInputException if the mission file is wrong
    */
   public MissionManager(ServiceContext context) {
-    super(context, ServiceRole.MISSION_MANAGER, "MissionManager");
+    super(context, ServiceRole.MISSION_MANAGER, NAME, LIMITS_CHECKED_HZ);
     files = new MissionFiles(context);
     progress = new MissionProgress(load());
     failsafes = new FailsafeMissions(this, files, settings);
+    orders = new MissionOrders(this, context.messageTypes());
+    resumable = new Resumable(this, new SavedMission(context, NAME), settings);
     registerPublisher(Channels.GOALS);
+    registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);
     subscribe(Channels.GOAL_UPDATES, this::update);
     subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
+    subscribe(Channels.MISSION, this::onMission);
     subscribe(Channels.FAILSAFE, this::onFailsafe);
+    subscribe(Channels.ARMING_STATE, state -> time.counts(state.armed()));
   }
 
   /** Refuses a mission that cannot be read, before it takes the place of one that can. */
@@ -83,22 +101,36 @@ public final class MissionManager extends EventDrivenService {
   }
 
   private GoalSequence load() {
-    Mission loadedMission =
-        files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
-    log("mission " + loadedMission.origin() + " with goals " + names(loadedMission.goals()));
-    loadedMission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
+    mission = files.load(MissionSettings.MISSION, settings.get().mission(), thresholdM());
+    log("mission " + mission.origin() + " with goals " + names(mission.goals()));
+    mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded =
-        new GoalSequence(loadedMission.goals(), settings.get().loop(), settings.get().options());
-    home = loadedMission.home().map(place -> place.waypoint(HOME, thresholdM()));
+        new GoalSequence(mission.goals(), settings.get().loop(), settings.get().options());
+    home = mission.home().map(place -> place.waypoint(HOME, thresholdM()));
     if (home.isPresent() && !loaded.knows(HOME)) {
       loaded.update(home.get());
     }
     return loaded;
   }
 
+  /** The mission as its file has it. */
+  Mission mission() {
+    return mission;
+  }
+
   /** Horizontal threshold of waypoints that give none [m]. */
   double thresholdM() {
     return defaults.get().defaultThreshold();
+  }
+
+  /** How far the vehicle is. */
+  MissionProgress progress() {
+    return progress;
+  }
+
+  /** The time now [µs of the run's clock]. */
+  long micros() {
+    return clock().micros();
   }
 
   @Override
@@ -138,6 +170,7 @@ public final class MissionManager extends EventDrivenService {
   protected void handOver(HandOver state) {
     state.text(MissionSettings.MISSION, settings.get().mission());
     state.number(MissionSettings.DEFAULT_THRESHOLD, thresholdM());
+    time.handOver(state);
     progress.handOver(state);
   }
 
@@ -150,14 +183,102 @@ public final class MissionManager extends EventDrivenService {
       log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
       return;
     }
-    progress =
-        MissionProgress.takenOver(state, settings.get().loop(), settings.get().options())
-            .orElse(progress);
+    Optional<MissionProgress> before =
+        MissionProgress.takenOver(state, settings.get().loop(), settings.get().options());
+    before.ifPresent(
+        taken -> {
+          progress = taken;
+          time.takeOver(state);
+          beginsAnew = false;
+        });
   }
 
   @Override
   protected void begin() {
+    if (beginsAnew) {
+      resumable.atStart().ifPresent(saved -> progress = saved);
+    }
     publishGoals();
+  }
+
+  @Override
+  protected void step(double nowS) {
+    passTime();
+  }
+
+  /** Lets time pass until now, and ends what has taken too long. */
+  private void passTime() {
+    long now = micros();
+    progress.pursuedFor(time.sinceLast(now), now);
+    boolean changed = false;
+    Optional<GoalInformation> late = progress.pursued().timedOut();
+    while (late.isPresent()) {
+      changed = true;
+      timeOut(late.get(), "not done within " + late.get().timeLimit().getAsDouble() + " s");
+      late = progress.pursued().timedOut();
+    }
+    if (progress.passes(mission.timeLimit())) {
+      changed = true;
+      endByLimit(mission.limit().orElseThrow());
+    }
+    if (changed) {
+      publishGoals();
+    }
+  }
+
+  private void timeOut(GoalInformation goal, String reason) {
+    log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" timed out: " + reason);
+    progress.finish(goal.uid(), GoalResult.TIMED_OUT, Optional.empty(), reason, micros());
+  }
+
+  private void endByLimit(MissionLimit limit) {
+    String reason = "the mission's time limit of " + limit.seconds() + " s has passed";
+    log(LogLevelEnum.WARN, reason + (limit.next().isEmpty() ? "" : ": now " + limit.next()));
+    progress.pursued().current().forEach(goal -> timeOut(goal, reason));
+    progress.pursued().end();
+    if (!limit.next().isEmpty()) {
+      progress.pursued().changeTo(limit.next());
+    }
+  }
+
+  private void onMission(U2SAData message) {
+    passTime();
+    if (message instanceof MissionRequest request) {
+      publish(Channels.MISSION, report(request.requestId()));
+    } else if (message instanceof MissionOrder order) {
+      publish(Channels.MISSION, orders.obey(order));
+    }
+  }
+
+  private MissionReport report(String requestId) {
+    return new MissionReportMaker(this)
+        .report(requestId, resumable.where().or(() -> progress.backTo()));
+  }
+
+  /** Goes back to where the mission was left. Returns what was done, in words. */
+  String resumeMission() {
+    Optional<MissionProgress> saved = resumable.taken();
+    saved.ifPresent(before -> progress = before);
+    if (saved.isEmpty() && !progress.goBack()) {
+      throw new BadInputException(
+          progress.isLeft()
+              ? "the failsafe "
+                  + progress.pursuedFor()
+                  + " is pursued; the mission resumes after it"
+              : "there is nothing to resume: the mission was not left");
+    }
+    return "resumed at " + names(progress.pursued().current());
+  }
+
+  /** Takes note that an order was carried out. */
+  void ordered(String what) {
+    log(what);
+    publishGoals();
+  }
+
+  /** Takes note that an order was refused. */
+  void refused(String why) {
+    log(LogLevelEnum.WARN, why);
   }
 
   private void onFailsafe(FailsafeState failsafe) {
@@ -172,6 +293,7 @@ public final class MissionManager extends EventDrivenService {
     if (action == progress.pursuedFor()) {
       return;
     }
+    passTime();
     if (progress.turnTo(action, failsafes.sequence(action, home))) {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
@@ -182,6 +304,7 @@ public final class MissionManager extends EventDrivenService {
   }
 
   private void onReport(GoalInformation goal) {
+    passTime();
     if (goal.completed() || goal.abandoned()) {
       finish(goal);
     } else {
@@ -191,7 +314,8 @@ public final class MissionManager extends EventDrivenService {
 
   private void finish(GoalInformation goal) {
     String uid = goal.uid();
-    if (!progress.finish(goal)) {
+    GoalResult result = goal.completed() ? GoalResult.DONE : GoalResult.FAILED;
+    if (!progress.finish(uid, result, Optional.of(goal), "given up by the planner", micros())) {
       boolean known = progress.pursued().knows(uid);
       String what = known ? "is not current" : "is not known";
       log(LogLevelEnum.WARN, "report of goal \"" + uid + "\" ignored: it " + what);
@@ -203,7 +327,8 @@ public final class MissionManager extends EventDrivenService {
     if (goal.completed()) {
       log("goal \"" + uid + "\" completed");
     } else {
-      log(LogLevelEnum.WARN, "goal \"" + uid + "\" given up by the planner");
+      String why = goal.reason().map(text -> ": " + text).orElse("");
+      log(LogLevelEnum.WARN, "goal \"" + uid + "\" given up by the planner" + why);
     }
     publishGoals();
   }
@@ -226,20 +351,20 @@ public final class MissionManager extends EventDrivenService {
       log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" refused: it is not known");
       return;
     }
-    progress.pursued().changeTo(uid);
+    progress.changeTo(uid);
     log("changing to goal \"" + uid + "\" on command");
     publishGoals();
   }
 
   private void publishGoals() {
     GoalSequence sequence = progress.pursued();
-    List<GoalInformation> current = sequence.current();
     if (sequence.isOver()) {
       log("mission is over: " + progress.words());
     } else {
-      log("current goals " + names(current));
+      log("current goals " + names(sequence.current()));
     }
     remember();
+    resumable.save(progress);
     files.faults().forEach(fault -> log(LogLevelEnum.WARN, fault));
     publish(Channels.GOALS, goalList());
   }
@@ -261,7 +386,7 @@ public final class MissionManager extends EventDrivenService {
    * report.
    */
   private void repeatGoals() {
-    long now = clock().micros();
+    long now = micros();
     if (now >= repeatDueMicros) {
       repeatDueMicros = now + REPEAT_EVERY_MICROS;
       publish(Channels.GOALS, goalList());

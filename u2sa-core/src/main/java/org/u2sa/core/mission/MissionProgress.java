@@ -2,8 +2,13 @@ package org.u2sa.core.mission;
 
 import java.util.LinkedHashSet;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import java.util.Set;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.service.HandOver;
 
@@ -12,11 +17,21 @@ import org.u2sa.service.HandOver;
  * is to be resumed. Belongs to one thread.
  */
 final class MissionProgress {
+  private static final String COMPLETED = "COMPLETED";
+  private static final String ABANDONED = "ABANDONED";
+  private static final String PURSUED = "PURSUED";
+  private static final String LEFT = "LEFT";
+  private static final String BEFORE = "BEFORE";
+
   private GoalSequence pursued; // the mission, or a failsafe's
   private GoalSequence left; // the mission, for a failsafe; null while it is pursued
   private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
+  private Optional<Position> before = Optional.empty(); // where the mission was before a GOTO
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
+  private OptionalLong beganMicros = OptionalLong.empty();
+  private long elapsedMicros; // of the mission, failsafes left out
+  private boolean limitPassed;
 
   MissionProgress(GoalSequence mission) {
     pursued = mission;
@@ -28,8 +43,13 @@ final class MissionProgress {
   }
 
   /** The mission's goals, also while they are left for a failsafe's. */
-  private GoalSequence mission() {
+  GoalSequence mission() {
     return left == null ? pursued : left;
+  }
+
+  /** Whether a failsafe's own goals are pursued in place of the mission's. */
+  boolean isLeft() {
+    return left != null;
   }
 
   /** Begins another mission: at once, or when the failsafe is over. */
@@ -41,6 +61,10 @@ final class MissionProgress {
     }
     completed.clear();
     abandoned.clear();
+    before = Optional.empty();
+    beganMicros = OptionalLong.empty();
+    elapsedMicros = 0;
+    limitPassed = false;
   }
 
   /** {@link GoalSequence#rules} of the mission. */
@@ -77,14 +101,15 @@ final class MissionProgress {
   /**
    * Takes note of a goal that was completed or given up.
    *
+   * @param micros the time now [µs of the run's clock]
    * @return false if it is not pursued
    */
-  boolean finish(GoalInformation goal) {
-    String uid = goal.uid();
-    if (!pursued.finish(uid)) {
+  boolean finish(
+      String uid, GoalResult result, Optional<GoalInformation> report, String reason, long micros) {
+    if (!pursued.finish(uid, result, report, reason, micros)) {
       return false;
     }
-    if (goal.completed()) {
+    if (result == GoalResult.DONE) {
       completed.add(uid);
       abandoned.remove(uid);
     } else {
@@ -93,43 +118,129 @@ final class MissionProgress {
     return true;
   }
 
+  /** Takes note that the goals were pursued for another while, until now [µs]. */
+  void pursuedFor(long micros, long nowMicros) {
+    if (beganMicros.isEmpty()) {
+      beganMicros = OptionalLong.of(nowMicros);
+    }
+    pursued.pursuedFor(micros);
+    if (left == null && !pursued.isOver()) {
+      elapsedMicros += micros;
+    }
+  }
+
+  /** Whether the mission's time limit has just passed; true once. */
+  boolean passes(OptionalDouble limitS) {
+    boolean passes =
+        limitS.isPresent()
+            && !limitPassed
+            && left == null
+            && !pursued.isOver()
+            && elapsedMicros >= Clock.micros(limitS.getAsDouble());
+    limitPassed |= passes;
+    return passes;
+  }
+
+  /** When the mission began [µs of the run's clock]; empty until it has. */
+  OptionalLong beganMicros() {
+    return beganMicros;
+  }
+
+  /** How long the mission has been pursued [s]. */
+  double elapsedS() {
+    return Clock.seconds(elapsedMicros);
+  }
+
+  /** Pursues another goal of the mission or failsafe; the mission remembers where it was. */
+  void changeTo(String uid) {
+    if (left == null && !pursued.isOver() && before.isEmpty()) {
+      before = Optional.of(pursued.position());
+    }
+    pursued.changeTo(uid);
+  }
+
+  /** Goes back to where the mission was before the first {@link #changeTo}; false if nowhere. */
+  boolean goBack() {
+    if (left != null || before.isEmpty()) {
+      return false;
+    }
+    pursued.backTo(before.get());
+    before = Optional.empty();
+    return true;
+  }
+
+  /** The goals to which {@link #goBack} would go. */
+  Optional<String> backTo() {
+    return left != null
+        ? Optional.empty()
+        : before.map(position -> position.current.stream().collect(Collectors.joining(", ")));
+  }
+
+  /** Whether no goal has been finished yet. */
+  boolean isFresh() {
+    return completed.isEmpty() && abandoned.isEmpty();
+  }
+
   /** What came of the goals so far, in words. */
   String words() {
     return "completed " + completed + ", given up " + abandoned;
   }
 
   void handOver(HandOver state) {
-    pursued.handOver(state, "PURSUED");
+    pursued.handOver(state, PURSUED);
     if (left != null) {
-      left.handOver(state, "LEFT");
+      left.handOver(state, LEFT);
     }
+    before.ifPresent(position -> position.handOver(state, BEFORE));
     state
         .text("PURSUED FOR", pursuedFor.name())
-        .texts("COMPLETED", completed)
-        .texts("ABANDONED", abandoned);
+        .texts(COMPLETED, completed)
+        .texts(ABANDONED, abandoned)
+        .flag("HAS BEFORE", before.isPresent())
+        .flag("LIMIT PASSED", limitPassed)
+        .number("ELAPSED", Clock.seconds(elapsedMicros));
+    beganMicros.ifPresent(micros -> state.number("BEGAN", Clock.seconds(micros)));
   }
 
   /** How far another one was; empty if it did not say so. */
   static Optional<MissionProgress> takenOver(
       HandOver state, boolean loop, GoalSequence.Options options) {
-    Optional<GoalSequence> left = GoalSequence.takenOver(state, "LEFT", loop, options);
+    Optional<GoalSequence> left = GoalSequence.takenOver(state, LEFT, loop, options);
     return GoalSequence.takenOver(
             state,
-            "PURSUED",
+            PURSUED,
             loop && !left.isPresent(), // a failsafe's goals have rules of their own
             left.isPresent() ? GoalSequence.Options.ALL : options)
         .map(
             pursued -> {
               MissionProgress progress = new MissionProgress(pursued);
               progress.left = left.orElse(null);
-              progress.pursuedFor =
-                  state
-                      .text("PURSUED FOR")
-                      .map(FailsafeAction::valueOf)
-                      .orElse(FailsafeAction.CONTINUE);
-              progress.completed.addAll(state.texts("COMPLETED"));
-              progress.abandoned.addAll(state.texts("ABANDONED"));
+              progress.takeOver(state);
               return progress;
             });
+  }
+
+  private void takeOver(HandOver state) {
+    pursuedFor =
+        state.text("PURSUED FOR").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
+    completed.addAll(state.texts(COMPLETED));
+    abandoned.addAll(state.texts(ABANDONED));
+    if (state.flag("HAS BEFORE")) {
+      before = Optional.of(Position.takenOver(state, BEFORE));
+    }
+    limitPassed = state.flag("LIMIT PASSED");
+    elapsedMicros = Clock.micros(state.number("ELAPSED").orElse(0.0));
+    OptionalDouble began = state.number("BEGAN");
+    if (began.isPresent()) {
+      beganMicros = OptionalLong.of(Clock.micros(began.getAsDouble()));
+    }
+  }
+
+  /** Leaves a failsafe's goals: what another process returned from is over. */
+  void forgetFailsafe() {
+    pursued = mission();
+    left = null;
+    pursuedFor = FailsafeAction.CONTINUE;
+    beganMicros = OptionalLong.empty(); // by another clock
   }
 }

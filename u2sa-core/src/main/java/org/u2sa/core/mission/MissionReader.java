@@ -1,55 +1,149 @@
 package org.u2sa.core.mission;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
-import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and refuses what contradicts itself. */
 final class MissionReader {
-  private final MessageTypes types;
+  private final GoalClasses classes;
   private final OptionalDouble defaultThresholdM;
 
   MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
-    this.types = types;
+    classes = new GoalClasses(types);
     this.defaultThresholdM = defaultThresholdM;
   }
 
   Mission read(XmlElement root) {
     root.refuseUnknownAttributes();
+    Map<String, GoalElement> goals = goals(root, Collections.emptyList(), true);
+    Optional<Home> home = root.child("home").map(HomeReader::read);
+    WaypointRules.check(goals.values());
+    GoalGraph graph =
+        new GoalGraph(
+            goals,
+            home.isPresent() && !goals.containsKey(MissionManager.HOME)
+                ? List.of(MissionManager.HOME)
+                : Collections.emptyList());
+    graph.refuseUnknownSuccessors();
+    Optional<MissionLimit> limit =
+        root.child(MissionLimit.ELEMENT).map(element -> MissionLimit.read(element, graph.known()));
+    return new Mission(
+        root,
+        home,
+        messages(goals),
+        limit,
+        graph.warnings(
+            limit.map(MissionLimit::next).orElse(Collections.emptyList()), limit.isPresent()));
+  }
+
+  /**
+   * Reads goals that are added to a mission: they may lead to the mission's, and have names that
+   * the mission's have not.
+   *
+   * @param mission the goals that the mission has
+   */
+  List<GoalInformation> readAdded(XmlElement root, GoalBook mission) {
+    List<String> known = mission.names();
+    refuseAllBut(root);
+    Map<String, GoalElement> goals = goals(root, known, true);
+    for (GoalElement goal : goals.values()) {
+      if (known.contains(goal.message().uid())) {
+        throw goal.field("uid")
+            .orElse(goal.element())
+            .error(
+                "the mission has a goal \""
+                    + goal.message().uid()
+                    + "\"; expected another name, or update");
+      }
+    }
+    WaypointRules.check(goals.values(), mission);
+    new GoalGraph(goals, known).refuseUnknownSuccessors();
+    return messages(goals);
+  }
+
+  /**
+   * Reads changed fields of goals.
+   *
+   * @param known the mission's goals
+   * @return a goal each with nothing but its name and the fields that change
+   */
+  List<GoalInformation> readChanged(XmlElement root, GoalBook known) {
+    refuseAllBut(root);
+    Map<String, GoalElement> goals = goals(root, known.names(), false);
+    List<GoalElement> changed = new ArrayList<>();
+    for (GoalElement goal : goals.values()) {
+      GoalInformation change = goal.message();
+      XmlElement name = goal.field("uid").orElseThrow(() -> unnamed(goal.element()));
+      GoalLinks.refuseUnless(known.names(), name, change.uid());
+      GoalInformation now = known.goal(change.uid());
+      if (now.type() != change.type()) {
+        throw goal.element()
+            .error("the mission's goal \"" + change.uid() + "\" is a " + now.type().name());
+      }
+      changed.add(goal.with(GoalBook.merged(now.copy(), change, Collections.emptyList())));
+      goal.links().refuseOthers(known.names());
+    }
+    WaypointRules.check(changed, known);
+    List<GoalInformation> changes = new ArrayList<>();
+    goals.values().forEach(goal -> changes.add(goal.message()));
+    return changes;
+  }
+
+  private static RuntimeException unnamed(XmlElement goal) {
+    return goal.error("lacks <name>; expected the name of the goal that changes");
+  }
+
+  private static void refuseAllBut(XmlElement root) {
+    root.refuseUnknownAttributes();
+    for (String other : List.of(MissionManager.HOME, MissionLimit.ELEMENT)) {
+      root.child(other)
+          .ifPresent(
+              element -> {
+                throw element.error("belongs to a whole mission; expected goals only");
+              });
+    }
+  }
+
+  private Map<String, GoalElement> goals(
+      XmlElement root, Collection<String> taken, boolean complete) {
     Map<String, GoalElement> goals = new LinkedHashMap<>();
     for (XmlElement child : root.children()) {
-      if (!child.name().equals("home")) {
-        add(goals, child);
+      if (!child.name().equals(MissionManager.HOME) && !child.name().equals(MissionLimit.ELEMENT)) {
+        add(goals, taken, child, complete);
       }
     }
     if (goals.isEmpty()) {
       throw root.error(
           "holds no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>");
     }
-    Optional<Home> home = root.child("home").map(HomeReader::read);
-    WaypointRules.check(goals.values());
-    GoalGraph graph = new GoalGraph(goals);
-    graph.refuseUnknownSuccessors();
-    return new Mission(root, home, messages(goals), graph.warnings());
+    return goals;
   }
 
-  private void add(Map<String, GoalElement> goals, XmlElement element) {
-    GoalElement goal = GoalElement.read(element, goalType(element));
-    if (lacksThreshold(goal)) {
+  private void add(
+      Map<String, GoalElement> goals,
+      Collection<String> taken,
+      XmlElement element,
+      boolean complete) {
+    GoalElement goal = GoalElement.read(element, classes.of(element));
+    if (complete && lacksThreshold(goal)) {
       defaultThresholdM.ifPresent(((Waypoint) goal.message())::horizontalThreshold);
     }
     if (goal.field("uid").isEmpty()) {
-      goal.message().uid(String.valueOf(goals.size() + 1));
+      int number = goals.size() + 1;
+      while (taken.contains(String.valueOf(number))) {
+        number += taken.size(); // no goal of the mission has a number like that
+      }
+      goal.message().uid(String.valueOf(number));
     }
     GoalElement other = goals.putIfAbsent(goal.message().uid(), goal);
     if (other != null) {
@@ -66,46 +160,6 @@ final class MissionReader {
 
   private static boolean lacksThreshold(GoalElement goal) {
     return goal.message() instanceof Waypoint && goal.field("horizontalThreshold").isEmpty();
-  }
-
-  private MessageType<? extends GoalInformation> goalType(XmlElement element) {
-    MessageType<?> type =
-        types
-            .byElementName(element.name())
-            .orElseThrow(
-                () ->
-                    element.error(
-                        "unknown element in <mission>; expected home or a class of goals: "
-                            + String.join(", ", goalNames())
-                            + NearestNames.didYouMean(element.name(), goalNames())));
-    MessageType<? extends GoalInformation> goal = asGoal(type);
-    if (goal == null) {
-      throw element.error(
-          "is not a class of goals; expected one of " + String.join(", ", goalNames()));
-    }
-    if (goal.isAbstract()) {
-      throw element.error(
-          "is abstract: no goal can be of this class; expected one of "
-              + String.join(", ", goalNames()));
-    }
-    return goal;
-  }
-
-  @SuppressWarnings("unchecked") // the message class was compared
-  private static MessageType<? extends GoalInformation> asGoal(MessageType<?> type) {
-    return GoalInformation.class.isAssignableFrom(type.messageClass())
-        ? (MessageType<? extends GoalInformation>) type
-        : null;
-  }
-
-  private List<String> goalNames() {
-    List<String> names = new ArrayList<>();
-    for (MessageType<?> type : types.all()) {
-      if (asGoal(type) != null && !type.isAbstract()) {
-        names.add(type.name().substring(0, 1).toLowerCase(Locale.ROOT) + type.name().substring(1));
-      }
-    }
-    return names;
   }
 
   private List<GoalInformation> messages(Map<String, GoalElement> goals) {

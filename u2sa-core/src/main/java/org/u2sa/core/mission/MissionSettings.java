@@ -24,7 +24,22 @@ record MissionSettings(
             ifAbsentText = "",
             text =
                 "Mission XML file for the failsafe LAND, relative to the configuration file; empty: return instead.")
-        String landMission) {
+        String landMission,
+    @Variable(
+            ifAbsentText = "NEVER",
+            text =
+                "Whether another process takes up the mission where this one ends: ALWAYS; on the order resume: ORDERED; or NEVER.")
+        Resumption resume) {
+  /** Whether a mission goes on in another process. */
+  enum Resumption {
+    /** It begins anew, and nothing is saved. */
+    NEVER,
+    /** It begins anew, and is resumed on order. */
+    ORDERED,
+    /** It is resumed at once. */
+    ALWAYS
+  }
+
   static final String MISSION = "MISSION";
   static final String RETURN_MISSION = "RETURN MISSION";
   static final String LAND_MISSION = "LAND MISSION";

@@ -24,6 +24,34 @@ final class WaypointRules {
     }
   }
 
+  /** {@link #check(Collection)} of goals that join those of a mission. */
+  static void check(Collection<GoalElement> goals, GoalBook mission) {
+    check(goals);
+    for (GoalElement goal : goals) {
+      if (goal.message() instanceof Waypoint waypoint) {
+        mission.names().stream()
+            .map(mission::goal)
+            .filter(Waypoint.class::isInstance)
+            .map(Waypoint.class::cast)
+            .filter(
+                other -> other.referenceFrame().isEarth() != waypoint.referenceFrame().isEarth())
+            .findFirst()
+            .ifPresent(
+                other -> {
+                  throw element(goal, "referenceFrame")
+                      .error(
+                          "is in "
+                              + waypoint.referenceFrame()
+                              + ", but the mission's waypoint \""
+                              + other.uid()
+                              + "\" is in "
+                              + other.referenceFrame()
+                              + "; expected all on the earth or all on a local plane");
+                });
+      }
+    }
+  }
+
   private static void checkCoordinates(GoalElement goal, Waypoint waypoint) {
     ReferenceFrame frame = waypoint.referenceFrame();
     if (frame.isBody()) {

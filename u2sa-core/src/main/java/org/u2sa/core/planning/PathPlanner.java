@@ -217,21 +217,25 @@ public class PathPlanner extends EventDrivenService {
       log(level, "goal \"" + chosen.uid() + "\" " + plan.remark());
     }
     if (plan.progress() != Plan.Progress.UNDER_WAY) {
-      report(chosen, plan.progress());
+      report(chosen, plan);
     }
     return plan.points();
   }
 
   /** Tells the Mission Manager, and again after a while if it does not react. */
-  private void report(GoalInformation done, Plan.Progress progress) {
+  private void report(GoalInformation done, Plan plan) {
     long now = clock().micros();
     if (isFinished(done.uid()) && now - reportedMicros < settings.get().reportIntervalMicros()) {
       return;
     }
-    GoalInformation report = done.copy();
+    GoalInformation report =
+        plan.changed().filter(goal -> goal.uid().equals(done.uid())).orElse(done).copy();
     report.timestamp(now);
-    report.completed(progress == Plan.Progress.COMPLETED);
-    report.abandoned(progress == Plan.Progress.ABANDONED);
+    report.completed(plan.progress() == Plan.Progress.COMPLETED);
+    report.abandoned(plan.progress() == Plan.Progress.ABANDONED);
+    if (report.abandoned() && !plan.remark().isEmpty()) {
+      report.reason(plan.remark());
+    }
     publish(Channels.GOAL_REPORTS, report);
     finished = Optional.of(done);
     reportedMicros = now;

@@ -65,8 +65,7 @@ class MissionDocumentTest {
 
     assertThat(Waypoint.TYPE.fields())
         .extracting(MessageField::name)
-        .filteredOn(
-            name -> !List.of("systemId", "timestamp", "completed", "abandoned").contains(name))
+        .filteredOn(name -> !GoalElement.NOT_IN_FILES.contains(name))
         .allSatisfy(name -> assertThat(page).contains("`" + name + "`"));
   }
 }

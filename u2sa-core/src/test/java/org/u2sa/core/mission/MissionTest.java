@@ -117,7 +117,7 @@ class MissionTest {
             "<waypoint><name>a</name><next>a</next><x>1</x></waypoint>\n<waypoint><name>b</name><x>2</x></waypoint>");
 
     assertThat(mission.warnings())
-        .containsExactly(
+        .contains(
             "m.xml, line 3, <waypoint>: no <next> leads to goal \"b\" from the first; it is pursued on command only");
   }
 

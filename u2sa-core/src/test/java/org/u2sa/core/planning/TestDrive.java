@@ -26,6 +26,8 @@ final class TestDrive implements AutoCloseable {
   final ServiceKit kit = new ServiceKit();
   final List<Sample> track = new ArrayList<>();
   private final TestVehicle vehicle;
+  private final Map<String, Object> managerVariables;
+  private MissionManager manager;
 
   TestDrive(TestVehicle vehicle, String missionFile, Map<String, Object> planner) {
     this(vehicle, Map.of("MISSION", missionFile), planner);
@@ -41,12 +43,24 @@ final class TestDrive implements AutoCloseable {
       Map<String, Object> planner,
       Function<ServiceContext, U2SAService> make) {
     this.vehicle = vehicle;
-    kit.with("DEFAULT THRESHOLD", 100.0);
-    manager.forEach(kit::with);
-    kit.start(MissionManager::new);
+    managerVariables = manager;
+    configureManager();
+    this.manager = kit.start(MissionManager::new);
     kit.withoutVariables();
     planner.forEach(kit::with);
     kit.start(make);
+    kit.withoutVariables();
+  }
+
+  private void configureManager() {
+    kit.withoutVariables().with("DEFAULT THRESHOLD", 100.0);
+    managerVariables.forEach(kit::with);
+  }
+
+  /** Ends the Mission Manager and starts it anew, as a launcher does. */
+  void restartManager() {
+    configureManager();
+    manager = kit.restart(manager, MissionManager::new);
     kit.withoutVariables();
   }
 

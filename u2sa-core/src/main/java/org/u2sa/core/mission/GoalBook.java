@@ -1,0 +1,166 @@
+package org.u2sa.core.mission;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalResult;
+import org.u2sa.messages.schema.MessageField;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.service.HandOver;
+
+/**
+ * The goals of a mission by name: each as it is defined, and as it is now, with what the Path
+ * Planner changed in it (thesis 4.2.1.3: shots fired, time of arrival). A goal that is pursued once
+ * more begins as it is defined. Belongs to one thread.
+ */
+final class GoalBook {
+  private static final List<String> KEPT =
+      List.of(
+          "uid",
+          "next",
+          "timeLimit",
+          "choose",
+          "nextIfDone",
+          "nextIfFailed",
+          "nextIfTimedOut",
+          "repeatFrom",
+          "repeatTimes"); // the order is the Mission Manager's, which may have changed it since
+
+  private final Map<String, GoalInformation> defined = new LinkedHashMap<>();
+  private final Map<String, GoalInformation> present = new LinkedHashMap<>();
+  private final Map<String, Long> finished = new LinkedHashMap<>();
+
+  GoalBook(Collection<? extends GoalInformation> goals) {
+    goals.forEach(goal -> put(goal, goal));
+  }
+
+  private void put(GoalInformation definition, GoalInformation now) {
+    defined.put(definition.uid(), definition);
+    present.put(definition.uid(), now);
+  }
+
+  boolean knows(String uid) {
+    return present.containsKey(uid);
+  }
+
+  /** The names in the order in which the goals came to be known. */
+  List<String> names() {
+    return new ArrayList<>(present.keySet());
+  }
+
+  /** The goal as it is now. */
+  GoalInformation goal(String uid) {
+    return present.get(uid);
+  }
+
+  /** The goals as they are now. */
+  List<GoalInformation> named(Collection<String> names) {
+    List<GoalInformation> list = new ArrayList<>();
+    names.forEach(name -> list.add(present.get(name)));
+    return list;
+  }
+
+  /** How often the goal was completed or given up. */
+  long timesFinished(String uid) {
+    return finished.getOrDefault(uid, 0L);
+  }
+
+  /** The goal is to be pursued again: whatever came of it before is forgotten. */
+  void renew(String uid) {
+    present.put(uid, defined.get(uid));
+  }
+
+  /**
+   * Takes note of what came of a goal.
+   *
+   * @param report the fields of which replace the mission's; empty if the planner made none
+   * @param micros when that was [µs of the run's clock]
+   */
+  void finish(
+      String uid, GoalResult result, Optional<GoalInformation> report, String reason, long micros) {
+    finished.merge(uid, 1L, Long::sum);
+    GoalInformation before = present.get(uid);
+    GoalInformation now =
+        report.filter(each -> each.type() == before.type()).isPresent()
+            ? merged(before.copy(), report.get(), KEPT)
+            : before.copy();
+    boolean done = result == GoalResult.DONE;
+    now.completed(done).abandoned(!done).result(result);
+    if (done && now.arrivedAt().isEmpty()) {
+      now.arrivedAt(report.flatMap(each -> optional(each)).orElse(micros));
+    }
+    if (!done && now.reason().isEmpty() && !reason.isEmpty()) {
+      now.reason(reason);
+    }
+    now.freeze();
+    present.put(uid, now);
+  }
+
+  private static Optional<Long> optional(GoalInformation report) {
+    return report.timestamp().isPresent()
+        ? Optional.of(report.timestamp().getAsLong())
+        : Optional.empty();
+  }
+
+  /**
+   * Takes over the fields that are set in an update; a goal that is not known is added.
+   *
+   * @return whether it was known
+   */
+  boolean update(GoalInformation update) {
+    String uid = update.uid();
+    boolean known = defined.containsKey(uid);
+    put(updated(defined.get(uid), update), updated(present.get(uid), update));
+    return known;
+  }
+
+  private static GoalInformation updated(GoalInformation known, GoalInformation update) {
+    GoalInformation goal =
+        known != null && known.type() == update.type()
+            ? merged(known.copy(), update, Collections.emptyList())
+            : update.copy();
+    goal.freeze();
+    return goal;
+  }
+
+  @SuppressWarnings("unchecked") // both are of the type
+  static <T extends GoalInformation> GoalInformation merged(
+      GoalInformation into, GoalInformation from, Collection<String> except) {
+    MessageType<?> type = from.type();
+    for (MessageField<?> each : type.fields()) {
+      MessageField<GoalInformation> field = (MessageField<GoalInformation>) each;
+      if (field.isSet(from) && !except.contains(field.name())) {
+        field.set(into, field.get(from).orElseThrow());
+      }
+    }
+    return into;
+  }
+
+  void handOver(HandOver state, String name) {
+    List<GoalInformation> changed = new ArrayList<>(defined.values());
+    changed.removeIf(goal -> goal == present.get(goal.uid())); // as most are
+    state
+        .messages(name + " GOALS", present.values())
+        .messages(name + " DEFINED", changed)
+        .texts(name + " TIMES", Position.texts(finished));
+  }
+
+  /** The book that was handed over under a name; empty if there is none. */
+  static Optional<GoalBook> takenOver(HandOver state, String name) {
+    List<GoalInformation> goals = state.messages(name + " GOALS", GoalInformation.class);
+    if (goals.isEmpty()) {
+      return Optional.empty();
+    }
+    GoalBook book = new GoalBook(goals);
+    for (GoalInformation goal : state.messages(name + " DEFINED", GoalInformation.class)) {
+      book.defined.put(goal.uid(), goal);
+    }
+    book.finished.putAll(Position.numbers(state.texts(name + " TIMES")));
+    return Optional.of(book);
+  }
+}

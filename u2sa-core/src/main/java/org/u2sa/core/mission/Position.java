@@ -1,0 +1,78 @@
+package org.u2sa.core.mission;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.u2sa.service.HandOver;
+
+/** How far a {@link GoalSequence} is: names of goals only. Belongs to one thread. */
+final class Position {
+  /** Pursued now. */
+  final Set<String> current = new LinkedHashSet<>();
+
+  /** What follows once the current ones are finished. */
+  final Set<String> pending = new LinkedHashSet<>();
+
+  /** Finished in this lap. */
+  final Set<String> finished = new LinkedHashSet<>();
+
+  /** How often a goal's repetition was begun, for goals in the middle of one. */
+  final Map<String, Long> repeats = new LinkedHashMap<>();
+
+  /** How many of the current goals are still to be completed, whichever; 0: as the options say. */
+  long wanted;
+
+  Position() {}
+
+  Position(Position other) {
+    current.addAll(other.current);
+    pending.addAll(other.pending);
+    finished.addAll(other.finished);
+    repeats.putAll(other.repeats);
+    wanted = other.wanted;
+  }
+
+  void handOver(HandOver state, String name) {
+    state
+        .texts(name + " CURRENT", current)
+        .texts(name + " PENDING", pending)
+        .texts(name + " FINISHED", finished)
+        .texts(name + " REPEATS", texts(repeats))
+        .number(name + " WANTED", wanted);
+  }
+
+  static Position takenOver(HandOver state, String name) {
+    Position position = new Position();
+    position.current.addAll(state.texts(name + " CURRENT"));
+    position.pending.addAll(state.texts(name + " PENDING"));
+    position.finished.addAll(state.texts(name + " FINISHED"));
+    position.repeats.putAll(numbers(state.texts(name + " REPEATS")));
+    position.wanted = (long) state.number(name + " WANTED").orElse(0.0);
+    return position;
+  }
+
+  /** Numbers by name as texts: "3 gate". */
+  static List<String> texts(Map<String, Long> numbers) {
+    List<String> texts = new ArrayList<>();
+    numbers.forEach((name, number) -> texts.add(number + " " + name));
+    return texts;
+  }
+
+  /**
+   * @throws IllegalArgumentException if one is not as {@link #texts} writes it
+   */
+  static Map<String, Long> numbers(List<String> texts) {
+    Map<String, Long> numbers = new LinkedHashMap<>();
+    for (String text : texts) {
+      String[] parts = text.split(" ", 2);
+      if (parts.length != 2) {
+        throw new IllegalArgumentException("\"" + text + "\": expected a number and a goal's name");
+      }
+      numbers.put(parts[1], Long.parseLong(parts[0]));
+    }
+    return numbers;
+  }
+}

@@ -1,0 +1,84 @@
+package org.u2sa.gcs.mission;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.UUID;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.gcs.remote.Question;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.contract.MissionAction;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionOrderResult;
+
+/** Gives an order to the Mission Manager, and says what came of it. */
+final class OrderToMissionManager {
+  private OrderToMissionManager() {}
+
+  /**
+   * An order that brings goals.
+   *
+   * @param file a mission file with nothing but goals, which the Mission Manager reads: it knows
+   *     the goals' classes
+   * @throws BadInputException if it is no mission file at all
+   */
+  static MissionOrder withGoals(MissionAction action, Path file) {
+    XmlReader.read(file, "mission");
+    try {
+      return new MissionOrder().action(action).goals(Files.readString(file)).file(file.toString());
+    } catch (CharacterCodingException e) {
+      throw new BadInputException(file + ": is not in UTF-8, in which orders are sent", e);
+    } catch (IOException e) {
+      throw new BadInputException(file + ": " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Sends the order and waits for its result.
+   *
+   * @param order without request ID and operator
+   * @throws RunFailedException if it was refused, or if nobody answered in time
+   */
+  static int give(RemoteSystem remote, MissionOrder order, PrintWriter out)
+      throws InterruptedException {
+    String id = UUID.randomUUID().toString();
+    try (RemoteLink link = remote.connect()) {
+      List<MissionOrderResult> results =
+          link.ask(
+              new Question<>(
+                      Channels.MISSION,
+                      order.requestId(id).operator(RemoteSystem.operator()),
+                      MissionOrderResult.class)
+                  .only(result -> result.requestId().equals(id))
+                  .first());
+      if (results.isEmpty()) {
+        throw nobody(remote, link);
+      }
+      MissionOrderResult result = results.get(0);
+      if (!result.accepted()) {
+        throw new RunFailedException(order.action() + " was not done: " + result.outcome());
+      }
+      out.println(link.systemId() + ": " + result.outcome());
+      return ExitCode.DONE;
+    }
+  }
+
+  /** What to say when nobody answers. */
+  static RunFailedException nobody(RemoteSystem remote, RemoteLink link)
+      throws InterruptedException {
+    return new RunFailedException(
+        link.systemId()
+            + ": no Mission Manager answered within "
+            + link.timeoutS()
+            + " s; ./u2sa services shows whether one runs"
+            + remote.otherSystems(link).map(others -> ";" + others.substring(1)).orElse(""));
+  }
+}

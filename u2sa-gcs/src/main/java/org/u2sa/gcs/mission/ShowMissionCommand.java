@@ -1,0 +1,82 @@
+package org.u2sa.gcs.mission;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.remote.Question;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa mission show}. */
+@Command(
+    name = "show",
+    description = {
+      "Show the goals of the mission: what came of each, when, how far away it is, what follows."
+    })
+final class ShowMissionCommand implements Callable<Integer> {
+  /** Vehicles publish their state several times in this [s]. */
+  private static final double STATE_WITHIN_S = 0.6;
+
+  @Spec private CommandSpec command;
+  @Mixin private RemoteSystem remote;
+
+  @Option(names = "--json", description = "Print JSON.")
+  private boolean json;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    try (RemoteLink link = remote.connect()) {
+      AtomicReference<StateInformation> state = new AtomicReference<>();
+      link.listen(
+          Channels.STATE,
+          message -> {
+            if (message instanceof StateInformation information) {
+              state.set(information);
+            }
+          });
+      MissionReport report = report(link);
+      link.await(() -> state.get() != null, Math.min(STATE_WITHIN_S, link.timeoutS()));
+      print(link.systemId(), new MissionView(report, Optional.ofNullable(state.get())));
+      return ExitCode.DONE;
+    }
+  }
+
+  private MissionReport report(RemoteLink link) throws InterruptedException {
+    String id = UUID.randomUUID().toString();
+    List<MissionReport> reports =
+        link.ask(
+            new Question<>(
+                    Channels.MISSION, new MissionRequest().requestId(id), MissionReport.class)
+                .only(report -> report.requestId().equals(id))
+                .first());
+    if (reports.isEmpty()) {
+      throw OrderToMissionManager.nobody(remote, link);
+    }
+    return reports.get(0);
+  }
+
+  private void print(String systemId, MissionView mission) {
+    PrintWriter out = command.commandLine().getOut();
+    if (json) {
+      out.print(MissionJson.text(systemId, mission)); // has lines of its own
+      out.println();
+    } else {
+      Terminal terminal = Terminal.detect(out, System.getenv());
+      MissionTable.lines(systemId, mission, terminal).forEach(out::println);
+    }
+  }
+}
