@@ -147,6 +147,21 @@ public final class Allocator {
     return ERROR_OVER_EFFORT * relative * relative;
   }
 
+  /**
+   * The wrench that the last commands bring about, X, Y, Z [N], K, M, N [N m], at a speed [m/s].
+   */
+  public double[] present(double speedMps) {
+    double[] wrench = new double[DegreeOfFreedom.COUNT];
+    for (int i = 0; i < percents.length; i++) {
+      Effector effector = effectors.get(i);
+      double share = effector.share(percents[i]) * effector.scaleAt(speedMps);
+      for (DegreeOfFreedom axis : AXES) {
+        wrench[axis.ordinal()] += share * effector.effect(axis);
+      }
+    }
+    return wrench;
+  }
+
   /** The effectors, in the order of {@link #percent}. */
   public List<Effector> effectors() {
     return effectors;
