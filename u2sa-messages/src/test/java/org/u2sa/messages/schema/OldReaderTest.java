@@ -54,6 +54,7 @@ class OldReaderTest {
             .isIn(
                 "OpaqueMessage",
                 "HealthReport",
+                "ActuatorCommand",
                 "StateInformation",
                 "UnknownShape",
                 "Line",
