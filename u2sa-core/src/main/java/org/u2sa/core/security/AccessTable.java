@@ -32,6 +32,10 @@ import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.schema.MessageType;
@@ -59,6 +63,10 @@ public final class AccessTable {
           row(Channels.GOAL_REPORTS, REPORT, SERVICES),
           row(Channels.GOAL_UPDATES, REPORT, ANSWERING),
           row(Channels.GOAL_COMMANDS, ORDER, Set.of(OPERATOR)),
+          row(Channels.MISSION, MissionRequest.TYPE, QUESTION, ALL),
+          row(Channels.MISSION, MissionReport.TYPE, REPORT, SERVICES),
+          row(Channels.MISSION, MissionOrder.TYPE, ORDER, Set.of(OPERATOR)),
+          row(Channels.MISSION, MissionOrderResult.TYPE, REPORT, SERVICES),
           row(Channels.NAVIGATION, REPORT, SERVICES),
           row(Channels.ACTUATION, REPORT, Set.of(CONTROL)),
           row(Channels.ACTUATORS, REPORT, SERVICES),

@@ -68,7 +68,8 @@ class AccessTableTest {
             "arming-state ArmingState safety",
             "failsafe FailsafeState safety",
             "conditions ServiceCondition monitor",
-            "goal-commands GoalCommand operator");
+            "goal-commands GoalCommand operator",
+            "mission MissionOrder operator");
   }
 
   @Test

@@ -32,6 +32,10 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
 import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceOrder;
@@ -83,6 +87,12 @@ public final class Channels {
   /** Orders to turn to another goal; to the Mission Manager. */
   public static final Channel<GoalCommand> GOAL_COMMANDS =
       Channel.every("goal-commands", GoalCommand.TYPE);
+
+  /** How the mission stands, and operators' orders that change it, each with its answer. */
+  public static final Channel<U2SAData> MISSION =
+      Channel.every("mission", U2SAData.TYPE)
+          .carrying(
+              MissionRequest.TYPE, MissionReport.TYPE, MissionOrder.TYPE, MissionOrderResult.TYPE);
 
   /** Where the planner wants each subsystem to be next; to control. */
   public static final Channel<NavigationPoint> NAVIGATION =
@@ -176,6 +186,7 @@ public final class Channels {
           GOAL_REPORTS,
           GOAL_UPDATES,
           GOAL_COMMANDS,
+          MISSION,
           NAVIGATION,
           ACTUATION,
           ACTUATORS,

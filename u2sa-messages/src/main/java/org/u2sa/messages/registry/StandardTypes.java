@@ -34,6 +34,10 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.GoalCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
 import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceOrder;
@@ -106,7 +110,11 @@ public final class StandardTypes implements MessageTypeProvider {
           Polygon.TYPE,
           PolyLine.TYPE,
           MovingSphere.TYPE,
-          OccupancyGrid.TYPE);
+          OccupancyGrid.TYPE,
+          MissionRequest.TYPE,
+          MissionReport.TYPE,
+          MissionOrder.TYPE,
+          MissionOrderResult.TYPE);
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

@@ -187,6 +187,21 @@ public final class Schema<T extends U2SAData> {
     return value(field, "", ScalarKinds.choice(type), FieldPresence.OPTIONAL, null, true);
   }
 
+  /**
+   * A number that may be absent and has no bit in the presence vector: for a class that has
+   * subclasses, whose bits a further one would move.
+   */
+  public NumberField<T> optionalNumberWithoutBit(String field, String unit, double min) {
+    FieldOutline outline = outline(field, unit, FieldPresence.OPTIONAL).at(slots.number());
+    return added(new NumberField<>(outline, unit, Double.NaN, min, ANY_MORE));
+  }
+
+  /** One of an enum's constants; may be absent, without a bit in the presence vector. */
+  public <E extends Enum<E>> ValueField<T, E> optionalChoiceWithoutBit(
+      String field, Class<E> type) {
+    return value(field, "", ScalarKinds.choice(type), FieldPresence.OPTIONAL, null, false);
+  }
+
   /** One of an enum's constants, without which no message is published. */
   public <E extends Enum<E>> ValueField<T, E> requiredChoice(String field, Class<E> type) {
     return value(field, "", ScalarKinds.choice(type), FieldPresence.REQUIRED, null, false);

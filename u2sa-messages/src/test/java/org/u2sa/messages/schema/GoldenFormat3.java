@@ -3,11 +3,18 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.MissionAction;
+import org.u2sa.messages.contract.MissionOrder;
+import org.u2sa.messages.contract.MissionOrderResult;
+import org.u2sa.messages.contract.MissionReport;
+import org.u2sa.messages.contract.MissionRequest;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -17,6 +24,7 @@ final class GoldenFormat3 {
   private GoldenFormat3() {}
 
   static void addTo(GoldenMessages golden) {
+    mission(golden);
     golden.add(
         "RangeScan",
         new RangeScan()
@@ -78,5 +86,58 @@ final class GoldenFormat3 {
         .serviceName("Simulator")
         .status(ServiceStatus.RUNNING)
         .emergencyStops(List.of("anna 1"));
+  }
+
+  private static void mission(GoldenMessages golden) {
+    Waypoint branching = new Waypoint().uid("gate").x(10.0).y(54.0).horizontalThreshold(2.0);
+    branching
+        .nextIf(GoalResult.DONE, List.of("red buoy", "green buoy"))
+        .nextIf(GoalResult.FAILED, List.of("dock"))
+        .nextIf(GoalResult.TIMED_OUT, List.of())
+        .choose(1)
+        .timeLimit(90.5)
+        .repeatFrom("gate")
+        .repeatTimes(2);
+    golden.add("Waypoint-branching", branching);
+    Waypoint lost = new Waypoint().uid("hoop").x(10.0).y(54.0).horizontalThreshold(2.0);
+    lost.abandoned(true)
+        .result(GoalResult.TIMED_OUT)
+        .reason("not done within 90.5 s")
+        .arrivedAt(GoldenMessages.MICROS);
+    golden.add("Waypoint-timed-out", lost);
+    golden.add("MissionRequest", new MissionRequest().requestId("q1"));
+    golden.add(
+        "MissionReport",
+        new MissionReport()
+            .requestId("q1")
+            .serviceName("MissionManager")
+            .mission("missions/boat/gate.xml")
+            .goals(List.of(branching.copy(), lost.copy()))
+            .finished(List.of(0.0, 1.0))
+            .current(List.of("gate"))
+            .upcoming(List.of("red buoy", "green buoy"))
+            .sequence(List.of("gate", "hoop"))
+            .failsafe("RETURN")
+            .elapsed(12.5)
+            .timeLimit(1200.0)
+            .began(GoldenMessages.MICROS)
+            .resumable("gate"));
+    golden.add(
+        "MissionOrder",
+        new MissionOrder()
+            .requestId("o1")
+            .action(MissionAction.INSERT)
+            .uid("gate")
+            .goals("<mission><waypoint><x>1</x></waypoint></mission>")
+            .file("more.xml")
+            .now(true)
+            .operator("anna"));
+    golden.add(
+        "MissionOrderResult",
+        new MissionOrderResult()
+            .requestId("o1")
+            .serviceName("MissionManager")
+            .accepted(true)
+            .outcome("goal \"2\" inserted after \"gate\""));
   }
 }
