@@ -10,6 +10,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
@@ -111,6 +112,7 @@ public final class StandardTypes implements MessageTypeProvider {
           PolyLine.TYPE,
           MovingSphere.TYPE,
           OccupancyGrid.TYPE,
+          PlannedPath.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,

@@ -20,6 +20,7 @@ final class GoldenMessages {
     GoldenFormat2.addTo(golden);
     GoldenFormat3.addTo(golden);
     GoldenWorld.addTo(golden);
+    GoldenPlans.addTo(golden);
     return golden.byName;
   }
 
