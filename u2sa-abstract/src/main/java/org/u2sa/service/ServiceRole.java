@@ -20,6 +20,7 @@ import static org.u2sa.interfaces.communication.Channels.LOCAL_STATE;
 import static org.u2sa.interfaces.communication.Channels.NAVIGATION;
 import static org.u2sa.interfaces.communication.Channels.OBJECTS;
 import static org.u2sa.interfaces.communication.Channels.OPERATOR;
+import static org.u2sa.interfaces.communication.Channels.PLANS;
 import static org.u2sa.interfaces.communication.Channels.POWER;
 import static org.u2sa.interfaces.communication.Channels.SCANS;
 import static org.u2sa.interfaces.communication.Channels.SENSED_OBJECTS;
@@ -49,7 +50,7 @@ public enum ServiceRole {
   /** Keeps the map of objects (3.2.3.3). */
   WORLD_MODELER(List.of(OBJECTS, GRID), List.of(SENSED_OBJECTS, SCANS, STATE, GOALS)),
   /** Decides where to go next (3.2.3.4). */
-  PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS), List.of(STATE, OBJECTS, GRID, GOALS)),
+  PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS, PLANS), List.of(STATE, OBJECTS, GRID, GOALS)),
   /** Turns navigation points into commands (3.2.3.5). */
   CONTROL_SYSTEM(List.of(ACTUATION), List.of(NAVIGATION, STATE, ACTUATORS, GOALS)),
   /** Moves something (3.2.2.5). */
@@ -81,6 +82,7 @@ public enum ServiceRole {
           GRID,
           GOALS,
           NAVIGATION,
+          PLANS,
           ACTUATION,
           ACTUATORS,
           HEALTH,

@@ -24,6 +24,8 @@ public class NavigationPoint extends U2SAData {
       SCHEMA.requiredPoint("point", "m");
   private static final NumberField<NavigationPoint> SPEED =
       SCHEMA.optionalNumber("speed", "m/s", 0.0);
+  private static final ValueField<NavigationPoint, Boolean> BACKWARDS =
+      SCHEMA.since(3).optionalFlag("backwards");
 
   /** The schema. */
   public static final MessageType<NavigationPoint> TYPE = SCHEMA.build();
@@ -71,6 +73,16 @@ public class NavigationPoint extends U2SAData {
   /** Sets {@link #speed()}. */
   public NavigationPoint speed(double value) {
     return put(SPEED, value);
+  }
+
+  /** Whether to go there with the rear first; false until set. */
+  public boolean backwards() {
+    return Boolean.TRUE.equals(get(BACKWARDS));
+  }
+
+  /** Sets {@link #backwards()}. */
+  public NavigationPoint backwards(boolean value) {
+    return put(BACKWARDS, value);
   }
 
   /** The vehicle itself is to go to a point of BODY. */

@@ -12,6 +12,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -105,6 +106,10 @@ public final class Channels {
   public static final Channel<NavigationPoint> NAVIGATION =
       Channel.latest("navigation", NavigationPoint.TYPE, NavigationPoint::subsystem);
 
+  /** The ways that the planner means to take; to screens. */
+  public static final Channel<PlannedPath> PLANS =
+      Channel.latest("plans", PlannedPath.TYPE, PlannedPath::subsystem).retained();
+
   /** Commands to actuators, each addressed by name. */
   public static final Channel<ActuatorCommand> ACTUATION =
       Channel.latest("actuation", ActuatorCommand.TYPE, ActuatorCommand::actuatorName);
@@ -196,6 +201,7 @@ public final class Channels {
           GOAL_COMMANDS,
           MISSION,
           NAVIGATION,
+          PLANS,
           ACTUATION,
           ACTUATORS,
           DISCOVERY,

@@ -13,6 +13,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.StateInformation;
@@ -116,6 +117,7 @@ public final class StandardTypes implements MessageTypeProvider {
           PolyLine.TYPE,
           MovingSphere.TYPE,
           OccupancyGrid.TYPE,
+          PlannedPath.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,
@@ -123,6 +125,13 @@ public final class StandardTypes implements MessageTypeProvider {
           AngleCommand.TYPE,
           SpeedCommand.TYPE,
           ForceCommand.TYPE);
+=======
+          PlannedPath.TYPE,
+          MissionRequest.TYPE,
+          MissionReport.TYPE,
+          MissionOrder.TYPE,
+          MissionOrderResult.TYPE);
+>>>>>>> w-planner
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

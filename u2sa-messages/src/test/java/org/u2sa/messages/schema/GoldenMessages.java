@@ -21,6 +21,7 @@ final class GoldenMessages {
     GoldenFormat3.addTo(golden);
     GoldenWorld.addTo(golden);
     GoldenActuators.addTo(golden);
+    GoldenPlans.addTo(golden);
     return golden.byName;
   }
 

@@ -1,0 +1,59 @@
+package org.u2sa.core.planning.search;
+
+/**
+ * A rectangular vehicle, covered by discs along its axis, so that a few distances tell whether it
+ * touches anything (Ziegler, Stiller: Fast Collision Checking for Intelligent Vehicle Motion
+ * Planning, IV 2010). Immutable.
+ */
+public final class BodyDiscs {
+  private final double[] ahead; // of the reference point [m]
+  private final double radiusM;
+  private final double circleM;
+
+  /**
+   * @param frontM from the reference point to the front [m]
+   * @param rearM from the reference point to the rear [m]
+   * @param widthM width [m], above 0
+   */
+  public BodyDiscs(double frontM, double rearM, double widthM) {
+    double length = frontM + rearM;
+    int count = Math.max(1, (int) Math.ceil(length / widthM));
+    ahead = new double[count];
+    for (int i = 0; i < count; i++) {
+      ahead[i] = -rearM + length * (i + 0.5) / count;
+    }
+    radiusM = Math.hypot(0.5 * length / count, 0.5 * widthM);
+    circleM = Math.hypot(Math.max(Math.abs(frontM), Math.abs(rearM)), 0.5 * widthM);
+  }
+
+  /** How many discs there are. */
+  public int count() {
+    return ahead.length;
+  }
+
+  /** Where a disc is ahead of the reference point [m]. */
+  public double aheadM(int disc) {
+    return ahead[disc];
+  }
+
+  /** Radius of each disc [m]. */
+  public double radiusM() {
+    return radiusM;
+  }
+
+  /** Radius of the circle around the reference point that the vehicle fills as it turns [m]. */
+  public double circleM() {
+    return circleM;
+  }
+
+  /** What is left between the discs and the nearest occupied cell [m]; negative if they touch. */
+  public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
+    double cos = Math.cos(headingRad);
+    double sin = Math.sin(headingRad);
+    double least = Double.POSITIVE_INFINITY;
+    for (double along : ahead) {
+      least = Math.min(least, grid.distanceM(northM + along * cos, eastM + along * sin));
+    }
+    return least - radiusM;
+  }
+}

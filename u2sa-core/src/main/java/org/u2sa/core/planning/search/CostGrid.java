@@ -1,0 +1,171 @@
+package org.u2sa.core.planning.search;
+
+import java.util.Arrays;
+import java.util.function.IntPredicate;
+
+/**
+ * What it costs to go through each cell: 1 a metre in the open, more near obstacles, infinite where
+ * the vehicle would touch one. Outside the grid nothing is known, and nothing in the way.
+ *
+ * <p>Belongs to one thread.
+ */
+public final class CostGrid {
+  /** A square of unknown cells costs so much more than one that was seen to be free. */
+  private static final float UNKNOWN_COST = 0.3f;
+
+  /** Cells of a rectangle, ends included. */
+  public record Area(int firstRow, int firstColumn, int lastRow, int lastColumn) {}
+
+  private final GridFrame frame;
+  private final Inflation inflation;
+  private final boolean[] occupied;
+  private final boolean[] unknown;
+  private final float[] cost;
+  private final DistanceField distances;
+
+  /** A grid with nothing in it, all of it seen. */
+  public CostGrid(GridFrame frame, Inflation inflation) {
+    this.frame = frame;
+    this.inflation = inflation;
+    occupied = new boolean[frame.cells()];
+    unknown = new boolean[frame.cells()];
+    cost = new float[frame.cells()];
+    Arrays.fill(cost, 1.0f);
+    int reach = (int) Math.ceil(inflation.reachM() / frame.cellM()) + 1;
+    distances = new DistanceField(frame.rows(), frame.columns(), reach);
+  }
+
+  /** Where its cells lie. */
+  public GridFrame frame() {
+    return frame;
+  }
+
+  /** What nearness to obstacles costs. */
+  public Inflation inflation() {
+    return inflation;
+  }
+
+  /**
+   * Takes which cells are occupied and which were never seen, and computes costs where that has
+   * changed something.
+   *
+   * @return the cells whose cost may have changed; null if none
+   */
+  public Area update(IntPredicate isOccupied, IntPredicate isUnknown) {
+    return update(new Area(0, 0, frame.rows() - 1, frame.columns() - 1), isOccupied, isUnknown);
+  }
+
+  /** The same, where nothing has changed outside an area. */
+  public Area update(Area where, IntPredicate isOccupied, IntPredicate isUnknown) {
+    int top = Integer.MAX_VALUE;
+    int left = Integer.MAX_VALUE;
+    int bottom = -1;
+    int right = -1;
+    for (int row = where.firstRow(); row <= where.lastRow(); row++) {
+      for (int column = where.firstColumn(); column <= where.lastColumn(); column++) {
+        int i = frame.index(row, column);
+        boolean full = isOccupied.test(i);
+        boolean unseen = isUnknown.test(i);
+        if (full != occupied[i] || unseen != unknown[i]) {
+          occupied[i] = full;
+          unknown[i] = unseen;
+          top = Math.min(top, row);
+          bottom = row;
+          left = Math.min(left, column);
+          right = Math.max(right, column);
+        }
+      }
+    }
+    if (bottom < 0) {
+      return null;
+    }
+    int[] near = distances.update(occupied, top, left, bottom, right);
+    for (int row = near[0]; row <= near[2]; row++) {
+      for (int i = frame.index(row, near[1]); i <= frame.index(row, near[3]); i++) {
+        cost[i] = (float) inflation.cost(distanceM(i)) + (unknown[i] ? UNKNOWN_COST : 0.0f);
+      }
+    }
+    return new Area(near[0], near[1], near[2], near[3]);
+  }
+
+  /** Whether something stands in a cell. */
+  public boolean isOccupied(int index) {
+    return occupied[index];
+  }
+
+  /** Whether nobody has seen what is in a cell. */
+  public boolean isUnknown(int index) {
+    return unknown[index];
+  }
+
+  /** Whether the vehicle's centre may be in a cell. */
+  public boolean isFree(int index) {
+    return cost[index] < Float.POSITIVE_INFINITY;
+  }
+
+  /** Cost of a metre in a cell, at least 1; infinite where no way leads. */
+  public float cost(int index) {
+    return cost[index];
+  }
+
+  /**
+   * Distance from a cell's centre to the edge of the nearest occupied cell [m]; at most a little
+   * more than the inflation's reach.
+   */
+  public double distanceM(int index) {
+    return Math.max(0.0, distances.cells(index) - 0.5) * frame.cellM();
+  }
+
+  /** The same for a point; outside the grid as far as distances reach. */
+  public double distanceM(double northM, double eastM) {
+    int index = frame.indexAt(northM, eastM);
+    return index < 0 ? inflation.reachM() : distanceM(index);
+  }
+
+  /** Cost of a metre at a point; 1 outside. */
+  public double cost(double northM, double eastM) {
+    int index = frame.indexAt(northM, eastM);
+    return index < 0 ? 1.0 : cost[index];
+  }
+
+  /**
+   * Cost of a straight way: its length in metres, each times the cost where it lies; infinite if it
+   * leads where no way leads.
+   */
+  public double straightCost(double north, double east, double toNorth, double toEast) {
+    double length = Math.hypot(toNorth - north, toEast - east);
+    int steps = Math.max(1, (int) Math.ceil(length / (0.5 * frame.cellM())));
+    double sum = 0.0;
+    for (int k = 0; k < steps; k++) {
+      double share = (k + 0.5) / steps;
+      double here = cost(north + share * (toNorth - north), east + share * (toEast - east));
+      if (here == Double.POSITIVE_INFINITY) {
+        return here;
+      }
+      sum += here;
+    }
+    return sum * length / steps;
+  }
+
+  /** The free cell nearest to a point within a distance; −1 if there is none. */
+  public int nearestFree(double northM, double eastM, double withinM) {
+    int row = frame.row(northM);
+    int column = frame.column(eastM);
+    int span = (int) Math.ceil(withinM / frame.cellM()) + 1;
+    int best = -1;
+    double nearest = withinM;
+    for (int r = Math.max(0, row - span); r <= Math.min(frame.rows() - 1, row + span); r++) {
+      for (int c = Math.max(0, column - span);
+          c <= Math.min(frame.columns() - 1, column + span);
+          c++) {
+        int i = frame.index(r, c);
+        double away = Math.hypot(frame.centreNorthM(i) - northM, frame.centreEastM(i) - eastM);
+        if (isFree(i) && (away < nearest || (best < 0 && away <= nearest))) {
+          best = i;
+          nearest = away;
+        }
+      }
+    }
+    return best;
+  }
+}

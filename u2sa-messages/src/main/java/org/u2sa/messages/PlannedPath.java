@@ -1,0 +1,125 @@
+package org.u2sa.messages;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
+
+/** The way that the Path Planner means to take to its goal, and what that costs; for screens. */
+public final class PlannedPath extends U2SAData {
+  private static final Schema<PlannedPath> SCHEMA =
+      Schema.of(PlannedPath.class, PlannedPath::new, U2SAData.TYPE).since(3);
+  private static final ValueField<PlannedPath, String> SUBSYSTEM =
+      SCHEMA.text("subsystem", "VEHICLE");
+  private static final ValueField<PlannedPath, String> GOAL = SCHEMA.text("goal", "");
+  private static final ValueField<PlannedPath, String> PLANNER = SCHEMA.requiredText("planner");
+  private static final ValueField<PlannedPath, PathStatus> STATUS =
+      SCHEMA.requiredChoice("status", PathStatus.class);
+  private static final ValueField<PlannedPath, String> REASON = SCHEMA.optionalText("reason");
+  private static final ValueField<PlannedPath, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
+  private static final ValueField<PlannedPath, List<Point>> POINTS = SCHEMA.points("points", "m");
+  private static final NumberField<PlannedPath> COST = SCHEMA.optionalNumber("cost", "m", 0.0);
+
+  /** The schema. */
+  public static final MessageType<PlannedPath> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<PlannedPath> type() {
+    return TYPE;
+  }
+
+  /** Which part is to move; "VEHICLE" until set. */
+  public String subsystem() {
+    return require(SUBSYSTEM);
+  }
+
+  /** Sets {@link #subsystem()}. */
+  public PlannedPath subsystem(String value) {
+    return put(SUBSYSTEM, value);
+  }
+
+  /** UID of the goal to which it leads; empty if none. */
+  public String goal() {
+    return get(GOAL);
+  }
+
+  /** Sets {@link #goal()}. */
+  public PlannedPath goal(String uid) {
+    return put(GOAL, uid);
+  }
+
+  /** Which planner found it, as the variable PLANNER names it. */
+  public String planner() {
+    return require(PLANNER);
+  }
+
+  /** Sets {@link #planner()}. */
+  public PlannedPath planner(String name) {
+    return put(PLANNER, name);
+  }
+
+  /** What the vehicle does with it. */
+  public PathStatus status() {
+    return require(STATUS);
+  }
+
+  /** Sets {@link #status()}. */
+  public PlannedPath status(PathStatus value) {
+    return put(STATUS, value);
+  }
+
+  /** Why, as an operator reads it; empty if all is well. */
+  public Optional<String> reason() {
+    return Optional.ofNullable(get(REASON));
+  }
+
+  /** Sets {@link #reason()}. */
+  public PlannedPath reason(String text) {
+    return put(REASON, text);
+  }
+
+  /** The axes of the points; GLOBAL until set. */
+  public ReferenceFrame referenceFrame() {
+    return get(REFERENCE_FRAME);
+  }
+
+  /** Sets {@link #referenceFrame()}. */
+  public PlannedPath referenceFrame(ReferenceFrame frame) {
+    return put(REFERENCE_FRAME, frame);
+  }
+
+  /** Corners of the way, from where the vehicle was when it was planned to the goal. */
+  public List<Point> points() {
+    return require(POINTS);
+  }
+
+  /** Sets {@link #points()}. */
+  public PlannedPath points(List<Point> value) {
+    return put(POINTS, value);
+  }
+
+  /**
+   * What the way costs: its length, each metre times the cost of where it lies [m]; empty if there
+   * is no way.
+   */
+  public OptionalDouble cost() {
+    return get(COST);
+  }
+
+  /** Sets {@link #cost()}. */
+  public PlannedPath cost(double metres) {
+    return put(COST, metres);
+  }
+
+  @Override
+  public PlannedPath copy() {
+    return (PlannedPath) super.copy();
+  }
+}

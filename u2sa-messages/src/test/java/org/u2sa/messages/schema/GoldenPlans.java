@@ -1,0 +1,30 @@
+package org.u2sa.messages.schema;
+
+import java.util.List;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.PathStatus;
+import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** What the planners that see brought. */
+final class GoldenPlans {
+  private GoldenPlans() {}
+
+  static void addTo(GoldenMessages golden) {
+    golden.add(
+        "PlannedPath",
+        new PlannedPath()
+            .subsystem("ARM")
+            .goal("3")
+            .planner("GRID")
+            .status(PathStatus.WAITING)
+            .reason("traffic on the way")
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .points(List.of(Point.of(0.0, 0.0, 0.0), Point.of(4.5, -2.0, 0.0)))
+            .cost(6.25));
+    golden.add(
+        "NavigationPoint-backwards",
+        NavigationPoint.at(Point.of(-1.5, 0.25, 0.0)).speed(0.5).backwards(true));
+  }
+}
