@@ -125,13 +125,6 @@ public final class StandardTypes implements MessageTypeProvider {
           AngleCommand.TYPE,
           SpeedCommand.TYPE,
           ForceCommand.TYPE);
-=======
-          PlannedPath.TYPE,
-          MissionRequest.TYPE,
-          MissionReport.TYPE,
-          MissionOrder.TYPE,
-          MissionOrderResult.TYPE);
->>>>>>> w-planner
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

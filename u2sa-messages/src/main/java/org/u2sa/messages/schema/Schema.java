@@ -108,11 +108,6 @@ public final class Schema<T extends U2SAData> {
     return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, max);
   }
 
-  /** A number that may be absent, within bounds. */
-  public NumberField<T> optionalNumber(String field, String unit, double min, double max) {
-    return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, max);
-  }
-
   /**
    * A coordinate that may be absent: in metres, but in degrees in messages that are written in
    * GLOBAL.

@@ -87,7 +87,10 @@ class SearchProperties {
       GridPath.Corner to = way.corners().get(i);
       boolean neighbours =
           Math.hypot(to.northM() - from.northM(), to.eastM() - from.eastM()) < 1.5 * FRAME.cellM();
-      assertThat(neighbours ? 1.0 : grid.straightCost(from.northM(), from.eastM(), to.northM(), to.eastM()))
+      assertThat(
+              neighbours
+                  ? 1.0
+                  : grid.straightCost(from.northM(), from.eastM(), to.northM(), to.eastM()))
           .isLessThan(Double.POSITIVE_INFINITY);
     }
   }
