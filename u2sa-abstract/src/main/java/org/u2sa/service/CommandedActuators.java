@@ -173,11 +173,11 @@ public final class CommandedActuators {
       boolean stopped = emergency.isStopped();
       service.log(
           stopped ? LogLevelEnum.WARN : LogLevelEnum.INFO,
-          (stopped ? "emergency stop" : "emergency stop cleared")
-              + " by \""
-              + message.operator()
-              + "\": "
-              + message.reason());
+          String.format(
+              "%s by \"%s\": %s",
+              stopped ? "emergency stop" : "emergency stop cleared",
+              message.operator(),
+              message.reason()));
       commands.forget();
     }
     stopUnlessItMayMove();

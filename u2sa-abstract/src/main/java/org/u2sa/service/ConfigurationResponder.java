@@ -226,17 +226,13 @@ final class ConfigurationResponder {
     for (ConfigurationAssignment assignment : outcome.assignments()) {
       service.log(
           LogLevelEnum.INFO,
-          "variable \""
-              + assignment.variableName()
-              + "\" changed by "
-              + who
-              + ": "
-              + assignment.previous().orElse("?")
-              + " → "
-              + assignment.value()
-              + " (revision "
-              + outcome.revision()
-              + ")");
+          String.format(
+              "variable \"%s\" changed by %s: %s → %s (revision %s)",
+              assignment.variableName(),
+              who,
+              assignment.previous().orElse("?"),
+              assignment.value(),
+              outcome.revision()));
     }
   }
 }

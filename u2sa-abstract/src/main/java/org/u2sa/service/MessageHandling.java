@@ -21,7 +21,7 @@ final class MessageHandling {
   private final int maxErrorsInARow;
   private volatile boolean patient;
 
-  MessageHandling(U2SAService service, ServiceVariables variables) {
+  MessageHandling(U2SAService service, ServiceConfiguration.ServiceVariables variables) {
     this.service = service;
     callback = service::callback;
     registrations = service.wiring.registrations();
@@ -116,12 +116,9 @@ final class MessageHandling {
       String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
       service.log(
           LogLevelEnum.WARN,
-          delivery.channel()
-              + ": message "
-              + age
-              + " counts as absent after "
-              + deadline
-              + delivery.message());
+          String.format(
+              "%s: message %s counts as absent after %s%s",
+              delivery.channel(), age, deadline, delivery.message()));
     }
     return false;
   }

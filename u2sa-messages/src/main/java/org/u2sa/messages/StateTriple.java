@@ -76,12 +76,9 @@ enum StateTriple {
   void requirePair(StateInformation state, String what) {
     if (state.number(fields[0]).isPresent() != state.number(fields[1]).isPresent()) {
       throw new IllegalArgumentException(
-          what
-              + ": "
-              + fields[0].fieldName()
-              + " and "
-              + fields[1].fieldName()
-              + " are needed both or neither");
+          String.format(
+              "%s: %s and %s are needed both or neither",
+              what, fields[0].fieldName(), fields[1].fieldName()));
     }
   }
 }

@@ -57,13 +57,12 @@ final class RemoteConfiguration {
             .map(ConfigurationResponse::serviceName)
             .collect(Collectors.toCollection(TreeSet::new));
     throw new BadInputException(
-        "no service \""
-            + service
-            + "\" answered in system \""
-            + link.systemId()
-            + "\"; there are "
-            + String.join(", ", there)
-            + NearestNames.didYouMean(service, there));
+        String.format(
+            "no service \"%s\" answered in system \"%s\"; there are %s%s",
+            service,
+            link.systemId(),
+            String.join(", ", there),
+            NearestNames.didYouMean(service, there)));
   }
 
   // Everybody is asked even where one is meant: who does answer helps those who mistyped a name.
@@ -96,11 +95,9 @@ final class RemoteConfiguration {
     int index = names.indexOf(name);
     if (index < 0) {
       throw new BadInputException(
-          of.serviceName()
-              + ", variable \""
-              + name
-              + "\": there is none"
-              + NearestNames.didYouMean(name, names));
+          String.format(
+              "%s, variable \"%s\": there is none%s",
+              of.serviceName(), name, NearestNames.didYouMean(name, names)));
     }
     return of.variables().get(index);
   }
@@ -149,12 +146,9 @@ final class RemoteConfiguration {
 
   private RunFailedException nobody(String service) {
     return new RunFailedException(
-        service
-            + " of system \""
-            + link.systemId()
-            + "\" did not answer within "
-            + link.timeoutS()
-            + " s; ./u2sa config list shows which services do");
+        String.format(
+            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which services do",
+            service, link.systemId(), link.timeoutS()));
   }
 
   /** What was changed, a line for each variable, and the revision. */
@@ -169,10 +163,11 @@ final class RemoteConfiguration {
 
   private static String told(ConfigurationAssignment assignment, ConfigurationVariable variable) {
     String unit = variable.unit().isEmpty() ? "" : " " + variable.unit();
-    return assignment.variableName()
-        + ": "
-        + assignment.previous().map(previous -> previous + " → ").orElse("")
-        + assignment.value()
-        + unit;
+    return String.format(
+        "%s: %s%s%s",
+        assignment.variableName(),
+        assignment.previous().map(previous -> previous + " → ").orElse(""),
+        assignment.value(),
+        unit);
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.gcs.remote;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -66,10 +67,11 @@ public final class RemoteLink implements AutoCloseable {
    *
    * @throws CommunicationException if the broker refuses the subscription
    */
-  public void listen(Channel<?> channel, Consumer<U2SAData> listener) {
-    List<Consumer<U2SAData>> ofChannel =
-        listeners.computeIfAbsent(channel.name(), name -> new CopyOnWriteArrayList<>());
-    ofChannel.add(listener);
+  @SuppressWarnings("unchecked") // only messages of the channel's type come in on it
+  public <T extends U2SAData> void listen(Channel<T> channel, Consumer<? super T> listener) {
+    listeners
+        .computeIfAbsent(channel.name(), name -> new CopyOnWriteArrayList<>())
+        .add((Consumer<U2SAData>) listener);
     if (!connection.subscribe(channel)) {
       throw new CommunicationException(
           "the broker refuses \"" + channel + "\" of system \"" + systemId + "\"");
@@ -77,11 +79,8 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /** Ends {@link #listen} for this listener. */
-  public void listenNoMore(Channel<?> channel, Consumer<U2SAData> listener) {
-    List<Consumer<U2SAData>> ofChannel = listeners.get(channel.name());
-    if (ofChannel != null) {
-      ofChannel.remove(listener);
-    }
+  public void listenNoMore(Channel<?> channel, Consumer<?> listener) {
+    listeners.getOrDefault(channel.name(), new ArrayList<>()).remove(listener);
   }
 
   /**

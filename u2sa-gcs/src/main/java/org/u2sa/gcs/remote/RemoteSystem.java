@@ -144,11 +144,9 @@ public final class RemoteSystem {
     }
     if (heard.size() > 1) {
       throw new BadInputException(
-          "several systems heard at "
-              + broker
-              + ": "
-              + String.join(", ", heard)
-              + "; --system chooses one");
+          String.format(
+              "several systems heard at %s: %s; --system chooses one",
+              broker, String.join(", ", heard)));
     }
     return heard.first();
   }

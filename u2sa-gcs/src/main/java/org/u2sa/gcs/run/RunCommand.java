@@ -201,11 +201,9 @@ public final class RunCommand implements Callable<Integer> {
       terminal
           .out()
           .println(
-              "System "
-                  + file.systemId()
-                  + " runs: "
-                  + (file.services().isEmpty() ? MANAGER : names(system.services()))
-                  + ". Ctrl-C ends it.");
+              String.format(
+                  "System %s runs: %s. Ctrl-C ends it.",
+                  file.systemId(), file.services().isEmpty() ? MANAGER : names(system.services())));
       if (file.services().isEmpty()) {
         new CountDownLatch(1).await(); // the Communication Manager alone, until interrupted
       }
@@ -237,11 +235,9 @@ public final class RunCommand implements Callable<Integer> {
       terminal
           .out()
           .println(
-              "System "
-                  + file.systemId()
-                  + " runs in processes: "
-                  + processes.names()
-                  + ". Ctrl-C ends it.");
+              String.format(
+                  "System %s runs in processes: %s. Ctrl-C ends it.",
+                  file.systemId(), processes.names()));
       boolean endedWell = processes.awaitEnd().isEmpty();
       if (processes.isRefused()) {
         terminal

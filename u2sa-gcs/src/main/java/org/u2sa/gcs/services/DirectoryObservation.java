@@ -10,7 +10,6 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceCondition;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.directory.KnownService;
 import org.u2sa.service.directory.ServiceDirectory;
 
@@ -55,14 +54,12 @@ final class DirectoryObservation {
         && link.clock().micros() - beganMicros >= Clock.micros(LISTEN_S);
   }
 
-  private void note(U2SAData message) {
-    if (message instanceof ServiceCondition condition) {
-      synchronized (conditions) {
-        if (condition.condition() == Condition.UNWATCHED) {
-          conditions.remove(condition.serviceName());
-        } else {
-          conditions.put(condition.serviceName(), condition);
-        }
+  private void note(ServiceCondition condition) {
+    synchronized (conditions) {
+      if (condition.condition() == Condition.UNWATCHED) {
+        conditions.remove(condition.serviceName());
+      } else {
+        conditions.put(condition.serviceName(), condition);
       }
     }
   }

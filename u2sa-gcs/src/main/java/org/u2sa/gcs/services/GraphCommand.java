@@ -55,10 +55,9 @@ public final class GraphCommand implements Callable<Integer> {
       DirectoryObservation observation = settled.observation();
       if (observation.names().isEmpty()) {
         throw new RunFailedException(
-            "no service of system \""
-                + link.systemId()
-                + "\" answers at "
-                + remote.brokerAddress());
+            String.format(
+                "no service of system \"%s\" answers at %s",
+                link.systemId(), remote.brokerAddress()));
       }
       ServiceGraph graph = ServiceGraph.of(observation.directory().services());
       if (!settled.hasSettled()) {

@@ -2,14 +2,23 @@ package org.u2sa.gcs.services;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.gcs.terminal.TextTable;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.directory.Found;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.directory.DataOffer;
+import org.u2sa.service.directory.KnownService;
+import org.u2sa.service.directory.ServiceDirectory;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -83,13 +92,13 @@ public final class ServicesCommand implements Callable<Integer> {
     }
   }
 
-  private static int print(PrintWriter out, List<Found> found, String does) {
+  private static int print(PrintWriter out, List<ServiceDirectory.Found> found, String does) {
     if (found.isEmpty()) {
       out.println("Nobody " + does + ".");
       return ExitCode.FAILED;
     }
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE", "");
-    for (Found each : found) {
+    for (ServiceDirectory.Found each : found) {
       table.add(
           each.service().name(),
           each.offer().channel(),
@@ -121,5 +130,42 @@ public final class ServicesCommand implements Callable<Integer> {
 
   private static String cut(String line, int columns) {
     return line.length() < columns ? line : line.substring(0, columns - 1);
+  }
+
+  /** The type of data that an operator names. */
+  private static final class DataType {
+    private DataType() {}
+
+    /**
+     * The type and its ancestors, base first: of a type known here, or of one that some service
+     * named.
+     *
+     * @throws BadInputException if nobody knows it; names those that are near
+     */
+    static List<String> chain(String name, ServiceDirectory directory) {
+      Optional<MessageType<?>> known = MessageTypes.discovered().byName(name);
+      if (known.isPresent()) {
+        return known.get().chain();
+      }
+      SortedSet<String> names = new TreeSet<>();
+      for (MessageType<?> type : MessageTypes.discovered().all()) {
+        names.add(type.name());
+      }
+      for (KnownService service : directory.services()) {
+        for (List<DataOffer> offers : List.of(service.publishes(), service.subscribes())) {
+          for (DataOffer offer : offers) {
+            int at = offer.typeChain().indexOf(name);
+            if (at >= 0) {
+              return offer.typeChain().subList(0, at + 1);
+            }
+            names.addAll(offer.typeChain());
+          }
+        }
+      }
+      throw new BadInputException(
+          String.format(
+              "no data of type \"%s\" is known here or to any service%s",
+              name, NearestNames.didYouMean(name, names)));
+    }
   }
 }

@@ -111,16 +111,16 @@ public final class NewCommand implements Callable<Integer> {
   }
 
   private void list(Templates available) {
-    Map<String, TemplateKind> kinds = available.kinds();
+    Map<String, Templates.TemplateKind> kinds = available.kinds();
     int width = kinds.keySet().stream().mapToInt(String::length).max().orElse(0);
     PrintWriter out = command.commandLine().getOut();
-    for (TemplateKind each : kinds.values()) {
+    for (Templates.TemplateKind each : kinds.values()) {
       String padding = " ".repeat(width - each.name().length());
       out.println(each.name() + padding + "  " + each.description() + " (" + each.origin() + ")");
     }
   }
 
-  private void make(Templates available, TemplateKind chosen, Naming naming) {
+  private void make(Templates available, Templates.TemplateKind chosen, Naming naming) {
     if (MessageTypes.discovered().byName(naming.className()).isPresent()) {
       throw new BadInputException(
           "name \"" + name + "\": U2SA has a message " + naming.className() + "; expected another");
@@ -192,7 +192,7 @@ public final class NewCommand implements Callable<Integer> {
   }
 
   private void tell(
-      TemplateKind made,
+      Templates.TemplateKind made,
       Path folder,
       boolean added,
       List<String> files,

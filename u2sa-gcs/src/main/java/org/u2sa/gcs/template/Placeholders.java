@@ -32,14 +32,13 @@ record Placeholders(Map<String, String> values) {
       if (value == null) {
         long line = text.substring(0, matcher.start()).lines().count();
         throw new BadInputException(
-            origin
-                + ", line "
-                + Math.max(1, line)
-                + ": unknown placeholder "
-                + matcher.group()
-                + "; expected one of "
-                + String.join(", ", values.keySet().stream().sorted().toList())
-                + NearestNames.didYouMean(matcher.group(1), values.keySet()));
+            String.format(
+                "%s, line %s: unknown placeholder %s; expected one of %s%s",
+                origin,
+                Math.max(1, line),
+                matcher.group(),
+                String.join(", ", values.keySet().stream().sorted().toList()),
+                NearestNames.didYouMean(matcher.group(1), values.keySet())));
       }
       matcher.appendReplacement(filled, Matcher.quoteReplacement(value));
     }

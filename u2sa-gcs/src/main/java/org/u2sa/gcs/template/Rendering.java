@@ -56,11 +56,8 @@ final class Rendering {
     if (file.origin().endsWith(".java")
         && Pattern.compile("\\b" + className + "\\b").matcher(text).find()) {
       throw new BadInputException(
-          "name "
-              + className
-              + ": "
-              + file.origin()
-              + " uses a class of that name; expected another");
+          String.format(
+              "name %s: %s uses a class of that name; expected another", className, file.origin()));
     }
     return placeholders.fill(text, file.origin()).getBytes(StandardCharsets.UTF_8);
   }

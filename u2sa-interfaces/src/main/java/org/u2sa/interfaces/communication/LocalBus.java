@@ -82,11 +82,9 @@ public final class LocalBus implements Transport {
   public Connection connect(String serviceName, Receiver receiver) {
     if (!names.add(serviceName)) {
       throw new CommunicationException(
-          "service name \""
-              + serviceName
-              + "\" is taken in system \""
-              + systemId
-              + "\": names must differ");
+          String.format(
+              "service name \"%s\" is taken in system \"%s\": names must differ",
+              serviceName, systemId));
     }
     return new LocalConnection(serviceName, receiver);
   }

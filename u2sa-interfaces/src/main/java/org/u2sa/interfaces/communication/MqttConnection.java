@@ -65,11 +65,9 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     } catch (MqttException | IllegalArgumentException e) {
       close();
       throw new CommunicationException(
-          "no Communication Manager at "
-              + address
-              + ": "
-              + MqttSession.reason(e)
-              + "; is it running, and is the address right?",
+          String.format(
+              "no Communication Manager at %s: %s; is it running, and is the address right?",
+              address, MqttSession.reason(e)),
           e);
     }
   }

@@ -60,12 +60,9 @@ record AuditEntry(
         values.stream()
             .map(
                 value ->
-                    "\""
-                        + value.variable()
-                        + "\" "
-                        + value.before().orElse("?")
-                        + " → "
-                        + value.after())
+                    String.format(
+                        "\"%s\" %s → %s",
+                        value.variable(), value.before().orElse("?"), value.after()))
             .collect(Collectors.joining(", "));
     String who = origin.author().isEmpty() ? "somebody" : "\"" + origin.author() + "\"";
     return who + ": " + what + " (revision " + revision + ")";

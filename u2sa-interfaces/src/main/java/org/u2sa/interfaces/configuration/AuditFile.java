@@ -146,7 +146,7 @@ final class AuditFile implements ChangeJournal {
 
   private void write(Path path, byte[] line) throws IOException {
     if (Files.exists(target())) {
-      FileOwnership.copy(target(), path);
+      WholeFile.FileOwnership.copy(target(), path);
     }
     boolean interrupted = Thread.interrupted();
     try (FileChannel file =

@@ -62,11 +62,9 @@ final class ChangePlanner {
     if (!now.map(FileVariable::text).equals(seen)) {
       throw new ConfigurationException(
           place(name)
-              + "is "
-              + now.map(FileVariable::text).orElse("absent")
-              + " in the file, not "
-              + seen.orElse("absent")
-              + " as the service read it; to overwrite it, name no revision");
+              + String.format(
+                  "is %s in the file, not %s as the service read it; to overwrite it, name no revision",
+                  now.map(FileVariable::text).orElse("absent"), seen.orElse("absent")));
     }
   }
 
@@ -90,13 +88,11 @@ final class ChangePlanner {
     if (!before.map(FileVariable::text).equals(value.textAfter())) {
       throw new ConfigurationException(
           place(name)
-              + "is "
-              + before.map(FileVariable::text).orElse("absent")
-              + ", not "
-              + value.textAfter().orElse("absent")
-              + " as revision "
-              + revision
-              + " left it: not taken back");
+              + String.format(
+                  "is %s, not %s as revision %s left it: not taken back",
+                  before.map(FileVariable::text).orElse("absent"),
+                  value.textAfter().orElse("absent"),
+                  revision));
     }
     Optional<FileVariable> after;
     try {

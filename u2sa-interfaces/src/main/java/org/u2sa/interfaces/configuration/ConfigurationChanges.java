@@ -26,7 +26,8 @@ final class ConfigurationChanges {
   private volatile long revision; // written by one thread at a time
 
   ConfigurationChanges(LiveValues live, Optional<Path> path) {
-    this(live, path, path.isPresent() ? new AuditFile(path.get()) : new MemoryJournal(), 0);
+    this(
+        live, path, path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory(), 0);
   }
 
   private ConfigurationChanges(
@@ -230,13 +231,9 @@ final class ConfigurationChanges {
 
   private String outdated(long seen, ChangeHistory history) {
     String since = history.since(seen);
-    return live.origin()
-        + ": is at revision "
-        + history.revision()
-        + " by now, not "
-        + seen
-        + (since.isEmpty() ? "" : "; since then " + since)
-        + ": nothing was changed";
+    return String.format(
+        "%s: is at revision %s by now, not %s%s: nothing was changed",
+        live.origin(), history.revision(), seen, since.isEmpty() ? "" : "; since then " + since);
   }
 
   /** {@code X.xml, variable "A": cannot be written, the old value stays: }. */

@@ -27,26 +27,18 @@ final class RefusedTexts {
   static void refuseTooMuch(Map<String, ?> wanted, String origin) {
     if (wanted.size() > MOST_VARIABLES) {
       throw new ConfigurationException(
-          origin
-              + ": "
-              + wanted.size()
-              + " variables at once, expected "
-              + MOST_VARIABLES
-              + " at most");
+          String.format(
+              "%s: %s variables at once, expected %s at most",
+              origin, wanted.size(), MOST_VARIABLES));
     }
     wanted.forEach(
         (name, value) -> {
           int length = Math.max(name.length(), String.valueOf(value).length());
           if (length > LONGEST_VALUE) {
             throw new ConfigurationException(
-                origin
-                    + ", variable \""
-                    + shortened(name)
-                    + "\": "
-                    + length
-                    + " characters, expected "
-                    + LONGEST_VALUE
-                    + " at most");
+                String.format(
+                    "%s, variable \"%s\": %s characters, expected %s at most",
+                    origin, shortened(name), length, LONGEST_VALUE));
           }
         });
   }

@@ -18,7 +18,7 @@ public final class XmlElement {
   private final String origin;
   private final String name;
   private final int line;
-  private final XmlSpan span;
+  private final Span span;
   private final Map<String, String> attributes;
   private final List<XmlElement> children;
   private final String text;
@@ -27,7 +27,7 @@ public final class XmlElement {
       String origin,
       String name,
       int line,
-      XmlSpan span,
+      Span span,
       Map<String, String> attributes,
       List<XmlElement> children,
       String text) {
@@ -104,11 +104,8 @@ public final class XmlElement {
       throw found
           .get(1)
           .error(
-              "stands twice in <"
-                  + name
-                  + ">; it stands in line "
-                  + found.get(0).line
-                  + " already");
+              String.format(
+                  "stands twice in <%s>; it stands in line %s already", name, found.get(0).line));
     }
     return found.stream().findFirst();
   }
@@ -167,7 +164,7 @@ public final class XmlElement {
     }
   }
 
-  XmlSpan span() {
+  Span span() {
     return span;
   }
 
@@ -184,4 +181,13 @@ public final class XmlElement {
   public String toString() {
     return origin + ", line " + line + ", <" + name + ">";
   }
+
+  /**
+   * Where an element stands in the text of its file, in characters from its beginning.
+   *
+   * @param start index of the start tag's {@code <}
+   * @param endTag index of the end tag's {@code <}; of no meaning for an empty-element tag, which
+   *     has none
+   */
+  record Span(int start, int endTag) {}
 }

@@ -34,12 +34,9 @@ final class CborWriter {
     byte[] bytes = buffer.toByteArray();
     if (bytes.length > Limits.PAYLOAD_BYTES) {
       throw new IllegalStateException(
-          String.join("/", message.typeChain())
-              + ": "
-              + bytes.length
-              + " bytes exceed the "
-              + Limits.PAYLOAD_BYTES
-              + " that readers take");
+          String.format(
+              "%s: %s bytes exceed the %s that readers take",
+              String.join("/", message.typeChain()), bytes.length, Limits.PAYLOAD_BYTES));
     }
     return bytes;
   }

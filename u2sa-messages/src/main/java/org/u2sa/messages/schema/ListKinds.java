@@ -18,7 +18,7 @@ final class ListKinds {
           Double.class,
           "numbers",
           ",",
-          new SingleKind<>(
+          new ScalarKinds.SingleKind<>(
               Kind.DOUBLE,
               ListKinds::finite,
               ListKinds::parseNumber,

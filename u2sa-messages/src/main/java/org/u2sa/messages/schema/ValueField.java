@@ -99,4 +99,13 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
       to.storage().put(this, values.copied(from.storage().get(this)));
     }
   }
+
+  /** A constant of an enum that a later version of the data model has and this reader does not. */
+  static final class UnknownConstantException extends IllegalArgumentException {
+    private static final long serialVersionUID = 1L;
+
+    UnknownConstantException(String message) {
+      super(message);
+    }
+  }
 }
