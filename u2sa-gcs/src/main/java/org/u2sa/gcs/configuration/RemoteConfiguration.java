@@ -1,14 +1,15 @@
 package org.u2sa.gcs.configuration;
 
-import java.util.Comparator;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.HeardServices;
-import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
@@ -65,23 +66,22 @@ final class RemoteConfiguration {
             NearestNames.didYouMean(service, there)));
   }
 
-  // Everybody is asked even where one is meant: who does answer helps those who mistyped a name.
-  private static Question<ConfigurationResponse> everybody() {
-    return new Question<>(
-            Channels.CONFIGURATION,
-            new ConfigurationRequest().serviceName(""),
-            ConfigurationResponse.class)
-        .oneOfEach(ConfigurationResponse::serviceName);
-  }
-
-  /** The answers of these, where they answer; else of everybody who is heard. */
+  /**
+   * The answers of these, where they answer; else of everybody who is heard. Everybody is asked
+   * even where one is meant: who does answer helps those who mistyped a name.
+   */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
-    return sorted(link.ask(everybody().expectingAll(HeardServices.begin(link), these)));
-  }
-
-  private static List<ConfigurationResponse> sorted(List<ConfigurationResponse> answers) {
-    answers.sort(Comparator.comparing(ConfigurationResponse::serviceName));
-    return answers;
+    HeardServices heard = HeardServices.begin(link);
+    Map<String, ConfigurationResponse> answers = new ConcurrentSkipListMap<>();
+    link.ask(
+        Channels.CONFIGURATION,
+        new ConfigurationRequest().serviceName(""),
+        ConfigurationResponse.class,
+        answer -> answers.put(answer.serviceName(), answer),
+        () ->
+            !these.isEmpty() && answers.keySet().containsAll(these)
+                || heard.areAmong(answers.keySet()));
+    return new ArrayList<>(answers.values());
   }
 
   /**
@@ -130,18 +130,17 @@ final class RemoteConfiguration {
 
   private ConfigurationTransactionResult result(U2SAData request, String id, String service)
       throws InterruptedException {
-    List<ConfigurationTransactionResult> results =
-        link.ask(
-            new Question<>(Channels.CONFIGURATION, request, ConfigurationTransactionResult.class)
-                .only(result -> result.requestId().equals(id))
-                .first());
-    if (results.isEmpty()) {
-      throw nobody(service);
+    ConfigurationTransactionResult result =
+        link.first(
+                Channels.CONFIGURATION,
+                request,
+                ConfigurationTransactionResult.class,
+                each -> each.requestId().equals(id))
+            .orElseThrow(() -> nobody(service));
+    if (!result.accepted()) {
+      throw new RunFailedException(result.reason());
     }
-    if (!results.get(0).accepted()) {
-      throw new RunFailedException(results.get(0).reason());
-    }
-    return results.get(0);
+    return result;
   }
 
   private RunFailedException nobody(String service) {

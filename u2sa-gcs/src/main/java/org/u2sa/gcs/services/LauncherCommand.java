@@ -1,11 +1,11 @@
 package org.u2sa.gcs.services;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.communication.Channels;
@@ -83,22 +83,19 @@ public abstract class LauncherCommand implements Callable<Integer> {
     String id = UUID.randomUUID().toString();
     String what = order.action() + " " + order.serviceName();
     try (RemoteLink link = remote.connect()) {
-      List<ServiceOrderResult> results =
-          link.ask(
-              new Question<>(
-                      Channels.SERVICE_ORDERS,
-                      order.requestId(id).operator(RemoteSystem.operator()),
-                      ServiceOrderResult.class)
-                  .only(result -> result.requestId().equals(id))
-                  .first());
-      if (results.isEmpty()) {
+      Optional<ServiceOrderResult> result =
+          link.first(
+              Channels.SERVICE_ORDERS,
+              order.requestId(id).operator(RemoteSystem.operator()),
+              ServiceOrderResult.class,
+              each -> each.requestId().equals(id));
+      if (result.isEmpty()) {
         throw new RunFailedException(
             nobody(what, order.serviceName(), link)
                 + remote.otherSystems(link).map(others -> ";" + others.substring(1)).orElse(""));
       }
-      ServiceOrderResult result = results.get(0);
-      if (!result.accepted()) {
-        throw new RunFailedException(what + " was not done: " + result.reason());
+      if (!result.get().accepted()) {
+        throw new RunFailedException(what + " was not done: " + result.get().reason());
       }
       command.commandLine().getOut().println(done);
       return ExitCode.DONE;
