@@ -84,9 +84,9 @@ final class HealthReporter {
             .replaced(service.handling.inbox().replaced())
             .refused(service.wiring.refused())
             .missed(service.wiring.missed())
-            .published(service.wiring.data().published());
+            .published(service.wiring.published());
     service.wiring.instance().ifPresent(report::instance);
-    service.wiring.data().ageS().ifPresent(report::dataAge);
+    service.wiring.dataAgeS().ifPresent(report::dataAge);
     Set<String> deafTo = service.wiring.refusedSubscriptions();
     if (!deafTo.isEmpty()) {
       report.refusedSubscriptions(String.join(",", deafTo));

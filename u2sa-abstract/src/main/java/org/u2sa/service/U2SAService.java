@@ -102,7 +102,9 @@ public abstract class U2SAService extends Thread
    * Handles one message that no {@linkplain #subscribe handler} takes, on the service's thread, one
    * at a time. What is not expected goes to {@link #unexpected}.
    */
-  public abstract void callback(U2SAData data);
+  public void callback(U2SAData data) {
+    unexpected(data);
+  }
 
   /** Logs a message that the service has no use for (thesis 8.2.4). */
   protected final void unexpected(U2SAData data) {
@@ -309,6 +311,11 @@ public abstract class U2SAService extends Thread
   public void start() {
     succession.resume();
     life.start();
+  }
+
+  /** Whether {@link #run} calls {@link #end} whatever happens, so that nobody need watch it. */
+  boolean endsByItsLoop() {
+    return false;
   }
 
   final void startThread() {

@@ -103,16 +103,14 @@ public final class ServiceDirectory {
    * @return whether the directory has a use for it
    */
   public boolean take(U2SAData message) {
-    if (message instanceof DiscoveryResponse) {
-      DiscoveryResponse response = (DiscoveryResponse) message;
+    if (message instanceof DiscoveryResponse response) {
       note(response.serviceName(), known -> restarted(known, response.instance()).with(response));
-    } else if (message instanceof FunctionalityResponse) {
-      FunctionalityResponse response = (FunctionalityResponse) message;
+    } else if (message instanceof FunctionalityResponse response) {
       note(response.serviceName(), known -> known.with(response));
-    } else if (message instanceof HealthReport) {
-      takeHealth((HealthReport) message);
-    } else if (message instanceof ServiceCondition) {
-      takeCondition((ServiceCondition) message);
+    } else if (message instanceof HealthReport report) {
+      takeHealth(report);
+    } else if (message instanceof ServiceCondition condition) {
+      takeCondition(condition);
     } else {
       return false;
     }
