@@ -21,6 +21,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.contract.ServiceMessage;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -65,20 +66,13 @@ final class ConfigurationResponder {
 
   /** Whether the message is a request that {@link #answer} would answer. */
   boolean concerns(U2SAData message) {
-    if (message instanceof ConfigurationRequest request) {
-      return request.serviceName().isEmpty() || isForThis(request.serviceName());
-    }
-    if (message instanceof ConfigurationChange change) {
-      return isForThis(change.serviceName());
-    }
-    if (message instanceof ConfigurationTransaction transaction) {
-      return isForThis(transaction.serviceName());
-    }
-    return message instanceof ConfigurationUndo undo && isForThis(undo.serviceName());
-  }
-
-  private boolean isForThis(String serviceName) {
-    return serviceName.equals(service.getServiceName());
+    return message instanceof ConfigurationRequest all && all.serviceName().isEmpty()
+        || (message instanceof ConfigurationRequest
+                || message instanceof ConfigurationChange
+                || message instanceof ConfigurationTransaction
+                || message instanceof ConfigurationUndo)
+            && message instanceof ServiceMessage<?> request
+            && request.serviceName().equals(service.getServiceName());
   }
 
   /** Answers a request that concerns this service, now or when what it asks for is written. */

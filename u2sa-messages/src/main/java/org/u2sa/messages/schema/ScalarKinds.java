@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
@@ -13,27 +14,31 @@ import org.u2sa.messages.frame.ReferenceFrame;
 final class ScalarKinds {
   static final ValueKind<String> TEXT =
       new SingleKind<>(
-          Kind.STRING, ScalarKinds::text, text -> text, CborWriter::text, CborReader::text);
+          Kind.STRING,
+          ScalarKinds::text,
+          text -> text,
+          CBORGenerator::writeString,
+          CborReader::text);
   static final ValueKind<Long> COUNT =
       new SingleKind<>(
           Kind.LONG,
           ScalarKinds::count,
           ScalarKinds::parseCount,
-          CborWriter::count,
+          (out, count) -> out.writeNumber(count.longValue()),
           CborReader::count);
   static final ValueKind<Boolean> FLAG =
       new SingleKind<>(
           Kind.BOOLEAN,
           value -> instance(value, Boolean.class, "true or false"),
           ScalarKinds::parseFlag,
-          CborWriter::flag,
+          (out, flag) -> out.writeBoolean(flag),
           CborReader::flag);
   static final ValueKind<ReferenceFrame> FRAME =
       new SingleKind<>(
           Kind.FRAME,
           value -> instance(value, ReferenceFrame.class, "a reference frame"),
           ReferenceFrame::parse,
-          (out, frame) -> out.text(frame.name()),
+          (out, frame) -> out.writeString(frame.name()),
           in -> ReferenceFrame.parse(in.text()));
   static final ValueKind<Point> POINT =
       new SingleKind<>(
@@ -153,8 +158,8 @@ final class ScalarKinds {
     }
 
     @Override
-    public void write(CborWriter out, E value) throws IOException {
-      out.text(value.name());
+    public void write(CBORGenerator out, E value) throws IOException {
+      out.writeString(value.name());
     }
 
     @Override
@@ -175,7 +180,7 @@ final class ScalarKinds {
 
     /** Writes one value. */
     interface Writer<V> {
-      void write(CborWriter out, V value) throws IOException;
+      void write(CBORGenerator out, V value) throws IOException;
     }
 
     /** Reads one value. */
@@ -194,7 +199,7 @@ final class ScalarKinds {
     }
 
     @Override
-    public void write(CborWriter writer, V value) throws IOException {
+    public void write(CBORGenerator writer, V value) throws IOException {
       out.write(writer, value);
     }
 

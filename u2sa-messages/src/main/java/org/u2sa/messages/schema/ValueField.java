@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -75,7 +76,7 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
   }
 
   @Override
-  void write(CborWriter out, T message) throws IOException {
+  void write(CBORGenerator out, T message) throws IOException {
     values.write(out, message.storage().get(this));
   }
 
