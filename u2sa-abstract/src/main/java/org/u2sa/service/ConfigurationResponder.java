@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.ChangeOrigin;
@@ -170,14 +171,13 @@ final class ConfigurationResponder {
   }
 
   /** Has the change written, unless too many are asked for: then it is refused without a look. */
-  private void order(
-      String author, Supplier<WrittenChange> write, ConfigurationWriter.Answer answer) {
+  private void order(String author, Supplier<WrittenChange> write, Consumer<WrittenChange> answer) {
     boolean allowed = rate.allows(author, service.clock().micros());
     if (allowed && writer.order(new ConfigurationWriter.Order(() -> write(write), answer))) {
       return;
     }
     refused++;
-    answer.take(configuration.refuse(TOO_MANY));
+    answer.accept(configuration.refuse(TOO_MANY));
   }
 
   /** On the writer's thread. */

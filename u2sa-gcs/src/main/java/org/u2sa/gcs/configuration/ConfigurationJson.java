@@ -3,7 +3,7 @@ package org.u2sa.gcs.configuration;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.gcs.terminal.JsonText;
+import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;

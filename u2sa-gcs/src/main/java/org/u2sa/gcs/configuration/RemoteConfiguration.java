@@ -9,9 +9,9 @@ import java.util.UUID;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
 import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.remote.HeardServices;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
@@ -71,7 +71,7 @@ final class RemoteConfiguration {
    * even where one is meant: who does answer helps those who mistyped a name.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
-    HeardServices heard = HeardServices.begin(link);
+    DirectoryObservation heard = DirectoryObservation.begin(link);
     Map<String, ConfigurationResponse> answers = new ConcurrentSkipListMap<>();
     link.ask(
         Channels.CONFIGURATION,

@@ -2,7 +2,7 @@ package org.u2sa.gcs.services;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.gcs.terminal.JsonText;
+import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;

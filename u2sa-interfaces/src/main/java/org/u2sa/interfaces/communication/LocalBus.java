@@ -1,11 +1,12 @@
 package org.u2sa.interfaces.communication;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -21,7 +22,7 @@ public final class LocalBus implements Transport {
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
   private final Set<String> names = ConcurrentHashMap.newKeySet();
   private final AtomicLong connections = new AtomicLong();
-  private volatile Bridge[] bridges = {}; // replaced, never changed; written under this
+  private final List<Bridge> bridges = new CopyOnWriteArrayList<>();
 
   /** A bus for the services of one system. */
   public LocalBus(String systemId) {
@@ -53,17 +54,13 @@ public final class LocalBus implements Transport {
    * twice, but never an older message after a newer one.
    */
   public void attach(Bridge added) {
-    synchronized (this) {
-      Bridge[] longer = Arrays.copyOf(bridges, bridges.length + 1);
-      longer[bridges.length] = added;
-      bridges = longer;
-    }
+    bridges.add(added);
     routes.values().forEach(route -> route.handRetained(added));
   }
 
   /** Takes a bridge off. A message that is on its way to it on another thread may still come. */
-  public synchronized void detach(Bridge removed) {
-    bridges = Arrays.stream(bridges).filter(bridge -> bridge != removed).toArray(Bridge[]::new);
+  public void detach(Bridge removed) {
+    bridges.removeIf(bridge -> bridge == removed);
   }
 
   /** Delivers a frozen message that came from another process to the local subscribers. */
@@ -120,7 +117,7 @@ public final class LocalBus implements Transport {
 
   /** The subscribers of one channel, and what is retained on it. */
   private static final class Route {
-    private volatile Subscription[] subscriptions = {};
+    private final List<Subscription> subscriptions = new CopyOnWriteArrayList<>();
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
     private final Map<String, LocalConnection> publishers = new HashMap<>(); // last ones, by source
     private Channel<?> channel; // of what is retained
@@ -166,20 +163,14 @@ public final class LocalBus implements Transport {
 
     synchronized void add(Subscription added) {
       remove(added.owner);
-      Subscription[] longer = new Subscription[subscriptions.length + 1];
-      System.arraycopy(subscriptions, 0, longer, 0, subscriptions.length);
-      longer[subscriptions.length] = added;
-      subscriptions = longer;
+      subscriptions.add(added);
       for (U2SAData message : retained.values()) {
         added.hand(message);
       }
     }
 
     synchronized void remove(LocalConnection owner) {
-      subscriptions =
-          Arrays.stream(subscriptions)
-              .filter(subscription -> subscription.owner != owner)
-              .toArray(Subscription[]::new);
+      subscriptions.removeIf(subscription -> subscription.owner == owner);
     }
   }
 

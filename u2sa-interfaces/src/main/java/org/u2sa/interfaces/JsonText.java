@@ -1,7 +1,8 @@
-package org.u2sa.gcs.terminal;
+package org.u2sa.interfaces;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.PrettyPrinter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 import java.io.StringWriter;
@@ -15,6 +16,8 @@ import java.util.OptionalLong;
 
 /** An object of JSON, keys in the order in which they were put; what is not known is left out. */
 public final class JsonText {
+  private static final JsonFactory FACTORY = new JsonFactory();
+
   private final Map<String, Object> fields = new LinkedHashMap<>();
 
   /**
@@ -56,12 +59,21 @@ public final class JsonText {
     }
   }
 
+  /** The text on one line. */
+  public String line() {
+    return text(null);
+  }
+
   /** The text, indented. */
   @Override
   public String toString() {
+    return text(new DefaultPrettyPrinter());
+  }
+
+  private String text(PrettyPrinter printer) {
     StringWriter text = new StringWriter();
-    try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
-      json.setPrettyPrinter(new DefaultPrettyPrinter());
+    try (JsonGenerator json = FACTORY.createGenerator(text)) {
+      json.setPrettyPrinter(printer);
       write(json, this);
     } catch (IOException e) {
       throw new UncheckedIOException("writing into memory", e);
