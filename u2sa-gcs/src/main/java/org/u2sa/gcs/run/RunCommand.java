@@ -219,7 +219,8 @@ public final class RunCommand implements Callable<Integer> {
   private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
-    ProcessCommand start = new ProcessCommand(file.file(), logs, seed, settings);
+    ServiceProcesses.ProcessCommand start =
+        new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings);
     try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
         ServiceProcesses processes = new ServiceProcesses(start, entries, out::println);
         Supervisor supervisor = new Supervisor(file, manager, processes, out::println);
@@ -240,5 +241,25 @@ public final class RunCommand implements Callable<Integer> {
 
   private static String names(List<U2SAService> services) {
     return String.join(", ", services.stream().map(U2SAService::getServiceName).toList());
+  }
+
+  /** Ends something in good order when the program is interrupted (Ctrl-C, TERM). */
+  private static final class EndOnInterrupt implements AutoCloseable {
+    private final Thread hook;
+
+    EndOnInterrupt(Runnable end) {
+      hook = new Thread(end, "u2sa-end");
+      Runtime.getRuntime().addShutdownHook(hook);
+    }
+
+    @Override
+    public void close() {
+      try {
+        Runtime.getRuntime().removeShutdownHook(hook);
+      } catch (IllegalStateException e) {
+        // The program is ending already, which is what the hook is for: it runs now.
+        return;
+      }
+    }
   }
 }

@@ -133,7 +133,7 @@ public final class NewCommand implements Callable<Integer> {
             Optional.ofNullable(packageName)
                 .or(() -> project.flatMap(build::group))
                 .orElse(naming.defaultPackage()));
-    Placeholders placeholders = placeholders(naming, inPackage, build);
+    Rendering.Placeholders placeholders = placeholders(naming, inPackage, build);
     List<String> layers = new ArrayList<>();
     if (project.isEmpty()) {
       layers.addAll(List.of("project", build.template()));
@@ -174,7 +174,7 @@ public final class NewCommand implements Callable<Integer> {
     return build;
   }
 
-  private Placeholders placeholders(Naming naming, String inPackage, BuildTool build) {
+  private Rendering.Placeholders placeholders(Naming naming, String inPackage, BuildTool build) {
     Map<String, String> values = new TreeMap<>();
     values.put("Name", naming.className());
     values.put("name", naming.variable());
@@ -188,7 +188,7 @@ public final class NewCommand implements Callable<Integer> {
     values.put("jars", build.jars);
     values.put(
         "dot", "."); // build tools leave out files like .gitignore where resources are copied
-    return new Placeholders(values);
+    return new Rendering.Placeholders(values);
   }
 
   private void tell(
@@ -197,7 +197,7 @@ public final class NewCommand implements Callable<Integer> {
       boolean added,
       List<String> files,
       BuildTool build,
-      Placeholders placeholders) {
+      Rendering.Placeholders placeholders) {
     PrintWriter out = command.commandLine().getOut();
     String where = folder.toString().isEmpty() ? "." : folder.toString();
     out.println((added ? "Added to " : "Made ") + where + ":");

@@ -5,6 +5,8 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -16,6 +18,8 @@ import org.eclipse.paho.client.mqttv3.MqttCallback;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.eclipse.paho.client.mqttv3.MqttMessage;
+import org.eclipse.paho.client.mqttv3.MqttPingSender;
+import org.eclipse.paho.client.mqttv3.internal.ClientComms;
 import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
 
 /**
@@ -31,7 +35,7 @@ final class MqttSession {
   private static final long OVER = Long.MIN_VALUE / 2;
 
   private final MqttAsyncClient client;
-  private final Listener listener;
+  private final MqttConnection owner;
   private final long answerWithinMs;
   private final AtomicLong owed = new AtomicLong(); // far below zero: the session is over
   private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters that it answered
@@ -39,28 +43,15 @@ final class MqttSession {
   private volatile boolean closing;
   private boolean gone; // Paho's client is closed; guarded by this
 
-  /** Whom a session tells. Calls come on Paho's threads. */
-  interface Listener {
-    /**
-     * A message came in. Must not throw.
-     *
-     * @param retained whether it was published before the subscription that brings it
-     */
-    void arrived(String topicName, byte[] payload, boolean retained);
-
-    /** The session broke; it will not be of use again. */
-    void lost(MqttSession session, String why);
-  }
-
   /** Takes what a session needs; {@link #open} begins it. */
   MqttSession(
       String address,
       String clientId,
       ScheduledExecutorService linkThread,
       long answerWithinMs,
-      Listener listener)
+      MqttConnection owner)
       throws MqttException {
-    this.listener = listener;
+    this.owner = owner;
     this.answerWithinMs = answerWithinMs;
     client =
         new MqttAsyncClient(
@@ -212,12 +203,12 @@ final class MqttSession {
   private final class Callback implements MqttCallback {
     @Override
     public void connectionLost(Throwable cause) {
-      listener.lost(MqttSession.this, reason(cause));
+      owner.lost(MqttSession.this, reason(cause));
     }
 
     @Override
     public void messageArrived(String topicName, MqttMessage message) {
-      listener.arrived(topicName, message.getPayload(), message.isRetained());
+      owner.arrived(topicName, message.getPayload(), message.isRetained());
     }
 
     @Override
@@ -232,5 +223,50 @@ final class MqttSession {
   static String reason(Throwable e) {
     Throwable cause = e.getCause();
     return cause == null ? e.getMessage() : e.getMessage() + " (" + cause.getMessage() + ")";
+  }
+
+  /**
+   * Has Paho look after the link at regular times, on the connection's own thread. Paho's own
+   * senders keep the program alive, or interrupt the thread that found the link dead.
+   */
+  private static final class KeepAlive implements MqttPingSender {
+    private final ScheduledExecutorService thread;
+    private ClientComms link;
+    private Future<?> next;
+    private boolean stopped;
+
+    KeepAlive(ScheduledExecutorService thread) {
+      this.thread = thread;
+    }
+
+    @Override
+    public synchronized void init(ClientComms comms) {
+      link = comms;
+    }
+
+    @Override
+    public void start() {
+      schedule(link.getKeepAlive());
+    }
+
+    @Override
+    public synchronized void stop() {
+      stopped = true;
+      if (next != null) {
+        next.cancel(false);
+      }
+    }
+
+    @Override
+    public synchronized void schedule(long delayMs) {
+      if (stopped) {
+        return;
+      }
+      try {
+        next = thread.schedule((Runnable) link::checkForActivity, delayMs, TimeUnit.MILLISECONDS);
+      } catch (RejectedExecutionException e) {
+        stopped = true; // the connection is being closed, and its thread with it
+      }
+    }
   }
 }

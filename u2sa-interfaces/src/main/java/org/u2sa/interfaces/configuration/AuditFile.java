@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.configuration;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
@@ -53,9 +54,8 @@ final class AuditFile implements ChangeJournal {
   }
 
   @Override
-  public Turn take() throws IOException {
-    FolderLock lock = FolderLock.take(target().getParent());
-    return lock::close;
+  public Closeable take() throws IOException {
+    return FolderLock.take(target().getParent());
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.configuration;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -8,18 +9,12 @@ import java.util.List;
 
 /** Where the changes of one configuration are written down, before they are made. */
 interface ChangeJournal {
-  /** The right to change the configuration, which one holder at a time has. */
-  interface Turn extends AutoCloseable {
-    @Override
-    void close() throws IOException;
-  }
-
   /**
-   * Waits until nobody else changes the configuration.
+   * Waits until nobody else changes the configuration; whoever has the turn closes it.
    *
    * @throws IOException if that lasts too long or cannot be found out
    */
-  Turn take() throws IOException;
+  Closeable take() throws IOException;
 
   /** The newest entries, oldest first: at least the newest accepted one. */
   List<AuditEntry> recent() throws IOException;
@@ -38,7 +33,7 @@ interface ChangeJournal {
     private final Deque<AuditEntry> entries = new ArrayDeque<>();
 
     @Override
-    public Turn take() {
+    public Closeable take() {
       return () -> {};
     }
 

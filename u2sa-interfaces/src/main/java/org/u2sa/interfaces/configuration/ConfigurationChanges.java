@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.configuration;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -76,7 +77,8 @@ final class ConfigurationChanges {
           if (seen.isPresent() && seen.getAsLong() != history.revision()) {
             throw new ConfigurationException(outdated(seen.getAsLong(), history));
           }
-          List<PlannedChange> plan = new ChangePlanner(memory, file).set(wanted, seen.isPresent());
+          List<ChangePlanner.PlannedChange> plan =
+              new ChangePlanner(memory, file).set(wanted, seen.isPresent());
           return make(memory, plan, file, by, OptionalLong.empty(), check);
         });
   }
@@ -93,14 +95,14 @@ final class ConfigurationChanges {
                       () ->
                           new ConfigurationException(
                               live.origin() + ": no change is remembered that could be undone"));
-          List<PlannedChange> plan = new ChangePlanner(memory, file).undo(last);
+          List<ChangePlanner.PlannedChange> plan = new ChangePlanner(memory, file).undo(last);
           return make(memory, plan, file, by, OptionalLong.of(last.revision()), check);
         });
   }
 
   private WrittenChange attempt(ChangeOrigin by, Map<String, String> wanted, Attempt attempt) {
     try {
-      ChangeJournal.Turn turn = journal.take();
+      Closeable turn = journal.take();
       try {
         Optional<ConfigurationFile> file = path.map(ConfigurationFile::read);
         ConfigurationValues memory = live.written();
@@ -134,7 +136,7 @@ final class ConfigurationChanges {
 
   private WrittenChange make(
       ConfigurationValues memory,
-      List<PlannedChange> plan,
+      List<ChangePlanner.PlannedChange> plan,
       Optional<ConfigurationFile> file,
       ChangeOrigin by,
       OptionalLong undoes,
@@ -147,8 +149,8 @@ final class ConfigurationChanges {
     if (objection.isPresent()) {
       throw new ConfigurationException(live.origin() + ": " + objection.get());
     }
-    List<PlannedChange> changes =
-        plan.stream().filter(PlannedChange::changes).collect(Collectors.toList());
+    List<ChangePlanner.PlannedChange> changes =
+        plan.stream().filter(ChangePlanner.PlannedChange::changes).collect(Collectors.toList());
     if (!changes.isEmpty()) {
       Optional<ConfigurationFile> after = file.map(now -> edited(now, changes));
       AuditEntry entry =
@@ -158,7 +160,9 @@ final class ConfigurationChanges {
               AuditEntry.Outcome.ACCEPTED,
               "",
               undoes,
-              changes.stream().map(PlannedChange::audited).collect(Collectors.toList()));
+              changes.stream()
+                  .map(ChangePlanner.PlannedChange::audited)
+                  .collect(Collectors.toList()));
       journal.append(entry);
       write(after, entry);
       live.await(changes);
@@ -167,17 +171,18 @@ final class ConfigurationChanges {
     ConfigurationOutcome outcome =
         new ConfigurationOutcome(
             Optional.empty(),
-            plan.stream().map(PlannedChange::told).collect(Collectors.toList()),
+            plan.stream().map(ChangePlanner.PlannedChange::told).collect(Collectors.toList()),
             changes.stream()
-                .map(PlannedChange::name)
+                .map(ChangePlanner.PlannedChange::name)
                 .collect(Collectors.toCollection(LinkedHashSet::new)),
             revision);
     return new WrittenChange(outcome, () -> live.takeEffect(changes));
   }
 
-  private ConfigurationFile edited(ConfigurationFile file, List<PlannedChange> changes) {
+  private ConfigurationFile edited(
+      ConfigurationFile file, List<ChangePlanner.PlannedChange> changes) {
     ConfigurationFile edited = file;
-    for (PlannedChange change : changes) {
+    for (ChangePlanner.PlannedChange change : changes) {
       try {
         edited = change.in(edited);
       } catch (IllegalArgumentException e) {

@@ -204,7 +204,7 @@ final class ConfigurationValues {
   }
 
   /** Takes over what the file says now. */
-  void adopt(PlannedChange change) {
+  void adopt(ChangePlanner.PlannedChange change) {
     if (change.after().isPresent()) {
       stated.put(change.name(), change.after().get());
     } else {
