@@ -58,7 +58,7 @@ public final class SecurityCommand implements Runnable {
     }
     SecurityFolder.makePrivate(folder);
     LocalAuthority authority = LocalAuthority.create(directory);
-    List<String> names = HostNames.with(hosts == null ? List.of() : hosts);
+    List<String> names = LocalAuthority.HostNames.with(hosts == null ? List.of() : hosts);
     authority.certify(names);
     UserFile.write(directory.users(), List.of());
     out()
@@ -87,7 +87,7 @@ public final class SecurityCommand implements Runnable {
       @Mixin SecurityFolder folder)
       throws IOException, InterruptedException {
     SecurityDirectory directory = folder.existing();
-    List<String> names = HostNames.with(hosts);
+    List<String> names = LocalAuthority.HostNames.with(hosts);
     LocalAuthority.in(directory).certify(names);
     out()
         .printf(

@@ -71,9 +71,9 @@ final class ConfigurationChanges {
       Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
     return attempt(
         by,
-        RefusedTexts.of(wanted),
+        ChangePlanner.RefusedTexts.of(wanted),
         (memory, history, file) -> {
-          RefusedTexts.refuseTooMuch(wanted, live.origin());
+          ChangePlanner.RefusedTexts.refuseTooMuch(wanted, live.origin());
           if (seen.isPresent() && seen.getAsLong() != history.revision()) {
             throw new ConfigurationException(outdated(seen.getAsLong(), history));
           }
@@ -215,9 +215,9 @@ final class ConfigurationChanges {
             revision,
             by,
             AuditEntry.Outcome.REFUSED,
-            RefusedTexts.shortened(reason, 1_000),
+            ChangePlanner.RefusedTexts.shortened(reason, 1_000),
             OptionalLong.empty(),
-            RefusedTexts.audited(wanted));
+            ChangePlanner.RefusedTexts.audited(wanted));
     String why = reason;
     try {
       journal.append(entry);
@@ -230,7 +230,7 @@ final class ConfigurationChanges {
   private WrittenChange refusal(String reason, Map<String, String> wanted) {
     ConfigurationOutcome outcome =
         new ConfigurationOutcome(
-            Optional.of(reason), RefusedTexts.answered(wanted), Set.of(), revision);
+            Optional.of(reason), ChangePlanner.RefusedTexts.answered(wanted), Set.of(), revision);
     return new WrittenChange(outcome, () -> {});
   }
 
