@@ -76,7 +76,7 @@ final class ServiceLife {
     return helper;
   }
 
-  /** Waits for the thread: should it just stop, the service ends as dead. */
+  /** Waits for the thread: if it returns without {@link #end}, the service counts as dead. */
   private void endAfterRun() {
     try {
       service.join();
@@ -223,7 +223,7 @@ final class ServiceLife {
     service.logFile().close();
   }
 
-  /** Takes the end for itself. Returns false if it has ended already. */
+  /** Ends without any shutdown step. Returns false if it has ended already. */
   boolean endsNow() {
     if (!ended.compareAndSet(false, true)) {
       return false;
@@ -232,7 +232,7 @@ final class ServiceLife {
     return true;
   }
 
-  /** Does one of the last things; should it fail, the others are done all the same. */
+  /** Runs one step of the shutdown; if it fails, the others still run. */
   void atLast(String what, Runnable last) {
     try {
       last.run();

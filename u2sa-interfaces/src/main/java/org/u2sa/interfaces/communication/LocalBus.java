@@ -14,8 +14,8 @@ import org.u2sa.messages.schema.U2SAData;
  * The direct path of the Communication Manager: services of its own process are handed messages
  * object to object, on the publisher's thread, without socket or encoding.
  *
- * <p>Any number of {@link Bridge bridges} may be attached and taken off while messages flow: to
- * give remote subscribers their copies, to record, to look on.
+ * <p>Any number of {@link Bridge bridges} may be attached and detached while messages flow: for
+ * remote subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
   private final String systemId;
@@ -30,8 +30,8 @@ public final class LocalBus implements Transport {
   }
 
   /**
-   * What is handed each message that a local service publishes, on the publisher's thread: must not
-   * block. What it throws is counted and told as trouble of the publisher.
+   * Receives each message that a local service publishes, on the publisher's thread; must not
+   * block. Exceptions are counted and reported to the publisher.
    */
   @FunctionalInterface
   public interface Bridge {
@@ -44,7 +44,7 @@ public final class LocalBus implements Transport {
      * forwards it, as a copy of an older message may have got there after it.
      */
     default void restate(Channel<?> channel, U2SAData message) {
-      // to look on at what services publish needs nothing of it
+      // observers of what services publish do not need it
     }
   }
 
@@ -58,7 +58,7 @@ public final class LocalBus implements Transport {
     routes.values().forEach(route -> route.handRetained(added));
   }
 
-  /** Takes a bridge off. A message that is on its way to it on another thread may still come. */
+  /** Detaches a bridge. A message on its way on another thread may still reach it. */
   public void detach(Bridge removed) {
     bridges.removeIf(bridge -> bridge == removed);
   }
@@ -68,7 +68,7 @@ public final class LocalBus implements Transport {
     route(channel).deliver(channel, message, null);
   }
 
-  /** Takes note that messages of other processes were lost on their way to the bus. */
+  /** Counts messages of other processes that were lost on their way to the bus. */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {
       subscription.owner.missed.addAndGet(messages);
@@ -97,7 +97,7 @@ public final class LocalBus implements Transport {
     return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
   }
 
-  /** One of a bridge's ways. */
+  /** One of a bridge's methods. */
   @FunctionalInterface
   private interface Crossing {
     void cross(Bridge bridge, Channel<?> channel, U2SAData message);
@@ -213,8 +213,8 @@ public final class LocalBus implements Transport {
     }
 
     /**
-     * Counts and tells that a receiver or a bridge threw: neither publisher nor other receivers
-     * notice.
+     * Counts and reports that a receiver or a bridge threw; the publisher and other receivers go on
+     * unaffected.
      */
     void failed(String what, Channel<?> channel, RuntimeException error) {
       long count = refused.incrementAndGet();

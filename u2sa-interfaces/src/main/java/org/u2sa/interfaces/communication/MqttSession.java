@@ -24,7 +24,7 @@ import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
 
 /**
  * One MQTT session, from its opening until it breaks or is closed: a Paho client that is used once,
- * so that nothing of a broken link comes back later. Knows how many messages it owes.
+ * so that nothing of a broken link comes back later. Counts the unconfirmed messages.
  */
 final class MqttSession {
   private static final int AT_MOST_ONCE = 0;
@@ -141,10 +141,10 @@ final class MqttSession {
   }
 
   /**
-   * Takes leave of the broker after what is on the way, such as neutral commands, was sent and, if
-   * each matters, confirmed. Paho alone would send its farewell before what waits.
+   * Disconnects after the messages on their way, such as neutral commands, were sent and, where
+   * each matters, confirmed. Paho alone would send its DISCONNECT before waiting messages.
    *
-   * @return the number of messages of which nobody can say that they have arrived
+   * @return how many messages may not have arrived
    */
   long close() {
     closing = true;
@@ -160,13 +160,13 @@ final class MqttSession {
     try {
       client.disconnect(FAREWELL_WITHIN_MS).waitForCompletion(FAREWELL_WITHIN_MS);
     } catch (MqttException e) {
-      return lost + cut(); // it broke meanwhile: nothing to take leave of
+      return lost + cut(); // it broke meanwhile
     }
     abandon();
     return lost;
   }
 
-  /** Cuts off what Paho is about to end itself, on a thread that fails if all is taken from it. */
+  /** Cuts the link, but leaves the client open to Paho's threads, which may be closing it. */
   private synchronized long cut() {
     long lost = end();
     if (gone) {
@@ -195,7 +195,7 @@ final class MqttSession {
     return lost;
   }
 
-  /** Ends the account: what is owed now was lost, or nobody can say. */
+  /** Stops counting; returns how many messages were unconfirmed. */
   long end() {
     return Math.max(0, owed.getAndSet(OVER));
   }
@@ -219,7 +219,7 @@ final class MqttSession {
     }
   }
 
-  /** Paho's words and those of what lies beneath. */
+  /** Paho's message and that of its cause. */
   static String reason(Throwable e) {
     Throwable cause = e.getCause();
     return cause == null ? e.getMessage() : e.getMessage() + " (" + cause.getMessage() + ")";
