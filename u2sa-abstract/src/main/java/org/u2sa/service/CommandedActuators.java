@@ -103,7 +103,11 @@ public final class CommandedActuators {
     service.subscribe(
         Channels.ACTUATION,
         command -> {
-          if (obey(command)) {
+          Optional<CommandRefusal> refusal = refusal(command);
+          if (refusal.isPresent()) {
+            refuse(command, refusal.get());
+          } else {
+            service.health.obeyed();
             commanded.run();
           }
         });
@@ -128,17 +132,6 @@ public final class CommandedActuators {
       announceDueS = nowS + ANNOUNCE_EVERY_S;
       announcements.forEach(each -> service.publish(Channels.ACTUATORS, each.copy()));
     }
-  }
-
-  /** Takes a command, or refuses it; whether an actuator here has a new percentage. */
-  private boolean obey(ActuatorCommand command) {
-    Optional<CommandRefusal> refusal = refusal(command);
-    if (refusal.isEmpty()) {
-      service.health.obeyed();
-      return true;
-    }
-    refuse(command, refusal.get());
-    return false;
   }
 
   private Optional<CommandRefusal> refusal(ActuatorCommand command) {
@@ -173,11 +166,11 @@ public final class CommandedActuators {
       boolean stopped = emergency.isStopped();
       service.log(
           stopped ? LogLevelEnum.WARN : LogLevelEnum.INFO,
-          (stopped ? "emergency stop" : "emergency stop cleared")
-              + " by \""
-              + message.operator()
-              + "\": "
-              + message.reason());
+          String.format(
+              "%s by \"%s\": %s",
+              stopped ? "emergency stop" : "emergency stop cleared",
+              message.operator(),
+              message.reason()));
       commands.forget();
     }
     stopUnlessItMayMove();
