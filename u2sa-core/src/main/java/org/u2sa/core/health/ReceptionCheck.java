@@ -3,55 +3,55 @@ package org.u2sa.core.health;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * Whether the monitor hears anything at all. Its own reports take the same way as all others: if
- * they do not come back, the way is broken and the silence of others means nothing.
+ * Checks that the monitor receives anything at all. Its own reports travel the same way as all
+ * others: if they do not come back, the connection is broken and silence of services means nothing.
  */
-final class Hearing {
-  private static final double DEAF_AFTER_INTERVALS = 4.0;
-  private static final double DEAF_AFTER_AT_LEAST_S = 1.0;
+final class ReceptionCheck {
+  private static final double LOST_AFTER_INTERVALS = 4.0;
+  private static final double LOST_AFTER_AT_LEAST_S = 1.0;
 
-  /** After a broken way: others come back by an attempt that may hang, and a back-off. */
-  private static final double OTHERS_ARE_BACK_WITHIN_S = 6.0;
+  /** Services reconnect after an attempt that may hang, and a back-off. */
+  private static final double OTHERS_RECONNECT_WITHIN_S = 6.0;
 
   private double heardS;
-  private double deafAfterS = DEAF_AFTER_AT_LEAST_S;
-  private boolean wasDeaf;
+  private double lostAfterS = LOST_AFTER_AT_LEAST_S;
+  private boolean wasLost;
 
-  Hearing(double nowS) {
+  ReceptionCheck(double nowS) {
     heardS = nowS;
   }
 
   /** Takes note of a report of the monitor itself. */
   void hear(HealthReport own, double nowS) {
     heardS = nowS;
-    deafAfterS = Math.max(DEAF_AFTER_AT_LEAST_S, DEAF_AFTER_INTERVALS * own.interval().orElse(0.0));
+    lostAfterS = Math.max(LOST_AFTER_AT_LEAST_S, LOST_AFTER_INTERVALS * own.interval().orElse(0.0));
   }
 
-  /** What became of it since the last look. */
+  /** What has changed since the last check. */
   enum Change {
-    /** Hears, as before. */
+    /** Receives, as before. */
     NONE,
-    /** Has just become deaf. */
-    DEAF,
-    /** Still deaf. */
-    STILL_DEAF,
-    /** Hears again: others have until {@link #excusedUntilS} to be heard too. */
-    HEARS_AGAIN
+    /** Reception has just been lost. */
+    LOST,
+    /** Still lost. */
+    STILL_LOST,
+    /** Receives again: other services have until {@link #excusedUntilS} to report. */
+    RESTORED
   }
 
-  /** Looks. */
+  /** Checks reception. */
   Change look(double nowS) {
-    boolean deaf = nowS - heardS > deafAfterS;
-    boolean before = wasDeaf;
-    wasDeaf = deaf;
-    if (deaf) {
-      return before ? Change.STILL_DEAF : Change.DEAF;
+    boolean lost = nowS - heardS > lostAfterS;
+    boolean before = wasLost;
+    wasLost = lost;
+    if (lost) {
+      return before ? Change.STILL_LOST : Change.LOST;
     }
-    return before ? Change.HEARS_AGAIN : Change.NONE;
+    return before ? Change.RESTORED : Change.NONE;
   }
 
-  /** Until when nobody is judged by silence, after hearing came back. */
+  /** Until when silence is not held against a service, after reception was restored. */
   static double excusedUntilS(double nowS) {
-    return nowS + OTHERS_ARE_BACK_WITHIN_S;
+    return nowS + OTHERS_RECONNECT_WITHIN_S;
   }
 }
