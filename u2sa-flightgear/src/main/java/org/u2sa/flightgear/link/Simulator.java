@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.u2sa.core.control.fixedwing.AircraftActuator;
 import org.u2sa.core.control.fixedwing.AircraftState;
-import org.u2sa.core.control.fixedwing.HandsOff;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -107,7 +107,7 @@ public final class Simulator extends ProprioceptiveSensor {
     double brakes = commands.mayMove() ? 0.0 : 1.0; // what may not move must not roll either
     return new ControlInputs(
         fraction("AILERON", 0.0),
-        fraction("ELEVATOR", HandsOff.ELEVATOR_PERCENT / FULL_PERCENT),
+        fraction("ELEVATOR", AircraftActuator.TRIMMED_ELEVATOR_PERCENT / FULL_PERCENT),
         fraction("RUDDER", 0.0),
         fraction("THROTTLE", 0.0),
         fraction("MIXTURE", RICH), // a lean mixture would stop the engine for good
@@ -170,7 +170,8 @@ public final class Simulator extends ProprioceptiveSensor {
   protected void release() {
     try {
       link.write(
-          ControlInputs.neutral().withSurfaces(0.0, HandsOff.ELEVATOR_PERCENT / FULL_PERCENT, 0.0));
+          ControlInputs.neutral()
+              .withSurfaces(0.0, AircraftActuator.TRIMMED_ELEVATOR_PERCENT / FULL_PERCENT, 0.0));
     } finally {
       link.close();
     }
