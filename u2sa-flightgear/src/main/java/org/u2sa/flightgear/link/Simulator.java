@@ -10,7 +10,6 @@ import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -121,33 +120,9 @@ public final class Simulator extends ProprioceptiveSensor {
   }
 
   private AircraftState state(AircraftReading reading) {
-    AircraftState state = new AircraftState();
-    state.timestamp(reading.measuredAtMicros());
-    state
-        .sensorName(sensorName())
-        .referenceFrame(ReferenceFrame.GLOBAL)
-        .x(reading.longitudeDeg())
-        .y(reading.latitudeDeg())
-        .z(reading.altitudeM())
-        .xDot(reading.eastMps())
-        .yDot(reading.northMps())
-        .zDot(reading.upMps())
-        .phi(reading.rollRad())
-        .theta(reading.pitchRad())
-        .psi(reading.headingRad())
-        .phiDot(reading.rollRateRadPerS())
-        .thetaDot(reading.pitchRateRadPerS())
-        .psiDot(reading.headingRateRadPerS())
-        .fluidxDot(reading.airForwardMps())
-        .fluidyDot(reading.airLeftMps())
-        .fluidzDot(reading.airDownMps());
-    return state
-        .heightAboveGround(reading.heightAboveGroundM())
-        .calibratedAirspeed(reading.calibratedAirspeedMps())
-        .engineRpm(reading.engineRpm())
-        .weightOnWheels(reading.weightOnWheels())
-        .engineStarting(reading.engineStarting())
-        .crashed(reading.crashed());
+    AircraftState state = reading.state().copy();
+    state.sensorName(sensorName()).timestamp(reading.measuredAtMicros());
+    return state;
   }
 
   @Override
