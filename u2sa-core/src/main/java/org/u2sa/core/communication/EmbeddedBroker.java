@@ -146,11 +146,6 @@ final class EmbeddedBroker implements AutoCloseable {
     return address;
   }
 
-  /** What the connection filter has refused and given up, for tests. */
-  ConnectionFilter filter() {
-    return filter;
-  }
-
   long dropped() {
     return copies.dropped() + filter.dropped() + notTaken.get();
   }

@@ -50,19 +50,16 @@ public final class Launcher extends EventDrivenService {
   private Optional<String> carryOut(ServiceOrder order) {
     String service = order.serviceName();
     log("ordered by \"" + order.operator() + "\": " + order.action() + " " + service);
-    switch (order.action()) {
-      case START:
-        return host.start(service);
-      case RESTART:
-        return host.restart(service);
-      case SWAP:
-        return order
-            .className()
-            .map(className -> host.swap(service, className))
-            .orElse(Optional.of("className: missing; expected the full name of a service class"));
-      default:
-        return Optional.of("action " + order.action() + " is not known here");
-    }
+    return switch (order.action()) {
+      case START -> host.start(service);
+      case RESTART -> host.restart(service);
+      case SWAP ->
+          order
+              .className()
+              .map(className -> host.swap(service, className))
+              .orElse(Optional.of("className: missing; expected the full name of a service class"));
+      default -> Optional.of("action " + order.action() + " is not known here");
+    };
   }
 
   private void answer(ServiceOrder order, Optional<String> refusal) {

@@ -105,17 +105,13 @@ final class GroundSteering {
 
   /** Lays the centreline through the aircraft, along its heading. */
   void lineUp(FlightState state) {
-    northM = state.northM();
-    eastM = state.eastM();
-    headingRad = state.headingRad();
-    integral = 0.0;
-    lined = true;
+    lineUpAlong(state.northM(), state.eastM(), state.headingRad());
   }
 
   /** Lays the centreline through the aircraft, along its way over ground. */
   void lineUpAlongTrack(FlightState state) {
-    lineUp(state);
-    headingRad = StrictMath.atan2(state.eastMps(), state.northMps());
+    double courseRad = StrictMath.atan2(state.eastMps(), state.northMps());
+    lineUpAlong(state.northM(), state.eastM(), courseRad);
   }
 
   /** Lays the centreline through a point, along a course. */
