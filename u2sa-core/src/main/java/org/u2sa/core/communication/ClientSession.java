@@ -83,7 +83,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
 
   /** Whether a packet counts among the questions of its user. */
   boolean isQuestion(Object packet) {
-    return rules != null && packet instanceof MqttMessage && rules.isQuestion((MqttMessage) packet);
+    return rules != null && packet instanceof MqttMessage message && rules.isQuestion(message);
   }
 
   /**
@@ -227,11 +227,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   private void connect(ChannelHandlerContext ctx, MqttMessage packet) {
-    if (!(packet instanceof MqttConnectMessage)) {
+    if (!(packet instanceof MqttConnectMessage connect)) {
       putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
       return;
     }
-    ConnectRequest said = ConnectRequest.of((MqttConnectMessage) packet, filter.pass());
+    ConnectRequest said = ConnectRequest.of(connect, filter.pass());
     clientId = said.clientId();
     Optional<String> fault = said.fault();
     if (fault.isPresent()) {
