@@ -123,7 +123,7 @@ final class GroundSteering {
     lined = true;
   }
 
-  /** Goes on from a rudder that something else has found. */
+  /** Continues from the rudder of another law. */
   void holds(double rudder) {
     integral = rudder;
   }
@@ -185,8 +185,8 @@ final class GroundSteering {
   }
 
   /**
-   * Rudder of a roll-out, −1…1, positive turns right: the faster it rolls the more gently it turns
-   * back to the line, as it comes from the air with some way sideways and light on its wheels.
+   * Rudder of a roll-out, −1…1, positive turns right: the faster it rolls, the more gently it
+   * returns to the line, because it lands with some drift and light on its wheels.
    *
    * @param noseDown whether the nose wheel steers
    */
