@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Quantities as causes and reasons say them. */
-final class Words {
-  private Words() {}
+/** Formats quantities for the causes of failsafes and the reasons of refusals. */
+final class CauseText {
+  private CauseText() {}
 
   static String seconds(double seconds) {
     return String.format(Locale.ROOT, "%.1f s", seconds);

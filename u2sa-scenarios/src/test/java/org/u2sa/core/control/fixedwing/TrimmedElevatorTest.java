@@ -11,7 +11,7 @@ import org.u2sa.sim.aircraft.Trim;
 import org.u2sa.sim.atmosphere.Wind;
 
 /** What becomes of a Cessna that nobody commands for a while. */
-class HandsOffTest {
+class TrimmedElevatorTest {
   private static final double ALTITUDE_M = 457.0;
   private static final double CRUISE_MPS = 40.0;
   private static final double TICK_S = 1.0 / Cessna172.TICKS_PER_SECOND;
@@ -24,7 +24,7 @@ class HandsOffTest {
     ControlInputs uncommanded =
         ControlInputs.neutral()
             .withThrottle(powerShare * trim.controls().throttle())
-            .withSurfaces(0.0, HandsOff.ELEVATOR_PERCENT / 100.0, 0.0);
+            .withSurfaces(0.0, AircraftActuator.TRIMMED_ELEVATOR_PERCENT / 100.0, 0.0);
 
     for (int tick = 0; tick < 30 * Cessna172.TICKS_PER_SECOND; tick++) {
       aircraft.step(uncommanded, TICK_S);
