@@ -16,6 +16,7 @@ dependencies {
     api(libs.batik.svggen) {
         exclude(group = "org.apache.xmlgraphics", module = "xmlgraphics-commons")
     }
+    api(libs.jfreechart)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.awaitility)
     testImplementation(libs.jackson.databind)

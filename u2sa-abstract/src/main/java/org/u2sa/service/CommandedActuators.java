@@ -104,7 +104,11 @@ public final class CommandedActuators {
     service.subscribe(
         Channels.ACTUATION,
         command -> {
-          if (obey(command)) {
+          Optional<CommandRefusal> refusal = refusal(command);
+          if (refusal.isPresent()) {
+            refuse(command, refusal.get());
+          } else {
+            service.health.obeyed();
             commanded.run();
           }
         });
@@ -164,17 +168,6 @@ public final class CommandedActuators {
     announceNow();
   }
 
-  /** Takes a command, or refuses it; whether an actuator here has a new percentage. */
-  private boolean obey(ActuatorCommand command) {
-    Optional<CommandRefusal> refusal = refusal(command);
-    if (refusal.isEmpty()) {
-      service.health.obeyed();
-      return true;
-    }
-    refuse(command, refusal.get());
-    return false;
-  }
-
   private Optional<CommandRefusal> refusal(ActuatorCommand command) {
     Optional<CommandRefusal> wrong = commands.accept(command);
     if (mayMove() || wrong.filter(CommandRefusal.NOT_ADDRESSED::equals).isPresent()) {
@@ -207,11 +200,11 @@ public final class CommandedActuators {
       boolean stopped = emergency.isStopped();
       service.log(
           stopped ? LogLevelEnum.WARN : LogLevelEnum.INFO,
-          (stopped ? "emergency stop" : "emergency stop cleared")
-              + " by \""
-              + message.operator()
-              + "\": "
-              + message.reason());
+          String.format(
+              "%s by \"%s\": %s",
+              stopped ? "emergency stop" : "emergency stop cleared",
+              message.operator(),
+              message.reason()));
       commands.forget();
     }
     stopUnlessItMayMove();

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.ChangeOrigin;
@@ -13,6 +14,7 @@ import org.u2sa.interfaces.configuration.ConfigurationOutcome;
 import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.ConfigurationChangeResult;
@@ -21,6 +23,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.contract.ServiceMessage;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -65,20 +68,13 @@ final class ConfigurationResponder {
 
   /** Whether the message is a request that {@link #answer} would answer. */
   boolean concerns(U2SAData message) {
-    if (message instanceof ConfigurationRequest request) {
-      return request.serviceName().isEmpty() || isForThis(request.serviceName());
-    }
-    if (message instanceof ConfigurationChange change) {
-      return isForThis(change.serviceName());
-    }
-    if (message instanceof ConfigurationTransaction transaction) {
-      return isForThis(transaction.serviceName());
-    }
-    return message instanceof ConfigurationUndo undo && isForThis(undo.serviceName());
-  }
-
-  private boolean isForThis(String serviceName) {
-    return serviceName.equals(service.getServiceName());
+    return message instanceof ConfigurationRequest all && all.serviceName().isEmpty()
+        || (message instanceof ConfigurationRequest
+                || message instanceof ConfigurationChange
+                || message instanceof ConfigurationTransaction
+                || message instanceof ConfigurationUndo)
+            && message instanceof ServiceMessage<?> request
+            && request.serviceName().equals(service.getServiceName());
   }
 
   /** Answers a request that concerns this service, now or when what it asks for is written. */
@@ -176,14 +172,13 @@ final class ConfigurationResponder {
   }
 
   /** Has the change written, unless too many are asked for: then it is refused without a look. */
-  private void order(
-      String author, Supplier<WrittenChange> write, ConfigurationWriter.Answer answer) {
+  private void order(String author, Supplier<WrittenChange> write, Consumer<WrittenChange> answer) {
     boolean allowed = rate.allows(author, service.clock().micros());
     if (allowed && writer.order(new ConfigurationWriter.Order(() -> write(write), answer))) {
       return;
     }
     refused++;
-    answer.take(configuration.refuse(TOO_MANY));
+    answer.accept(configuration.refuse(TOO_MANY));
   }
 
   /** On the writer's thread. */
@@ -226,17 +221,73 @@ final class ConfigurationResponder {
     for (ConfigurationAssignment assignment : outcome.assignments()) {
       service.log(
           LogLevelEnum.INFO,
-          "variable \""
-              + assignment.variableName()
-              + "\" changed by "
-              + who
-              + ": "
-              + assignment.previous().orElse("?")
-              + " → "
-              + assignment.value()
-              + " (revision "
-              + outcome.revision()
-              + ")");
+          String.format(
+              "variable \"%s\" changed by %s: %s → %s (revision %s)",
+              assignment.variableName(),
+              who,
+              assignment.previous().orElse("?"),
+              assignment.value(),
+              outcome.revision()));
+    }
+  }
+
+  /**
+   * How often a service's configuration may be changed: some changes at once, then so many a
+   * second, for each author and for all together. Authors say their names themselves, so the sum
+   * counts.
+   */
+  private static final class ChangeRate {
+    private static final int AUTHORS = 64; // that are told apart
+    private static final double EACH_AT_ONCE = 40;
+    private static final double EACH_PER_S = 10;
+    private static final double ALL_AT_ONCE = 80;
+    private static final double ALL_PER_S = 20;
+
+    private final Map<String, Allowance> authors =
+        new LinkedHashMap<>(AUTHORS, 0.75f, true) {
+          private static final long serialVersionUID = 1L;
+
+          @Override
+          protected boolean removeEldestEntry(Map.Entry<String, Allowance> eldest) {
+            return size() > AUTHORS;
+          }
+        };
+    private final Allowance all = new Allowance(ALL_AT_ONCE, ALL_PER_S);
+
+    /** What is left of an allowance that fills up with time. */
+    private static final class Allowance {
+      private final double most;
+      private final double perS;
+      private double left;
+      private long atMicros;
+
+      Allowance(double most, double perS) {
+        this.most = most;
+        this.perS = perS;
+        left = most;
+      }
+
+      boolean hasOne(long nowMicros) {
+        left = Math.min(most, left + Clock.seconds(Math.max(0, nowMicros - atMicros)) * perS);
+        atMicros = nowMicros;
+        return left >= 1.0;
+      }
+    }
+
+    /**
+     * Whether the author may ask for one more change; counts it if so.
+     *
+     * @param nowMicros time of the run's clock [µs]
+     */
+    boolean allows(String author, long nowMicros) {
+      Allowance own =
+          authors.computeIfAbsent(author, name -> new Allowance(EACH_AT_ONCE, EACH_PER_S));
+      boolean allowed = own.hasOne(nowMicros) & all.hasOne(nowMicros);
+      if (allowed) {
+        own.left--;
+        all.left--;
+      }
+      return allowed;
     }
   }
 }

@@ -3,6 +3,7 @@ package org.u2sa.service;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.time.Clock;
@@ -24,14 +25,9 @@ final class ConfigurationWriter {
    * @param write waits for the disk; on the writer's thread
    * @param answer what the service does with what came of it, on the service's thread
    */
-  record Order(Supplier<WrittenChange> write, Answer answer) {}
+  record Order(Supplier<WrittenChange> write, Consumer<WrittenChange> answer) {}
 
-  /** Takes what came of a change. */
-  interface Answer {
-    void take(WrittenChange change);
-  }
-
-  private record Done(WrittenChange change, Answer answer) {}
+  private record Done(WrittenChange change, Consumer<WrittenChange> answer) {}
 
   private final U2SAService service;
   private final Queue<Order> orders = new ArrayDeque<>(); // guarded by this
@@ -104,7 +100,7 @@ final class ConfigurationWriter {
   /** On the service's thread: hands the oldest change over that was written. */
   void handOver() {
     Done next = done.remove();
-    next.answer().take(next.change());
+    next.answer().accept(next.change());
   }
 
   /** Begins nothing any more: the service ends. */

@@ -1,14 +1,12 @@
 package org.u2sa.service;
 
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A service that acts only when a message comes in: its author writes one handler for each channel
  * that it {@linkplain #subscribe subscribes} to, or {@link #callback}, and nothing else.
  */
 public abstract class EventDrivenService extends U2SAService {
-  private final ServiceLoop loop = new ServiceLoop(this);
 
   /** See {@link U2SAService#U2SAService}. */
   protected EventDrivenService(ServiceContext context, ServiceRole role, String serviceName) {
@@ -19,17 +17,17 @@ public abstract class EventDrivenService extends U2SAService {
   protected void begin() {}
 
   @Override
-  public void callback(U2SAData data) {
-    unexpected(data);
+  public final void run() {
+    life.run(this::begin, () -> handleMessages(Clock.NEVER));
   }
 
   @Override
-  public final void run() {
-    loop.run(this::begin, () -> handleMessages(Clock.NEVER));
+  final boolean endsByItsLoop() {
+    return true;
   }
 
   @Override
   public final void kill() {
-    loop.kill();
+    life.kill();
   }
 }

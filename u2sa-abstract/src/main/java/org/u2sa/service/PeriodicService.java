@@ -3,7 +3,6 @@ package org.u2sa.service;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A service that acts at a fixed rate: its author writes {@link #step}, and a handler for each
@@ -18,7 +17,6 @@ public abstract class PeriodicService extends U2SAService {
   private static final double SLOWEST_HZ = 0.001;
 
   private final long periodMicros;
-  private final ServiceLoop loop = new ServiceLoop(this);
   private long dueMicros; // touched by the service's thread, before by the predecessor's
   private boolean hasSucceeded;
 
@@ -56,11 +54,6 @@ public abstract class PeriodicService extends U2SAService {
   }
 
   @Override
-  public void callback(U2SAData data) {
-    unexpected(data);
-  }
-
-  @Override
   final void succeeds(U2SAService predecessor) {
     super.succeeds(predecessor);
     if (predecessor instanceof PeriodicService before) {
@@ -79,12 +72,17 @@ public abstract class PeriodicService extends U2SAService {
 
   @Override
   public final void run() {
-    loop.run(this::begin, this::stepByStep);
+    life.run(this::begin, this::stepByStep);
+  }
+
+  @Override
+  final boolean endsByItsLoop() {
+    return true;
   }
 
   @Override
   public final void kill() {
-    loop.kill();
+    life.kill();
   }
 
   private void stepByStep() throws InterruptedException {

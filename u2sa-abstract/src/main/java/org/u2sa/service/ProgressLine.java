@@ -20,28 +20,22 @@ final class ProgressLine {
   private ProgressLine() {}
 
   static String of(String name, Object value) {
-    List<String> words = new ArrayList<>();
-    words.add("");
-    words.add(escaped(name));
-    if (value instanceof List<?> list) {
-      boolean messages = !list.isEmpty() && list.get(0) instanceof U2SAData;
-      words.set(KIND, messages ? "messages" : "texts"); // an empty list is of either kind
-      list.forEach(each -> words.add(messages ? bytes((U2SAData) each) : escaped((String) each)));
-    } else if (value instanceof U2SAData message) {
-      words.set(KIND, "message");
-      words.add(bytes(message));
-    } else {
-      words.set(KIND, kindOf(value));
-      words.add(escaped(String.valueOf(value)));
+    List<?> values = value instanceof List<?> list ? list : List.of(value);
+    List<String> words = new ArrayList<>(List.of(kindOf(value), escaped(name)));
+    for (Object each : values) {
+      words.add(each instanceof U2SAData message ? bytes(message) : escaped(String.valueOf(each)));
     }
     return String.join("\t", words);
   }
 
   private static String kindOf(Object value) {
-    if (value instanceof Boolean) {
-      return "flag";
+    if (value instanceof List<?> list) { // an empty one is of either kind
+      return !list.isEmpty() && list.get(0) instanceof U2SAData ? "messages" : "texts";
     }
-    return value instanceof Double ? "number" : "text";
+    if (value instanceof U2SAData) {
+      return "message";
+    }
+    return value instanceof Boolean ? "flag" : value instanceof Double ? "number" : "text";
   }
 
   private static String bytes(U2SAData message) {
@@ -63,20 +57,25 @@ final class ProgressLine {
     String name = unescaped(words[NAME]);
     List<String> values = Arrays.asList(words).subList(FIRST, words.length);
     switch (words[KIND]) {
-      case "texts":
+      case "text" -> state.text(name, unescaped(only(values)));
+      case "number" -> state.number(name, Double.parseDouble(only(values)));
+      case "flag" -> state.flag(name, Boolean.parseBoolean(only(values)));
+      case "message" -> state.message(name, message(only(values), codec));
+      case "texts" -> {
         List<String> texts = new ArrayList<>();
         values.forEach(each -> texts.add(unescaped(each)));
         state.texts(name, texts);
-        break;
-      case "messages":
+      }
+      case "messages" -> {
         List<U2SAData> messages = new ArrayList<>();
         for (String each : values) {
           messages.add(message(each, codec));
         }
         state.messages(name, messages);
-        break;
-      default:
-        readOneInto(state, words[KIND], name, only(values), codec);
+      }
+      default ->
+          throw new IllegalArgumentException(
+              "a value of kind \"" + words[KIND] + "\" is not known");
     }
   }
 
@@ -85,27 +84,6 @@ final class ProgressLine {
       throw new IllegalArgumentException(values.size() + " values, expected one");
     }
     return values.get(0);
-  }
-
-  private static void readOneInto(
-      HandOver state, String kind, String name, String value, MessageCodec codec)
-      throws MalformedMessageException {
-    switch (kind) {
-      case "text":
-        state.text(name, unescaped(value));
-        break;
-      case "number":
-        state.number(name, Double.parseDouble(value));
-        break;
-      case "flag":
-        state.flag(name, Boolean.parseBoolean(value));
-        break;
-      case "message":
-        state.message(name, message(value, codec));
-        break;
-      default:
-        throw new IllegalArgumentException("a value of kind \"" + kind + "\" is not known");
-    }
   }
 
   private static U2SAData message(String text, MessageCodec codec)

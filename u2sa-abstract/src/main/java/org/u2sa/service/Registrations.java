@@ -12,8 +12,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** The channels that a service publishes on and asked for, whether it is connected or not. */
 final class Registrations {
-  private final List<Channel<?>> published = new CopyOnWriteArrayList<>();
-  private final List<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
+  private final CopyOnWriteArrayList<Channel<?>> published = new CopyOnWriteArrayList<>();
+  private final CopyOnWriteArrayList<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
   private final Map<Channel<?>, Long> deadlinesMicros = new ConcurrentHashMap<>();
   private final Map<Channel<?>, Consumer<U2SAData>> handlers = new ConcurrentHashMap<>();
 
@@ -27,16 +27,12 @@ final class Registrations {
 
   /** Adds a channel to publish on, once. */
   void publish(Channel<?> channel) {
-    if (!published.contains(channel)) {
-      published.add(channel);
-    }
+    published.addIfAbsent(channel);
   }
 
   /** Adds a channel to hear, once. */
   void subscribe(Channel<?> channel) {
-    if (!subscribed.contains(channel)) {
-      subscribed.add(channel);
-    }
+    subscribed.addIfAbsent(channel);
   }
 
   /** Whether the service's author asked for the channel. */

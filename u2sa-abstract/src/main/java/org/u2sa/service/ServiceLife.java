@@ -13,13 +13,13 @@ import org.u2sa.messages.contract.ServiceStatus;
  */
 final class ServiceLife {
   private static final long ENDS_BY_ITSELF_WITHIN_MS = 200;
+  private static final long ENDS_AFTER_KILL_WITHIN_MS = 2_000;
   private static final long RELEASES_WITHIN_MS = 2_000;
 
   private final U2SAService service;
   private final Clock clock;
   private final long createdMicros;
   private final AtomicBoolean ended = new AtomicBoolean();
-  private boolean endsSurely; // written in the service's constructor
   private volatile boolean askedToStop; // also before the start, which then does not happen
   private volatile String endReason = "";
   private volatile ServiceStatus status = ServiceStatus.CREATED;
@@ -33,17 +33,12 @@ final class ServiceLife {
     service.setUncaughtExceptionHandler((thread, error) -> die(error));
   }
 
-  /** Says that the service's run calls {@link #end} whatever happens, so that nobody watches. */
-  void endsSurely() {
-    endsSurely = true;
-  }
-
   /** {@link U2SAService#start}, of a service that has its state. */
   void start() {
     service.context().configuration().refuseUndeclared();
     if (!startUnlessAskedToStop()) {
       end();
-    } else if (!endsSurely) {
+    } else if (!service.endsByItsLoop()) {
       helper("-watch", this::endAfterRun);
     }
   }
@@ -81,7 +76,7 @@ final class ServiceLife {
     return helper;
   }
 
-  /** Waits for the thread: should it just stop, the service ends as dead. */
+  /** Waits for the thread: if it returns without {@link #end}, the service counts as dead. */
   private void endAfterRun() {
     try {
       service.join();
@@ -149,6 +144,47 @@ final class ServiceLife {
     return Optional.of(endReason).filter(reason -> !reason.isEmpty());
   }
 
+  /**
+   * {@link U2SAService#run} of a service whose author writes only what happens in its loop.
+   *
+   * @param begin called once, before anything else
+   * @param loop returns when the service no longer runs
+   */
+  void run(ServiceHealth.CallbackCode begin, ServiceHealth.CallbackCode loop) {
+    try {
+      awaitTurn();
+      service.log("running as thread " + service.threadID);
+      service.handling.guarded(begin);
+      loop.run();
+    } catch (InterruptedException e) {
+      service.log("interrupted, stopping");
+    } catch (RuntimeException | Error e) {
+      die(e);
+    } finally {
+      end();
+    }
+  }
+
+  /** {@link U2SAService#kill} of such a service. */
+  void kill() {
+    stopWaiting();
+    if (Thread.currentThread() == service) {
+      return; // the loop ends after the present callback and closes everything
+    }
+    boolean interrupted = false;
+    try {
+      service.join(ENDS_AFTER_KILL_WITHIN_MS);
+    } catch (InterruptedException e) {
+      interrupted = true;
+    }
+    // A thread that was never started, or that hangs in its callback, cannot close its own
+    // resources.
+    end();
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
   /** Ends the wait of the service's thread for good, wherever it waits. */
   synchronized void stopWaiting() {
     askedToStop = true;
@@ -187,7 +223,7 @@ final class ServiceLife {
     service.logFile().close();
   }
 
-  /** Takes the end for itself. Returns false if it has ended already. */
+  /** Ends without any shutdown step. Returns false if it has ended already. */
   boolean endsNow() {
     if (!ended.compareAndSet(false, true)) {
       return false;
@@ -196,7 +232,7 @@ final class ServiceLife {
     return true;
   }
 
-  /** Does one of the last things; should it fail, the others are done all the same. */
+  /** Runs one step of the shutdown; if it fails, the others still run. */
   void atLast(String what, Runnable last) {
     try {
       last.run();

@@ -88,15 +88,9 @@ final class ServiceMessaging {
       Optional<Channel<?>> standard, String does, Class<? extends U2SAData> dataType) {
     if (standard.isEmpty()) {
       refuse(
-          "no standard channel on which a "
-              + service.role()
-              + " "
-              + does
-              + " "
-              + dataType.getSimpleName()
-              + ": register with a channel instead, one of "
-              + Channels.all()
-              + " or your own");
+          String.format(
+              "no standard channel on which a %s %s %s: register with a channel instead, one of %s or your own",
+              service.role(), does, dataType.getSimpleName(), Channels.all()));
     }
     return standard;
   }

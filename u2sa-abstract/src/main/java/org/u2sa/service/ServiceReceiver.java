@@ -66,14 +66,9 @@ final class ServiceReceiver implements Receiver {
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
       service.log(
           LogLevelEnum.WARN,
-          "refused on \""
-              + channel
-              + "\", which does not carry "
-              + message.type().name()
-              + " ("
-              + count
-              + " so far): "
-              + message);
+          String.format(
+              "refused on \"%s\", which does not carry %s (%s so far): %s",
+              channel, message.type().name(), count, message));
     }
   }
 

@@ -91,11 +91,9 @@ public final class ServiceSwap {
     }
     if (successor.role() != old.role()) {
       return Optional.of(
-          successor.getClass().getName()
-              + " is a "
-              + successor.role()
-              + ", expected a "
-              + old.role());
+          String.format(
+              "%s is a %s, expected a %s",
+              successor.getClass().getName(), successor.role(), old.role()));
     }
     try {
       successor.context().configuration().refuseUndeclared();

@@ -2,15 +2,19 @@ package org.u2sa.service;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -27,14 +31,16 @@ final class ServiceWiring {
   private volatile long refused; // by the connection, when it was closed
   private volatile long missed; // likewise
   private volatile String instance; // of the connection, also after it was closed
-  private final PublishedData data;
+  private final Clock clock;
+  private final AtomicLong published = new AtomicLong(); // without what the contract makes it say
+  private volatile long publishedMicros; // the last of them
   private boolean closed;
 
   ServiceWiring(ServiceContext context, String serviceName, ServiceReceiver receiver) {
     this.serviceName = serviceName;
     this.receiver = receiver;
     staged = context.predecessor().isPresent();
-    data = new PublishedData(context.clock());
+    clock = context.clock();
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
@@ -110,7 +116,10 @@ final class ServiceWiring {
     if (!connection().publish(channel, message)) {
       return false;
     }
-    data.note(channel);
+    if (!ContractResponder.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {
+      publishedMicros = clock.micros();
+      published.incrementAndGet();
+    }
     return true;
   }
 
@@ -124,9 +133,16 @@ final class ServiceWiring {
     return registrations;
   }
 
-  /** What was published so far. */
-  PublishedData data() {
-    return data;
+  /** Messages published so far, reports of the contract left out. */
+  long published() {
+    return published.get();
+  }
+
+  /** Time since the last of them [s]; empty before the first. */
+  OptionalDouble dataAgeS() {
+    return published() == 0
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(Clock.seconds(Math.max(0, clock.micros() - publishedMicros)));
   }
 
   boolean registerPublisher(Channel<?> channel) {

@@ -102,7 +102,9 @@ public abstract class U2SAService extends Thread
    * Handles one message that no {@linkplain #subscribe handler} takes, on the service's thread, one
    * at a time. What is not expected goes to {@link #unexpected}.
    */
-  public abstract void callback(U2SAData data);
+  public void callback(U2SAData data) {
+    unexpected(data);
+  }
 
   /** Logs a message that the service has no use for (thesis 8.2.4). */
   protected final void unexpected(U2SAData data) {
@@ -178,8 +180,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Says in the log, and as the last error in the health report, what is wrong with something that
-   * the service works with, such as a lost device; the service goes on. From any thread.
+   * Logs a problem that the service survives, such as a lost device, and reports it as the last
+   * error in the health report. From any thread.
    */
   public final void trouble(String what) {
     health.error(what);
@@ -322,6 +324,11 @@ public abstract class U2SAService extends Thread
     life.start();
   }
 
+  /** Whether {@link #run} calls {@link #end} whatever happens, so that nobody need watch it. */
+  boolean endsByItsLoop() {
+    return false;
+  }
+
   final void startThread() {
     super.start();
   }
@@ -350,7 +357,7 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Gives a service up whose code does not return: Java cannot end its thread. It is interrupted;
+   * Abandons a service whose code does not return: Java cannot end its thread. It is interrupted;
    * if that does not help, its actuators are left neutral from another thread and it is cut off:
    * what it still publishes is refused, nothing reaches it any more, and its name is free. Returns
    * within a few seconds in any case.

@@ -8,9 +8,11 @@ import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import org.u2sa.gcs.command.CommandProvider;
 import picocli.CommandLine;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Spec;
 
 /** Builds the tree of commands from the frame's own and the contributed ones. */
 final class CommandTree {
@@ -76,6 +78,25 @@ final class CommandTree {
     }
     for (CommandLine child : command.getSubcommands().values()) {
       addHelp(child);
+    }
+  }
+
+  /**
+   * {@code u2sa demo}: lists the demos that the modules on the class path contribute; each is a
+   * sub-command of it.
+   */
+  @Command(
+      name = "demo",
+      description = "Run simulated vehicles on missions. Alone: list the demos.",
+      synopsisSubcommandLabel = "[<demo> [<options>]]",
+      commandListHeading = "%n@|bold DEMOS|@%n")
+  private static final class DemoCommand implements Runnable {
+
+    @Spec private CommandSpec spec;
+
+    @Override
+    public void run() {
+      spec.commandLine().usage(spec.commandLine().getOut());
     }
   }
 }

@@ -55,9 +55,9 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     } else {
       err.println(
           PREFIX
-              + "unexpected "
-              + describe(thrown)
-              + (debug.getAsBoolean() ? "" : " (--debug shows where)"));
+              + String.format(
+                  "unexpected %s%s",
+                  describe(thrown), debug.getAsBoolean() ? "" : " (--debug shows where)"));
     }
     if (debug.getAsBoolean()) {
       thrown.printStackTrace(err);

@@ -86,12 +86,11 @@ final class RootCommand implements Runnable {
     public String[] getVersion() {
       return new String[] {
         "u2sa " + ProgramVersion.text(),
-        "Java "
-            + System.getProperty("java.version")
-            + " ("
-            + System.getProperty("java.vm.name")
-            + "), picocli "
-            + CommandLine.VERSION
+        String.format(
+            "Java %s (%s), picocli %s",
+            System.getProperty("java.version"),
+            System.getProperty("java.vm.name"),
+            CommandLine.VERSION)
       };
     }
   }

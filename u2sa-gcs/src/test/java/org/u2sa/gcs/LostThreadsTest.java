@@ -11,7 +11,7 @@ class LostThreadsTest {
 
   private void end(Throwable thrown, String className) {
     thrown.setStackTrace(new StackTraceElement[] {new StackTraceElement(className, "run", "", 1)});
-    new LostThreads(new PrintWriter(err)).uncaughtException(new Thread("MQTT Con: x"), thrown);
+    new Main.LostThreads(new PrintWriter(err)).uncaughtException(new Thread("MQTT Con: x"), thrown);
   }
 
   @Test

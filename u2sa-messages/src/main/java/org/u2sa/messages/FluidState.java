@@ -5,10 +5,8 @@ import java.util.OptionalDouble;
 /**
  * Motion through the fluid, air or water, along the vehicle's own axes (figure 6, right column):
  * those of BODY (x forward, y left, z down) unless the message itself is in BODY_FRD or BODY_FLU.
- *
- * @param <S> what setters answer: {@link StateInformation}
  */
-abstract class FluidState<S extends StateInformation> extends RotationState<S> {
+abstract class FluidState extends RotationState {
   /**
    * Velocity of the vehicle through the fluid along its own x (forward) axis [m/s]; empty if
    * absent.
@@ -18,7 +16,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidxDot()}. */
-  public S fluidxDot(double value) {
+  public StateInformation fluidxDot(double value) {
     return number(StateField.FLUID_X_DOT, value);
   }
 
@@ -31,7 +29,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidyDot()}. */
-  public S fluidyDot(double value) {
+  public StateInformation fluidyDot(double value) {
     return number(StateField.FLUID_Y_DOT, value);
   }
 
@@ -44,7 +42,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidzDot()}. */
-  public S fluidzDot(double value) {
+  public StateInformation fluidzDot(double value) {
     return number(StateField.FLUID_Z_DOT, value);
   }
 
@@ -57,7 +55,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidxDoubleDot()}. */
-  public S fluidxDoubleDot(double value) {
+  public StateInformation fluidxDoubleDot(double value) {
     return number(StateField.FLUID_X_DOUBLE_DOT, value);
   }
 
@@ -70,7 +68,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidyDoubleDot()}. */
-  public S fluidyDoubleDot(double value) {
+  public StateInformation fluidyDoubleDot(double value) {
     return number(StateField.FLUID_Y_DOUBLE_DOT, value);
   }
 
@@ -83,7 +81,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidzDoubleDot()}. */
-  public S fluidzDoubleDot(double value) {
+  public StateInformation fluidzDoubleDot(double value) {
     return number(StateField.FLUID_Z_DOUBLE_DOT, value);
   }
 
@@ -93,7 +91,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidxDotSigma()}. */
-  public S fluidxDotSigma(double value) {
+  public StateInformation fluidxDotSigma(double value) {
     return number(StateField.FLUID_X_DOT_SIGMA, value);
   }
 
@@ -103,7 +101,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidyDotSigma()}. */
-  public S fluidyDotSigma(double value) {
+  public StateInformation fluidyDotSigma(double value) {
     return number(StateField.FLUID_Y_DOT_SIGMA, value);
   }
 
@@ -113,37 +111,7 @@ abstract class FluidState<S extends StateInformation> extends RotationState<S> {
   }
 
   /** Sets {@link #fluidzDotSigma()}. */
-  public S fluidzDotSigma(double value) {
+  public StateInformation fluidzDotSigma(double value) {
     return number(StateField.FLUID_Z_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #fluidxDoubleDot()} [m/s²]; empty if absent. */
-  public OptionalDouble fluidxDoubleDotSigma() {
-    return number(StateField.FLUID_X_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #fluidxDoubleDotSigma()}. */
-  public S fluidxDoubleDotSigma(double value) {
-    return number(StateField.FLUID_X_DOUBLE_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #fluidyDoubleDot()} [m/s²]; empty if absent. */
-  public OptionalDouble fluidyDoubleDotSigma() {
-    return number(StateField.FLUID_Y_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #fluidyDoubleDotSigma()}. */
-  public S fluidyDoubleDotSigma(double value) {
-    return number(StateField.FLUID_Y_DOUBLE_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #fluidzDoubleDot()} [m/s²]; empty if absent. */
-  public OptionalDouble fluidzDoubleDotSigma() {
-    return number(StateField.FLUID_Z_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #fluidzDoubleDotSigma()}. */
-  public S fluidzDoubleDotSigma(double value) {
-    return number(StateField.FLUID_Z_DOUBLE_DOT_SIGMA, value);
   }
 }

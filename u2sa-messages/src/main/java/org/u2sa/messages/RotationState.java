@@ -5,17 +5,15 @@ import java.util.OptionalDouble;
 /**
  * Attitude, its rates and accelerations, with their standard deviations (figure 6, middle column).
  * Senses of rotation are the frame's.
- *
- * @param <S> what setters answer: {@link StateInformation}
  */
-abstract class RotationState<S extends StateInformation> extends TranslationState<S> {
+abstract class RotationState extends TranslationState {
   /** Roll [rad]; right wing down positive in GLOBAL; empty if absent. */
   public OptionalDouble phi() {
     return number(StateField.PHI);
   }
 
   /** Sets {@link #phi()}. */
-  public S phi(double value) {
+  public StateInformation phi(double value) {
     return number(StateField.PHI, value);
   }
 
@@ -25,7 +23,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #theta()}. */
-  public S theta(double value) {
+  public StateInformation theta(double value) {
     return number(StateField.THETA, value);
   }
 
@@ -35,7 +33,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #psi()}. */
-  public S psi(double value) {
+  public StateInformation psi(double value) {
     return number(StateField.PSI, value);
   }
 
@@ -45,7 +43,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #phiDot()}. */
-  public S phiDot(double value) {
+  public StateInformation phiDot(double value) {
     return number(StateField.PHI_DOT, value);
   }
 
@@ -55,7 +53,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #thetaDot()}. */
-  public S thetaDot(double value) {
+  public StateInformation thetaDot(double value) {
     return number(StateField.THETA_DOT, value);
   }
 
@@ -65,7 +63,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #psiDot()}. */
-  public S psiDot(double value) {
+  public StateInformation psiDot(double value) {
     return number(StateField.PSI_DOT, value);
   }
 
@@ -75,7 +73,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #phiDoubleDot()}. */
-  public S phiDoubleDot(double value) {
+  public StateInformation phiDoubleDot(double value) {
     return number(StateField.PHI_DOUBLE_DOT, value);
   }
 
@@ -85,7 +83,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #thetaDoubleDot()}. */
-  public S thetaDoubleDot(double value) {
+  public StateInformation thetaDoubleDot(double value) {
     return number(StateField.THETA_DOUBLE_DOT, value);
   }
 
@@ -95,7 +93,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #psiDoubleDot()}. */
-  public S psiDoubleDot(double value) {
+  public StateInformation psiDoubleDot(double value) {
     return number(StateField.PSI_DOUBLE_DOT, value);
   }
 
@@ -105,7 +103,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #phiSigma()}. */
-  public S phiSigma(double value) {
+  public StateInformation phiSigma(double value) {
     return number(StateField.PHI_SIGMA, value);
   }
 
@@ -115,7 +113,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #thetaSigma()}. */
-  public S thetaSigma(double value) {
+  public StateInformation thetaSigma(double value) {
     return number(StateField.THETA_SIGMA, value);
   }
 
@@ -125,7 +123,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #psiSigma()}. */
-  public S psiSigma(double value) {
+  public StateInformation psiSigma(double value) {
     return number(StateField.PSI_SIGMA, value);
   }
 
@@ -135,7 +133,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #phiDotSigma()}. */
-  public S phiDotSigma(double value) {
+  public StateInformation phiDotSigma(double value) {
     return number(StateField.PHI_DOT_SIGMA, value);
   }
 
@@ -145,7 +143,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #thetaDotSigma()}. */
-  public S thetaDotSigma(double value) {
+  public StateInformation thetaDotSigma(double value) {
     return number(StateField.THETA_DOT_SIGMA, value);
   }
 
@@ -155,37 +153,7 @@ abstract class RotationState<S extends StateInformation> extends TranslationStat
   }
 
   /** Sets {@link #psiDotSigma()}. */
-  public S psiDotSigma(double value) {
+  public StateInformation psiDotSigma(double value) {
     return number(StateField.PSI_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #phiDoubleDot()} [rad/s²]; empty if absent. */
-  public OptionalDouble phiDoubleDotSigma() {
-    return number(StateField.PHI_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #phiDoubleDotSigma()}. */
-  public S phiDoubleDotSigma(double value) {
-    return number(StateField.PHI_DOUBLE_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #thetaDoubleDot()} [rad/s²]; empty if absent. */
-  public OptionalDouble thetaDoubleDotSigma() {
-    return number(StateField.THETA_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #thetaDoubleDotSigma()}. */
-  public S thetaDoubleDotSigma(double value) {
-    return number(StateField.THETA_DOUBLE_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #psiDoubleDot()} [rad/s²]; empty if absent. */
-  public OptionalDouble psiDoubleDotSigma() {
-    return number(StateField.PSI_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #psiDoubleDotSigma()}. */
-  public S psiDoubleDotSigma(double value) {
-    return number(StateField.PSI_DOUBLE_DOT_SIGMA, value);
   }
 }

@@ -35,11 +35,11 @@ public enum StateField {
   Y_DOT_SIGMA("yDotSigma", "m/s"),
   /** Standard deviation of {@link StateInformation#zDot()} [m/s]. */
   Z_DOT_SIGMA("zDotSigma", "m/s"),
-  /** Standard deviation of {@link StateInformation#xDoubleDot()} [m/s²]. */
+  /** Standard deviation of {@link StateInformation#xDoubleDot()} [m/s²]; empty if absent. */
   X_DOUBLE_DOT_SIGMA("xDoubleDotSigma", "m/s2"),
-  /** Standard deviation of {@link StateInformation#yDoubleDot()} [m/s²]. */
+  /** Standard deviation of {@link StateInformation#yDoubleDot()} [m/s²]; empty if absent. */
   Y_DOUBLE_DOT_SIGMA("yDoubleDotSigma", "m/s2"),
-  /** Standard deviation of {@link StateInformation#zDoubleDot()} [m/s²]. */
+  /** Standard deviation of {@link StateInformation#zDoubleDot()} [m/s²]; empty if absent. */
   Z_DOUBLE_DOT_SIGMA("zDoubleDotSigma", "m/s2"),
   /** Roll [rad]; right wing down positive in GLOBAL. */
   PHI("phi", "rad"),
@@ -71,11 +71,11 @@ public enum StateField {
   THETA_DOT_SIGMA("thetaDotSigma", "rad/s"),
   /** Standard deviation of {@link StateInformation#psiDot()} [rad/s]. */
   PSI_DOT_SIGMA("psiDotSigma", "rad/s"),
-  /** Standard deviation of {@link StateInformation#phiDoubleDot()} [rad/s²]. */
+  /** Standard deviation of {@link StateInformation#phiDoubleDot()} [rad/s²]; empty if absent. */
   PHI_DOUBLE_DOT_SIGMA("phiDoubleDotSigma", "rad/s2"),
-  /** Standard deviation of {@link StateInformation#thetaDoubleDot()} [rad/s²]. */
+  /** Standard deviation of {@link StateInformation#thetaDoubleDot()} [rad/s²]; empty if absent. */
   THETA_DOUBLE_DOT_SIGMA("thetaDoubleDotSigma", "rad/s2"),
-  /** Standard deviation of {@link StateInformation#psiDoubleDot()} [rad/s²]. */
+  /** Standard deviation of {@link StateInformation#psiDoubleDot()} [rad/s²]; empty if absent. */
   PSI_DOUBLE_DOT_SIGMA("psiDoubleDotSigma", "rad/s2"),
   /** Velocity of the vehicle through the fluid along its own x (forward) axis [m/s]. */
   FLUID_X_DOT("fluidxDot", "m/s"),
@@ -95,11 +95,11 @@ public enum StateField {
   FLUID_Y_DOT_SIGMA("fluidyDotSigma", "m/s"),
   /** Standard deviation of {@link StateInformation#fluidzDot()} [m/s]. */
   FLUID_Z_DOT_SIGMA("fluidzDotSigma", "m/s"),
-  /** Standard deviation of {@link StateInformation#fluidxDoubleDot()} [m/s²]. */
+  /** Standard deviation of {@link StateInformation#fluidxDoubleDot()} [m/s²]; empty if absent. */
   FLUID_X_DOUBLE_DOT_SIGMA("fluidxDoubleDotSigma", "m/s2"),
-  /** Standard deviation of {@link StateInformation#fluidyDoubleDot()} [m/s²]. */
+  /** Standard deviation of {@link StateInformation#fluidyDoubleDot()} [m/s²]; empty if absent. */
   FLUID_Y_DOUBLE_DOT_SIGMA("fluidyDoubleDotSigma", "m/s2"),
-  /** Standard deviation of {@link StateInformation#fluidzDoubleDot()} [m/s²]. */
+  /** Standard deviation of {@link StateInformation#fluidzDoubleDot()} [m/s²]; empty if absent. */
   FLUID_Z_DOUBLE_DOT_SIGMA("fluidzDoubleDotSigma", "m/s2");
 
   private final String fieldName;

@@ -15,11 +15,12 @@ import org.u2sa.messages.schema.ValueField;
  * All or part of a vehicle's state, from a sensor or from the State Estimator (thesis 3.2.3.2,
  * figure 6).
  *
- * <p>48 optional numbers: see {@link StateField}. Their axes and senses of rotation are those of
- * {@link #referenceFrame()}; velocities and accelerations are metric in every frame, standard
- * deviations too.
+ * <p>48 optional numbers: see {@link StateField}. All have a getter and a setter but the standard
+ * deviations of accelerations, for which {@link #number(StateField)} stands. Their axes and senses
+ * of rotation are those of {@link #referenceFrame()}; velocities and accelerations are metric in
+ * every frame, standard deviations too.
  */
-public class StateInformation extends FluidState<StateInformation> {
+public class StateInformation extends FluidState {
   private static final Schema<StateInformation> SCHEMA =
       Schema.of(StateInformation.class, StateInformation::new, U2SAData.TYPE);
   private static final ValueField<StateInformation, String> SENSOR_NAME =

@@ -1,5 +1,6 @@
 package org.u2sa.messages;
 
+import java.util.Arrays;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -36,15 +37,11 @@ enum StateTriple {
   }
 
   boolean isEmpty(StateInformation state) {
-    return !state.number(fields[0]).isPresent()
-        && !state.number(fields[1]).isPresent()
-        && !state.number(fields[2]).isPresent();
+    return Arrays.stream(fields).noneMatch(field -> state.number(field).isPresent());
   }
 
   boolean isComplete(StateInformation state) {
-    return state.number(fields[0]).isPresent()
-        && state.number(fields[1]).isPresent()
-        && state.number(fields[2]).isPresent();
+    return Arrays.stream(fields).allMatch(field -> state.number(field).isPresent());
   }
 
   /** The three values, absent ones 0. */
@@ -57,14 +54,11 @@ enum StateTriple {
 
   /** Puts the values of those fields that are present in {@code source}. */
   void put(StateInformation state, StateInformation source, Point values) {
-    if (source.number(fields[0]).isPresent()) {
-      state.number(fields[0], values.x());
-    }
-    if (source.number(fields[1]).isPresent()) {
-      state.number(fields[1], values.y());
-    }
-    if (source.number(fields[2]).isPresent()) {
-      state.number(fields[2], values.z());
+    double[] put = {values.x(), values.y(), values.z()};
+    for (int i = 0; i < put.length; i++) {
+      if (source.number(fields[i]).isPresent()) {
+        state.number(fields[i], put[i]);
+      }
     }
   }
 
@@ -76,12 +70,9 @@ enum StateTriple {
   void requirePair(StateInformation state, String what) {
     if (state.number(fields[0]).isPresent() != state.number(fields[1]).isPresent()) {
       throw new IllegalArgumentException(
-          what
-              + ": "
-              + fields[0].fieldName()
-              + " and "
-              + fields[1].fieldName()
-              + " are needed both or neither");
+          String.format(
+              "%s: %s and %s are needed both or neither",
+              what, fields[0].fieldName(), fields[1].fieldName()));
     }
   }
 }

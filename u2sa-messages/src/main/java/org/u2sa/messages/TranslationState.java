@@ -6,13 +6,11 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * Position, velocity and acceleration over ground, with their standard deviations (figure 6, left
  * column).
- *
- * @param <S> what setters answer: {@link StateInformation}
  */
-abstract class TranslationState<S extends StateInformation> extends U2SAData {
+abstract class TranslationState extends U2SAData {
   abstract OptionalDouble number(StateField field);
 
-  abstract S number(StateField field, double value);
+  abstract StateInformation number(StateField field, double value);
 
   /** Position along x [m]; longitude [deg, east +] in GLOBAL; empty if absent. */
   public OptionalDouble x() {
@@ -20,7 +18,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #x()}. */
-  public S x(double value) {
+  public StateInformation x(double value) {
     return number(StateField.X, value);
   }
 
@@ -30,7 +28,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #y()}. */
-  public S y(double value) {
+  public StateInformation y(double value) {
     return number(StateField.Y, value);
   }
 
@@ -42,7 +40,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #z()}. */
-  public S z(double value) {
+  public StateInformation z(double value) {
     return number(StateField.Z, value);
   }
 
@@ -52,7 +50,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #xDot()}. */
-  public S xDot(double value) {
+  public StateInformation xDot(double value) {
     return number(StateField.X_DOT, value);
   }
 
@@ -62,7 +60,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #yDot()}. */
-  public S yDot(double value) {
+  public StateInformation yDot(double value) {
     return number(StateField.Y_DOT, value);
   }
 
@@ -72,7 +70,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #zDot()}. */
-  public S zDot(double value) {
+  public StateInformation zDot(double value) {
     return number(StateField.Z_DOT, value);
   }
 
@@ -82,7 +80,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #xDoubleDot()}. */
-  public S xDoubleDot(double value) {
+  public StateInformation xDoubleDot(double value) {
     return number(StateField.X_DOUBLE_DOT, value);
   }
 
@@ -92,7 +90,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #yDoubleDot()}. */
-  public S yDoubleDot(double value) {
+  public StateInformation yDoubleDot(double value) {
     return number(StateField.Y_DOUBLE_DOT, value);
   }
 
@@ -102,7 +100,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #zDoubleDot()}. */
-  public S zDoubleDot(double value) {
+  public StateInformation zDoubleDot(double value) {
     return number(StateField.Z_DOUBLE_DOT, value);
   }
 
@@ -112,7 +110,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #xSigma()}. */
-  public S xSigma(double value) {
+  public StateInformation xSigma(double value) {
     return number(StateField.X_SIGMA, value);
   }
 
@@ -122,7 +120,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #ySigma()}. */
-  public S ySigma(double value) {
+  public StateInformation ySigma(double value) {
     return number(StateField.Y_SIGMA, value);
   }
 
@@ -132,7 +130,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #zSigma()}. */
-  public S zSigma(double value) {
+  public StateInformation zSigma(double value) {
     return number(StateField.Z_SIGMA, value);
   }
 
@@ -142,7 +140,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #xDotSigma()}. */
-  public S xDotSigma(double value) {
+  public StateInformation xDotSigma(double value) {
     return number(StateField.X_DOT_SIGMA, value);
   }
 
@@ -152,7 +150,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #yDotSigma()}. */
-  public S yDotSigma(double value) {
+  public StateInformation yDotSigma(double value) {
     return number(StateField.Y_DOT_SIGMA, value);
   }
 
@@ -162,37 +160,7 @@ abstract class TranslationState<S extends StateInformation> extends U2SAData {
   }
 
   /** Sets {@link #zDotSigma()}. */
-  public S zDotSigma(double value) {
+  public StateInformation zDotSigma(double value) {
     return number(StateField.Z_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #xDoubleDot()} [m/s²]; empty if absent. */
-  public OptionalDouble xDoubleDotSigma() {
-    return number(StateField.X_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #xDoubleDotSigma()}. */
-  public S xDoubleDotSigma(double value) {
-    return number(StateField.X_DOUBLE_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #yDoubleDot()} [m/s²]; empty if absent. */
-  public OptionalDouble yDoubleDotSigma() {
-    return number(StateField.Y_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #yDoubleDotSigma()}. */
-  public S yDoubleDotSigma(double value) {
-    return number(StateField.Y_DOUBLE_DOT_SIGMA, value);
-  }
-
-  /** Standard deviation of {@link #zDoubleDot()} [m/s²]; empty if absent. */
-  public OptionalDouble zDoubleDotSigma() {
-    return number(StateField.Z_DOUBLE_DOT_SIGMA);
-  }
-
-  /** Sets {@link #zDoubleDotSigma()}. */
-  public S zDoubleDotSigma(double value) {
-    return number(StateField.Z_DOUBLE_DOT_SIGMA, value);
   }
 }

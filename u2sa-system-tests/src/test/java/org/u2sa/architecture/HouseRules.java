@@ -96,6 +96,7 @@ final class HouseRules {
             "com.ctc.wstx..",
             "com.fasterxml.jackson.dataformat.xml.."));
     rules.put("SVG", confined("scenarios.report", "org.apache.batik..", "org.w3c.dom.."));
+    rules.put("charts", confined("scenarios.report", "org.jfree.."));
     rules.put("no circles between packages", noCircles());
     rules.put("one clock", oneClock());
     rules.put("no static mutable state", noStaticMutableState());

@@ -103,16 +103,14 @@ public final class ServiceDirectory {
    * @return whether the directory has a use for it
    */
   public boolean take(U2SAData message) {
-    if (message instanceof DiscoveryResponse) {
-      DiscoveryResponse response = (DiscoveryResponse) message;
+    if (message instanceof DiscoveryResponse response) {
       note(response.serviceName(), known -> restarted(known, response.instance()).with(response));
-    } else if (message instanceof FunctionalityResponse) {
-      FunctionalityResponse response = (FunctionalityResponse) message;
+    } else if (message instanceof FunctionalityResponse response) {
       note(response.serviceName(), known -> known.with(response));
-    } else if (message instanceof HealthReport) {
-      takeHealth((HealthReport) message);
-    } else if (message instanceof ServiceCondition) {
-      takeCondition((ServiceCondition) message);
+    } else if (message instanceof HealthReport report) {
+      takeHealth(report);
+    } else if (message instanceof ServiceCondition condition) {
+      takeCondition(condition);
     } else {
       return false;
     }
@@ -227,4 +225,14 @@ public final class ServiceDirectory {
     certain.addAll(possible);
     return certain;
   }
+
+  /**
+   * A service that has to do with a type of data, and how.
+   *
+   * @param service the service
+   * @param offer the channel and the type that it named
+   * @param certain whether all that travels on the channel is of the type asked for; otherwise the
+   *     type is a subclass of the channel's, so that messages of it may travel there among others
+   */
+  public record Found(KnownService service, DataOffer offer, boolean certain) {}
 }

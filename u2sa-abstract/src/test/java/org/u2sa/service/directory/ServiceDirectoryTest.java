@@ -82,7 +82,7 @@ class ServiceDirectoryTest {
     return directory;
   }
 
-  private static List<String> names(List<Found> found) {
+  private static List<String> names(List<ServiceDirectory.Found> found) {
     return found.stream()
         .map(each -> each.service().name() + " " + each.offer() + (each.certain() ? "" : " ?"))
         .toList();

@@ -1,6 +1,5 @@
 package org.u2sa.core.communication;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
@@ -41,14 +40,7 @@ final class Allowance {
 
     private final double perS;
     private final Map<String, Allowance> byUser = // guarded by this
-        new LinkedHashMap<>(16, 0.75f, true) {
-          private static final long serialVersionUID = 1L;
-
-          @Override
-          protected boolean removeEldestEntry(Map.Entry<String, Allowance> eldest) {
-            return size() > USERS_REMEMBERED;
-          }
-        };
+        new RecentlyUsed<>(USERS_REMEMBERED);
 
     PerUser(double perS) {
       this.perS = perS;

@@ -14,7 +14,9 @@ import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.core.security.AccessRole;
@@ -81,7 +83,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
 
   /** Whether a packet counts among the questions of its user. */
   boolean isQuestion(Object packet) {
-    return rules != null && packet instanceof MqttMessage && rules.isQuestion((MqttMessage) packet);
+    return rules != null && packet instanceof MqttMessage message && rules.isQuestion(message);
   }
 
   /**
@@ -90,15 +92,15 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
    */
   void replaced() {
     ChannelHandlerContext ctx = context;
-    ctx.executor()
-        .execute(
-            () -> {
-              if (stage == Stage.IN) {
-                stage = Stage.OUT;
-                sayFarewell(ctx);
-                ctx.executor().schedule(() -> ctx.close(), FAREWELL_WITHIN_S, TimeUnit.SECONDS);
-              }
-            });
+    execute(
+        ctx.executor(),
+        () -> {
+          if (stage == Stage.IN) {
+            stage = Stage.OUT;
+            sayFarewell(ctx);
+            ctx.executor().schedule(() -> ctx.close(), FAREWELL_WITHIN_S, TimeUnit.SECONDS);
+          }
+        });
   }
 
   /** Moquette passes over a farewell that comes before it has finished connecting the client. */
@@ -147,7 +149,19 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   /** Ends the connection. May be called on any thread. */
   void putOutFor(String kind) {
     ChannelHandlerContext ctx = context;
-    ctx.executor().execute(() -> putOut(ctx, kind, ""));
+    execute(ctx.executor(), () -> putOut(ctx, kind, ""));
+  }
+
+  /**
+   * Runs an action on a connection's thread, or drops it if the broker has ended that thread: its
+   * connections are closed then, and there is nobody left to answer.
+   */
+  static void execute(Executor connectionThread, Runnable action) {
+    try {
+      connectionThread.execute(action);
+    } catch (RejectedExecutionException e) {
+      return;
+    }
   }
 
   void putOut(ChannelHandlerContext ctx, String kind, String details) {
@@ -213,11 +227,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   }
 
   private void connect(ChannelHandlerContext ctx, MqttMessage packet) {
-    if (!(packet instanceof MqttConnectMessage)) {
+    if (!(packet instanceof MqttConnectMessage connect)) {
       putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
       return;
     }
-    ConnectRequest said = ConnectRequest.of((MqttConnectMessage) packet, filter.pass());
+    ConnectRequest said = ConnectRequest.of(connect, filter.pass());
     clientId = said.clientId();
     Optional<String> fault = said.fault();
     if (fault.isPresent()) {
@@ -239,7 +253,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
               name,
               said.password(),
               from,
-              verdict -> ctx.executor().execute(() -> judged(ctx, said, verdict)));
+              verdict -> execute(ctx.executor(), () -> judged(ctx, said, verdict)));
     }
   }
 

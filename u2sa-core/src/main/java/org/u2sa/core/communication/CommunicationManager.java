@@ -1,9 +1,11 @@
 package org.u2sa.core.communication;
 
 import java.net.InetSocketAddress;
+import java.nio.file.Paths;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.BrokerAccess;
 import org.u2sa.interfaces.communication.Channel;
@@ -72,10 +74,11 @@ public final class CommunicationManager implements AutoCloseable {
     double patienceS = manager.communicationManagerWait();
     BrokerLimits limits = configuration.settings(BrokerLimits.class).get();
     BrokerSecurity.Settings settings = configuration.settings(BrokerSecurity.Settings.class).get();
-    AccessVariables access = AccessVariables.of(configuration);
+    BrokerAccess.Login login = configuration.settings(BrokerAccess.Login.class).get();
+    Supplier<BrokerAccess> access = () -> access(login, settings.securityDirectory());
     MessageCodec codec = new MessageCodec(types);
     if (manager.broker().equals("external")) {
-      BrokerAccess as = access.beside(settings.securityDirectory());
+      BrokerAccess as = access.get();
       InetSocketAddress broker =
           InetSocketAddress.createUnresolved(manager.communicationManagerIp(), port);
       if (manager.communicationManagerIp().equals(BrokerSearch.AUTO)) {
@@ -108,10 +111,7 @@ public final class CommunicationManager implements AutoCloseable {
                           EmbeddedBroker.start(bus, codec, address, security, limits, log, died),
                       log));
       String reached = address.getAddress().isAnyLocalAddress() ? LOOPBACK : bindAddress;
-      remote =
-          () ->
-              new MqttTransport(
-                  reached, port, systemId, codec, access.beside(settings.securityDirectory()));
+      remote = () -> new MqttTransport(reached, port, systemId, codec, access.get());
       own =
           () ->
               new MqttTransport(reached, port, systemId, codec, security.ownAccess())
@@ -121,6 +121,15 @@ public final class CommunicationManager implements AutoCloseable {
       }
     }
     return new CommunicationManager(bus, remote, own, broker, announcement, secured);
+  }
+
+  /** With the same configuration as the secured broker, its authority is the one to trust. */
+  private static BrokerAccess access(BrokerAccess.Login login, String directory) {
+    String authority =
+        login.authority().isEmpty() && !directory.isEmpty()
+            ? new SecurityDirectory(Paths.get(directory)).authority().toString()
+            : login.authority();
+    return BrokerAccess.of(login.user(), login.passwordFile(), login.tls(), authority);
   }
 
   private static FoundBroker search(String systemId, BrokerAccess access, double timeoutS) {

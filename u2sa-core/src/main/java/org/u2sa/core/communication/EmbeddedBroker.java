@@ -90,7 +90,7 @@ final class EmbeddedBroker implements AutoCloseable {
           security::tls,
           (clientId, user, password) -> filter.letIn(password),
           new PermitAllAuthorizatorPolicy()); // the connection filter has looked at each packet
-      FilterInstaller.hang(filter, broker.server);
+      FilterInstaller.install(filter, broker.server);
     } catch (IOException | RuntimeException e) {
       filter.close();
       throw cannotListen(address, e);
@@ -144,11 +144,6 @@ final class EmbeddedBroker implements AutoCloseable {
 
   InetSocketAddress address() {
     return address;
-  }
-
-  /** What the connection filter has refused and given up, for tests. */
-  ConnectionFilter filter() {
-    return filter;
   }
 
   long dropped() {

@@ -25,13 +25,13 @@ final class FilterInstaller {
 
   private FilterInstaller() {}
 
-  static void hang(ConnectionFilter filter, Server server) {
-    int hung = 0;
+  static void install(ConnectionFilter filter, Server server) {
+    int installed = 0;
     try {
       Object acceptor = field(server, "acceptor");
       EventLoopGroup listening = (EventLoopGroup) field(acceptor, "bossGroup");
       for (EventExecutor executor : listening) {
-        hung += executor.submit(() -> hang(filter, (EventLoop) executor)).get();
+        installed += executor.submit(() -> install(filter, (EventLoop) executor)).get();
       }
     } catch (ReflectiveOperationException | ExecutionException e) {
       throw new CommunicationException("this version of Moquette cannot be secured: " + e, e);
@@ -39,7 +39,7 @@ final class FilterInstaller {
       Thread.currentThread().interrupt();
       throw new CommunicationException("interrupted while the broker started", e);
     }
-    if (hung == 0) {
+    if (installed == 0) {
       throw new CommunicationException("this version of Moquette cannot be secured: no socket");
     }
   }
@@ -66,17 +66,17 @@ final class FilterInstaller {
   }
 
   /** On the loop's own thread, as its channels may be looked at there only. */
-  private static int hang(ConnectionFilter filter, EventLoop loop) {
-    int hung = 0;
+  private static int install(ConnectionFilter filter, EventLoop loop) {
+    int installed = 0;
     Iterator<Channel> channels = ((SingleThreadEventLoop) loop).registeredChannelsIterator();
     while (channels.hasNext()) {
       Channel channel = channels.next();
       if (channel instanceof ServerChannel) {
         channel.pipeline().addFirst(filter.new Acceptor());
         loop.scheduleAtFixedRate(filter::tidy, 1, 1, SECONDS);
-        hung++;
+        installed++;
       }
     }
-    return hung;
+    return installed;
   }
 }

@@ -67,8 +67,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   private void letIn(ChannelHandlerContext ctx, Object message) {
     messages.take(1.0);
-    if (message instanceof MqttPublishMessage) {
-      bytes.take(((MqttPublishMessage) message).content().readableBytes());
+    if (message instanceof MqttPublishMessage publish) {
+      bytes.take(publish.content().readableBytes());
     }
     ctx.fireChannelRead(message);
   }

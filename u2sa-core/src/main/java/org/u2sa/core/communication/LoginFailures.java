@@ -1,6 +1,5 @@
 package org.u2sa.core.communication;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
@@ -15,22 +14,12 @@ final class LoginFailures {
   private record Failures(int count, long lastMicros) {}
 
   private final Clock clock;
-  private final Map<String, Failures> byKey = remembering(); // both guarded by this
-  private final Map<String, Failures> byAddress = remembering();
+  private final Map<String, Failures> byKey =
+      new RecentlyUsed<>(REMEMBERED); // both guarded by this
+  private final Map<String, Failures> byAddress = new RecentlyUsed<>(REMEMBERED);
 
   LoginFailures(Clock clock) {
     this.clock = clock;
-  }
-
-  private static Map<String, Failures> remembering() {
-    return new LinkedHashMap<>(16, 0.75f, true) {
-      private static final long serialVersionUID = 1L;
-
-      @Override
-      protected boolean removeEldestEntry(Map.Entry<String, Failures> eldest) {
-        return size() > REMEMBERED;
-      }
-    };
   }
 
   synchronized void add(LoginApplication wrong) {

@@ -46,11 +46,10 @@ final class Outflow extends ChannelDuplexHandler {
 
   @Override
   public void write(ChannelHandlerContext ctx, Object message, ChannelPromise promise) {
-    if (!(message instanceof MqttPublishMessage)) {
+    if (!(message instanceof MqttPublishMessage publish)) {
       pass(ctx, message, promise);
       return;
     }
-    MqttPublishMessage publish = (MqttPublishMessage) message;
     boolean acknowledged = publish.fixedHeader().qosLevel() != MqttQoS.AT_MOST_ONCE;
     int packet = publish.variableHeader().packetId();
     if (!mayHear(publish.variableHeader().topicName())) {
@@ -108,9 +107,9 @@ final class Outflow extends ChannelDuplexHandler {
 
   @Override
   public void channelRead(ChannelHandlerContext ctx, Object message) {
-    if (message instanceof MqttPubAckMessage
-        && ((MqttPubAckMessage) message).fixedHeader().messageType() == MqttMessageType.PUBACK) {
-      unacknowledged.remove(((MqttPubAckMessage) message).variableHeader().messageId());
+    if (message instanceof MqttPubAckMessage answer
+        && answer.fixedHeader().messageType() == MqttMessageType.PUBACK) {
+      unacknowledged.remove(answer.variableHeader().messageId());
     }
     ctx.fireChannelRead(message);
   }

@@ -45,10 +45,8 @@ final class PacketRules {
 
   /** Whether a packet asks something of every service, or of the broker's whole table. */
   boolean isQuestion(MqttMessage packet) {
-    return packet instanceof MqttPublishMessage
-        ? judge
-            .judge(((MqttPublishMessage) packet).variableHeader().topicName())
-            .is(AccessRule.Kind.QUESTION)
+    return packet instanceof MqttPublishMessage publish
+        ? judge.judge(publish.variableHeader().topicName()).is(AccessRule.Kind.QUESTION)
         : packet instanceof MqttSubscribeMessage;
   }
 
@@ -147,10 +145,10 @@ final class PacketRules {
   private Optional<String> refusalOfStop(
       TopicPermissions.Verdict verdict, byte[] payload, boolean isWill) {
     Optional<U2SAData> message = read(verdict.topic(), payload);
-    if (message.isEmpty() || !(message.get() instanceof EmergencyStop)) {
+    if (!(message.orElse(null) instanceof EmergencyStop stop)) {
       return Optional.of("it is no emergency stop that can be read");
     }
-    if (((EmergencyStop) message.get()).active()) {
+    if (stop.active()) {
       return Optional.empty();
     }
     if (isWill) {

@@ -20,14 +20,7 @@ final class PendingConnections<C> {
 
   private final Map<C, String> waiting = new LinkedHashMap<>(); // oldest first
   private final Map<String, Boolean> known = // as a set, the least lately seen first
-      new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
-          return size() > NETWORKS_REMEMBERED;
-        }
-      };
+      new RecentlyUsed<>(NETWORKS_REMEMBERED);
 
   /** Adds one, and returns those to put out for it. */
   synchronized List<C> add(C connection, InetAddress from) {

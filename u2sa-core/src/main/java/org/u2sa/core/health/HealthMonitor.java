@@ -34,12 +34,12 @@ public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;
 
   /** Steps that the monitor itself may miss before it no longer trusts what it did not hear. */
-  private static final double DEAF_AFTER_PERIODS = 4.0;
+  private static final double LOST_AFTER_PERIODS = 4.0;
 
   private final Map<String, WatchedService> services = new TreeMap<>();
   private final Settings<MonitorSettings.Limits> limits = settings(MonitorSettings.Limits.class);
   private MonitorSettings settings;
-  private final Hearing hearing;
+  private final ReceptionCheck reception;
   private final ClockOffsets clocks = new ClockOffsets();
   private double lookedS = Double.NaN;
   private long orders;
@@ -48,7 +48,7 @@ public final class HealthMonitor extends PeriodicService {
   public HealthMonitor(ServiceContext context) {
     super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
     settings = new MonitorSettings(limits.get(), this);
-    hearing = new Hearing(nowS());
+    reception = new ReceptionCheck(nowS());
     registerPublisher(Channels.CONDITIONS);
     registerPublisher(Channels.SERVICE_ORDERS);
     subscribe(Channels.CONDITIONS, this::remember);
@@ -87,7 +87,7 @@ public final class HealthMonitor extends PeriodicService {
   private void hear(HealthReport report) {
     boolean forItself = report.threadAlive().isEmpty() && !(report instanceof ConnectionLost);
     if (report.serviceName().equals(getServiceName()) && forItself) {
-      hearing.hear(report, nowS());
+      reception.hear(report, nowS());
     } else if (forItself) {
       clocks.hear(report, clock().micros(), limits.get().clockTolerance()).ifPresent(this::trouble);
     }
@@ -146,7 +146,7 @@ public final class HealthMonitor extends PeriodicService {
 
   @Override
   protected void step(double nowS) {
-    if (nowS - lookedS > DEAF_AFTER_PERIODS * periodS()) {
+    if (nowS - lookedS > LOST_AFTER_PERIODS * periodS()) {
       log(
           LogLevelEnum.WARN,
           "no check for " + (nowS - lookedS) + " s: not judging services by their silence");
@@ -159,15 +159,15 @@ public final class HealthMonitor extends PeriodicService {
   }
 
   private boolean hears(double nowS) {
-    switch (hearing.look(nowS)) {
-      case DEAF:
+    switch (reception.look(nowS)) {
+      case LOST:
         log(LogLevelEnum.WARN, "hears not even its own reports: judging no service until it does");
         return false;
-      case STILL_DEAF:
+      case STILL_LOST:
         return false;
-      case HEARS_AGAIN:
+      case RESTORED:
         log(LogLevelEnum.WARN, "hears reports again");
-        services.values().forEach(service -> service.excuse(Hearing.excusedUntilS(nowS)));
+        services.values().forEach(service -> service.excuse(ReceptionCheck.excusedUntilS(nowS)));
         return true;
       default:
         return true;

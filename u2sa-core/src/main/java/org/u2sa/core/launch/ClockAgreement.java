@@ -6,15 +6,15 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**
- * How far this process's clock is from that of the services that run already, by one question and
- * the timestamps of its answers (as NTP does, RFC 5905, section 8): an answer was stamped between
- * the question and its arrival. The answer that came soonest counts. Safe for several threads.
+ * The offset of this process's clock from that of the services already running, from one request
+ * and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was stamped between
+ * the request and its arrival. The fastest answer counts. Safe for several threads.
  */
 final class ClockAgreement {
-  /** Clocks that are nearer to each other than this are left as they are [µs]. */
+  /** Smaller offsets are not corrected [µs]. */
   private static final long TOLERATED_MICROS = 100_000;
 
-  /** 2001-09-09: who says an earlier time runs in simulated time, which nobody can follow [µs]. */
+  /** 2001-09-09 [µs]: an earlier time is simulated time, which a real clock cannot follow. */
   private static final long REAL_SINCE_MICROS = 1_000_000_000_000_000L;
 
   private long askedMicros;
@@ -26,12 +26,12 @@ final class ClockAgreement {
     askedMicros = nowMicros;
   }
 
-  /** Takes note of when the question left. */
+  /** Records when the request was sent. */
   synchronized void asked(long nowMicros) {
     askedMicros = nowMicros;
   }
 
-  /** Takes note of an answer. */
+  /** Records an answer. */
   synchronized void hear(DiscoveryResponse answer, long nowMicros) {
     long saidMicros = answer.timestamp().orElse(0L);
     long error = (nowMicros - askedMicros) / 2;
@@ -43,7 +43,7 @@ final class ClockAgreement {
   }
 
   /**
-   * By how much the others are ahead [µs]; 0 if they agree as far as can be told, or none answered.
+   * How far the others are ahead [µs]; 0 if they agree within the accuracy, or none answered.
    *
    * @param log told if they do not agree
    */

@@ -13,11 +13,11 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Speaks for the services of this process that are silent (thesis 3.5.3): says on {@code health}
- * whether the thread lives and how long its callback has been running. One thread a process, on the
- * run's clock, which only looks and publishes.
+ * Reports for the services of this process that are silent (thesis 3.5.3): publishes on {@code
+ * health} whether the thread is alive and how long its callback has been running. One thread per
+ * process, on the run's clock; it only checks and publishes.
  *
- * <p>A health monitor that is dead or hung itself has nobody to order its restart, so this does.
+ * <p>It also restarts a health monitor that is dead or hung, which nothing else would.
  */
 final class HealthWatch implements AutoCloseable {
   private static final long EVERY_MICROS = 250_000;
@@ -36,7 +36,7 @@ final class HealthWatch implements AutoCloseable {
 
   /**
    * @param services those of the process at the moment
-   * @param launcher through whom it speaks
+   * @param launcher publishes the reports
    */
   HealthWatch(Clock clock, Supplier<List<U2SAService>> services, Launcher launcher) {
     this.clock = clock;
@@ -78,7 +78,7 @@ final class HealthWatch implements AutoCloseable {
     }
   }
 
-  /** Whether the monitor is in a callback for too long, or elsewhere and does not come back. */
+  /** Whether the monitor is stuck, in a callback or elsewhere. */
   private boolean isHung(Optional<HealthReport> monitorsOverdue) {
     if (monitorsOverdue.isEmpty()) {
       spokeMicros = clock.micros();

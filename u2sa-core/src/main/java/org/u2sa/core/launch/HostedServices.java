@@ -25,7 +25,7 @@ import org.u2sa.service.U2SAService;
  * run of the system starts what the system file says.
  */
 final class HostedServices implements ServiceHost {
-  /** As long as an end waits for a service's thread. */
+  /** Longest wait for a service's thread to end. */
   private static final double SWAP_WITHIN_S = 2.0;
 
   private static final long END_WITHIN_MS = 5_000;
@@ -148,7 +148,7 @@ final class HostedServices implements ServiceHost {
         configuration.override("SERVICE NAME", old.service().getServiceName());
         configuration.tolerate(old.configuration().tolerated());
       }
-      // A file that is wrong by now refuses the order before what runs is ended for it.
+      // A file that has become invalid refuses the order before the running service is ended.
       old.configuration().declared().forEach(configuration::getVariable);
       configuration.refuseUndeclared();
       end(old.service());
@@ -169,7 +169,7 @@ final class HostedServices implements ServiceHost {
     }
   }
 
-  /** Ends a service if that can be done; returns within a few seconds in any case. */
+  /** Ends a service if possible; returns within a few seconds in any case. */
   private void end(U2SAService service) {
     if (service.overdueHealth().isEmpty() && endsByKill(service)) {
       return;
@@ -183,7 +183,7 @@ final class HostedServices implements ServiceHost {
     }
   }
 
-  /** On a thread of its own, as the service's release may hang. */
+  /** Runs on its own thread, because the service's release may hang. */
   private static boolean endsByKill(U2SAService service) {
     Thread ending = new Thread(service::kill, service.getServiceName() + "-end");
     ending.setDaemon(true);
@@ -208,7 +208,7 @@ final class HostedServices implements ServiceHost {
       closing = true;
       all = services();
     }
-    // Last started, first ended: control says its neutral commands while the services that carry
+    // Last started, first ended: control sends its neutral commands while the services that carry
     // them out still run.
     for (int i = all.size() - 1; i >= 0; i--) {
       end(all.get(i));

@@ -14,22 +14,22 @@ import org.u2sa.service.ServiceRole;
  * Starts, restarts and swaps the services of its process on order (thesis 3.5.3, user story 8). In:
  * service-orders. Out: service-orders, the results; health, on behalf of services that are silent.
  *
- * <p>It stands in no system file: {@link RunningSystem} makes one for each process that hosts
- * services, named {@code Launcher}, or {@code Launcher-<service>} in a process with one service of
- * several. How an order is carried out is its {@link ServiceHost}'s concern: the services of a
- * process are those of {@link HostedServices}.
+ * <p>It is not listed in the system file: {@link RunningSystem} makes one for each process that
+ * hosts services, named {@code Launcher}, or {@code Launcher-<service>} in a process with one
+ * service of several. How an order is carried out is its {@link ServiceHost}'s concern: the
+ * services of a process are those of {@link HostedServices}.
  *
- * <p>A result is published when the order has been carried out. An order that concerns no service
- * of this host is another launcher's and goes unanswered here.
+ * <p>A result is published when the order has been carried out. An order for a service of another
+ * host is that launcher's and is not answered here.
  */
 public final class Launcher extends EventDrivenService {
-  /** Name of the only launcher of a system, and beginning of the names of several. */
+  /** Name of a system's only launcher, and prefix of the names of several. */
   public static final String NAME = "Launcher";
 
   private final ServiceHost host;
 
   /**
-   * Made by who hosts services.
+   * Made by the process that hosts the services.
    *
    * @param name {@link #NAME}, or with the hosted service's name after a hyphen
    */
@@ -50,19 +50,16 @@ public final class Launcher extends EventDrivenService {
   private Optional<String> carryOut(ServiceOrder order) {
     String service = order.serviceName();
     log("ordered by \"" + order.operator() + "\": " + order.action() + " " + service);
-    switch (order.action()) {
-      case START:
-        return host.start(service);
-      case RESTART:
-        return host.restart(service);
-      case SWAP:
-        return order
-            .className()
-            .map(className -> host.swap(service, className))
-            .orElse(Optional.of("className: missing; expected the full name of a service class"));
-      default:
-        return Optional.of("action " + order.action() + " is not known here");
-    }
+    return switch (order.action()) {
+      case START -> host.start(service);
+      case RESTART -> host.restart(service);
+      case SWAP ->
+          order
+              .className()
+              .map(className -> host.swap(service, className))
+              .orElse(Optional.of("className: missing; expected the full name of a service class"));
+      default -> Optional.of("action " + order.action() + " is not known here");
+    };
   }
 
   private void answer(ServiceOrder order, Optional<String> refusal) {

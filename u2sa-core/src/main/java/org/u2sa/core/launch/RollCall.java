@@ -17,12 +17,12 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * Keeps a process from running a service that runs in another process of the same system: asks all
  * services for their names before the first is made here, and refuses to connect one of a name that
- * was answered. The answers' timestamps tell how far the clocks are apart. A service that hangs, or
- * that another process starts at the same moment, does not answer; who watches the system tells it
- * from its namesake by its instance.
+ * is already in use. The answers' timestamps show the offset between the clocks. A service that
+ * hangs, or that another process starts at the same moment, does not answer; who watches the system
+ * tells it from its namesake by its instance.
  */
 final class RollCall implements Transport, Receiver {
-  /** How long answers are awaited. */
+  /** Time to wait for answers. */
   private static final double ANSWERS_WITHIN_S = 1.0;
 
   private static final long LOOK_MICROS = 10_000;
@@ -42,7 +42,7 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * Asks, and returns the way to the Communication Manager for those whose names are free.
+   * Asks, and returns the transport for services whose names are free.
    *
    * @param clock real time
    * @param log takes what goes wrong, a line each
@@ -54,8 +54,8 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * Asks for the time only, for services that are started anew and whose names may still be known:
-   * the first answer will do.
+   * Asks for the time only, for restarted services whose names may still be known; the first answer
+   * is enough.
    */
   static RollCall forTime(Transport transport, Clock clock, Consumer<String> log) {
     RollCall call = new RollCall(transport, clock, log);
@@ -85,8 +85,8 @@ final class RollCall implements Transport, Receiver {
   }
 
   /**
-   * By how much the system's time is ahead of the clock's, as far as the answers tell [µs]; 0 if
-   * they agree or nobody answered. Says so where it is not.
+   * How far the system's time is ahead of the clock, by the answers [µs]; 0 if they agree or nobody
+   * answered. Logs any other offset.
    */
   long systemAheadMicros() {
     return agreement.aheadMicros(log);

@@ -40,7 +40,7 @@ public final class RunningSystem implements AutoCloseable {
 
   /**
    * Starts the Communication Manager, makes all services, checks all that can be checked, and only
-   * then starts the first thread. What cannot be started leaves nothing behind.
+   * then starts the first thread. A system that cannot start leaves nothing behind.
    *
    * @throws org.u2sa.interfaces.BadInputException if a file is wrong
    * @throws org.u2sa.interfaces.communication.CommunicationException if the Communication Manager
@@ -79,14 +79,17 @@ public final class RunningSystem implements AutoCloseable {
     }
   }
 
-  /** A folder that cannot be written now may be later; one that is no folder cannot become one. */
+  /** A folder that cannot be written now may become writable; a file never becomes a folder. */
   private static void requireFolder(Path logs) {
     if (Files.exists(logs) && !Files.isDirectory(logs)) {
       throw new BadInputException(logs + ": is no folder, expected one for log files");
     }
   }
 
-  /** The way to the Communication Manager; over another process's, names are asked for first. */
+  /**
+   * The transport to the Communication Manager; if another process runs it, names are checked
+   * first.
+   */
   private Transport transport() {
     Transport transport = throughBroker() ? brokerTransport() : manager.transport();
     if (!manager.isExternal() || file.services().isEmpty()) {
@@ -110,7 +113,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private Transport brokerTransport() {
-    if (options.clock() instanceof LockstepClock) { // it cannot wait for messages on their way
+    if (options.clock() instanceof LockstepClock) { // it cannot wait for messages in transit
       throw new BadInputException(
           file.file() + ": messages through the broker take real time; expected --realtime");
     }
@@ -165,10 +168,7 @@ public final class RunningSystem implements AutoCloseable {
     return hosted == null ? List.of() : hosted.services();
   }
 
-  /**
-   * The context that a further service of this system would get, for observers such as screens and
-   * recorders.
-   */
+  /** The context for an additional service of this system, such as a screen or a recorder. */
   public ServiceContext contextFor(XmlConfiguration configuration) {
     return maker.context(configuration);
   }
@@ -179,7 +179,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Waits until all services have ended, as after a stop command, also those that are started anew
+   * Waits until all services have ended, as after a stop command, including those restarted
    * meanwhile.
    */
   public void awaitEnd() throws InterruptedException {

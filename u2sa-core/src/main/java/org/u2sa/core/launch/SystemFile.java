@@ -27,14 +27,14 @@ import org.u2sa.interfaces.xml.XmlReader;
  * }</pre>
  *
  * <p>The communication and each service may name their {@code host} for systems on several machines
- * ({@link #onHost}); who runs all in one place need not care.
+ * ({@link #onHost}); a system on one machine needs none.
  *
  * @param file where it was read
  * @param systemId the vehicle's ID
  * @param communication the Communication Manager's configuration file; without one, its defaults
  *     hold
  * @param delivery how messages travel between the services of one process
- * @param communicationHost the host that carries the Communication Manager; empty: any
+ * @param communicationHost the host that runs the Communication Manager; empty: any
  * @param services in the order in which they are started
  */
 public record SystemFile(
@@ -156,8 +156,8 @@ public record SystemFile(
   }
 
   /**
-   * The same system with the services of one host only; perhaps none, on a host that carries the
-   * Communication Manager alone.
+   * The same system with the services of one host only; perhaps none, on a host that runs only the
+   * Communication Manager.
    *
    * @throws BadInputException if the file names no such host, or a service has none
    */

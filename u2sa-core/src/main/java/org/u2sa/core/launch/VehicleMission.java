@@ -8,8 +8,8 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * A mission as the Mission Manager of a vehicle reads it, for whoever judges or shows what that
- * vehicle does with it: what the file leaves open is what the vehicle's configuration says.
+ * A mission as the vehicle's Mission Manager reads it, for scoring and display: values that the
+ * file omits come from the vehicle's configuration.
  */
 public final class VehicleMission {
   private VehicleMission() {}

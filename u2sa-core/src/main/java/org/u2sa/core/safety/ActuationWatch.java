@@ -84,7 +84,7 @@ final class ActuationWatch implements Watch {
                 + " refuses all commands, "
                 + (service.refused - service.refusedBefore)
                 + " in "
-                + Words.seconds(Clock.seconds(nowMicros - service.sinceMicros)));
+                + CauseText.seconds(Clock.seconds(nowMicros - service.sinceMicros)));
       }
     }
     return Optional.empty();

@@ -81,7 +81,7 @@ final class ArmingChecks {
 
   private Optional<String> actuators(long nowMicros) {
     actuators.values().removeIf(heard -> nowMicros - heard > Clock.micros(GONE_AFTER_S));
-    List<String> required = Words.names(settings.get().requiredActuators());
+    List<String> required = CauseText.names(settings.get().requiredActuators());
     required.removeAll(actuators.keySet());
     if (!required.isEmpty()) {
       return Optional.of("actuators: missing: " + String.join(", ", required));

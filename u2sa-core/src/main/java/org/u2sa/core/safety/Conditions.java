@@ -34,7 +34,7 @@ final class Conditions {
    * @param services names with commas between
    */
   Optional<String> failure(String services) {
-    return Words.names(services).stream()
+    return CauseText.names(services).stream()
         .filter(newest::containsKey)
         .map(newest::get)
         .filter(condition -> !WORKING.contains(condition.condition()))

@@ -64,7 +64,7 @@ final class Fence {
     }
     if (!(keepIn.buffer(-marginM) instanceof Polygon smaller) || smaller.isEmpty()) {
       throw new IllegalArgumentException(
-          "a margin of " + Words.metres(marginM) + " leaves no keep-in area in one piece");
+          "a margin of " + CauseText.metres(marginM) + " leaves no keep-in area in one piece");
     }
     List<Polygon> larger =
         List.of(

@@ -99,8 +99,8 @@ final class FenceWatch implements Watch {
     double speed = Math.hypot(velocity.x(), velocity.y());
     double straight = speed * manoeuvre.reactionS();
     return manoeuvre.turns()
-        ? "too near to turn with a radius of " + Words.metres(manoeuvre.turnRadiusM(speed))
-        : "too near to stop within " + Words.metres(straight + manoeuvre.stoppingM(speed));
+        ? "too near to turn with a radius of " + CauseText.metres(manoeuvre.turnRadiusM(speed))
+        : "too near to stop within " + CauseText.metres(straight + manoeuvre.stoppingM(speed));
   }
 
   private Optional<String> vertical(double altitudeM, double overshootM) {
@@ -109,9 +109,9 @@ final class FenceWatch implements Watch {
         && Math.max(altitudeM, expectedM) > fence.ceilingM().getAsDouble()) {
       return Optional.of(
           "ceiling "
-              + Words.metres(fence.ceilingM().getAsDouble())
+              + CauseText.metres(fence.ceilingM().getAsDouble())
               + " at "
-              + Words.metres(altitudeM));
+              + CauseText.metres(altitudeM));
     }
     if (fence.floorM().isEmpty()) {
       return Optional.empty();
@@ -120,7 +120,7 @@ final class FenceWatch implements Watch {
     boolean clear = Math.min(altitudeM, expectedM) >= floorM;
     aboveFloor |= clear;
     return aboveFloor && !clear
-        ? Optional.of("floor " + Words.metres(floorM) + " at " + Words.metres(altitudeM))
+        ? Optional.of("floor " + CauseText.metres(floorM) + " at " + CauseText.metres(altitudeM))
         : Optional.empty();
   }
 

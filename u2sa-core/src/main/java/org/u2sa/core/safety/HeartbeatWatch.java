@@ -83,7 +83,7 @@ final class HeartbeatWatch implements Watch {
     }
     double silentS = Clock.seconds(nowMicros - heardMicros);
     return silentS > now.deadlineS()
-        ? Optional.of(heard + " silent for " + Words.seconds(silentS))
+        ? Optional.of(heard + " silent for " + CauseText.seconds(silentS))
         : Optional.empty();
   }
 }

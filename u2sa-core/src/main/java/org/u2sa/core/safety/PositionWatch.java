@@ -47,7 +47,7 @@ final class PositionWatch implements Watch {
       return Optional.of("no state yet");
     }
     if (fresh(nowMicros).isEmpty()) {
-      return Optional.of("state is " + Words.seconds(ageS(nowMicros)) + " old");
+      return Optional.of("state is " + CauseText.seconds(ageS(nowMicros)) + " old");
     }
     if (newest.x().isEmpty() || newest.y().isEmpty()) {
       return Optional.of("state lacks x or y");
@@ -55,7 +55,8 @@ final class PositionWatch implements Watch {
     double sigmaM = Math.max(newest.xSigma().orElse(0.0), newest.ySigma().orElse(0.0));
     double limitM = settings.get().positionSigmaLimit();
     return sigmaM > limitM
-        ? Optional.of("uncertain by " + Words.metres(sigmaM) + ", limit " + Words.metres(limitM))
+        ? Optional.of(
+            "uncertain by " + CauseText.metres(sigmaM) + ", limit " + CauseText.metres(limitM))
         : Optional.empty();
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.LongFunction;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 
@@ -40,5 +41,24 @@ final class Watches {
         new FenceWatch(matrix, settings, fence, position));
     all.addAll(ExtensionWatch.discovered(matrix));
     return all;
+  }
+
+  /**
+   * Whether essential services work. Never objects to arming: {@link ArmingChecks} lists all
+   * services that are not alive.
+   *
+   * @param failure what is wrong at a time of the run's clock [µs], in words; empty if nothing
+   */
+  private record ServiceWatch(Hazard hazard, LongFunction<Optional<String>> failure)
+      implements Watch {
+    @Override
+    public Optional<String> trouble(long nowMicros) {
+      return failure.apply(nowMicros);
+    }
+
+    @Override
+    public Optional<String> objection(long nowMicros) {
+      return Optional.empty();
+    }
   }
 }

@@ -13,7 +13,7 @@ public enum AccessRole {
   SERVICE(true),
   /** The control system: a service that commands actuators. */
   CONTROL(true),
-  /** Starts and stops the services of a process: a service that says what came of an order. */
+  /** Starts and stops the services of a process, and reports the results of orders. */
   LAUNCHER(true),
   /** The health monitor: a service that judges the others and orders restarts. */
   MONITOR(true),
@@ -21,7 +21,7 @@ public enum AccessRole {
   SAFETY(true),
   /** People who command the vehicle: stop, configure, swap, arm, clear the emergency stop. */
   OPERATOR(false),
-  /** Screens and recorders: asks who is there and how it is configured, changes nothing. */
+  /** Screens and recorders: discover services and read configurations, change nothing. */
   OBSERVER(false);
 
   private final boolean ownChannels;
@@ -30,7 +30,7 @@ public enum AccessRole {
     this.ownChannels = ownChannels;
   }
 
-  /** Whether the role may also publish on channels that are no standard ones. */
+  /** Whether the role may also publish on non-standard channels. */
   public boolean mayPublishOnOwnChannels() {
     return ownChannels;
   }

@@ -13,19 +13,19 @@ import org.u2sa.messages.schema.MessageType;
  * @param type the type; its subclasses go by the same rule
  * @param roles who may publish it
  * @param kind how much of it one client may send
- * @param mayBeWill whether it may be a client's will, which the broker says in its place
+ * @param mayBeWill whether it may be a client's MQTT will, which the broker publishes for it
  */
 public record AccessRule(
     Channel<?> channel, MessageType<?> type, Set<AccessRole> roles, Kind kind, boolean mayBeWill) {
   /** What a message asks of those who receive it. */
   public enum Kind {
-    /** What is so: measures, states, plans, answers. */
+    /** Reports: measurements, states, plans, answers. */
     REPORT,
     /** Asks every service for an answer and changes nothing. */
     QUESTION,
     /** Changes configuration, services or goals. */
     ORDER,
-    /** Stops, arms or restrains the vehicle: comes first, and has room reserved. */
+    /** Stops, arms or restrains the vehicle: takes precedence, with reserved room. */
     URGENT
   }
 
@@ -47,8 +47,8 @@ public record AccessRule(
   }
 
   /**
-   * The longest payload [bytes]. Every service reads questions and changes of configuration, its
-   * own or not, between the states and commands that it lives on: long ones would hold them up.
+   * The longest payload [bytes]. Every service reads all questions and configuration changes, its
+   * own or not, between states and commands: long ones would delay those.
    */
   public int longestPayload() {
     switch (kind) {

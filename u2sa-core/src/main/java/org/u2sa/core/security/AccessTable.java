@@ -41,8 +41,8 @@ import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * Which message travels on which channel, and who may publish it: what is not in here, nobody may.
- * The embedded broker's rules, Mosquitto's and the table in docs/security.md are made of it.
+ * Which message travels on which channel, and who may publish it; anything not listed is refused.
+ * The embedded broker's rules, Mosquitto's and the table in docs/security.md are derived from it.
  */
 public final class AccessTable {
   private static final Set<AccessRole> SERVICES =
@@ -146,8 +146,8 @@ public final class AccessTable {
   }
 
   /**
-   * Whether one of the roles may publish the message on a channel that is no standard one: nothing
-   * goes there that the role could not publish on its own channel.
+   * Whether one of the roles may publish the message on a non-standard channel: only what the role
+   * may publish on the message's own channel.
    */
   public static boolean mayPublishOnOwnChannel(Set<AccessRole> roles, MessageType<?> known) {
     if (roles.stream().noneMatch(AccessRole::mayPublishOnOwnChannels)) {

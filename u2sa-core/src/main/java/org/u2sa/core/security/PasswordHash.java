@@ -9,8 +9,8 @@ import javax.crypto.SecretKeyFactory;
 import javax.crypto.spec.PBEKeySpec;
 
 /**
- * A password as it is kept: PBKDF2 with HMAC-SHA-512, salted, so that neither equal passwords nor
- * the words behind them show. Whoever has the file must spend the time of a log-in on each guess.
+ * A stored password: PBKDF2 with HMAC-SHA-512, salted, so that equal passwords do not show. Each
+ * guess against a stolen file costs as much time as a log-in.
  *
  * @param iterations rounds of the function
  * @param salt random, another for each user
@@ -47,14 +47,14 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     return of(password, random, ITERATIONS);
   }
 
-  /** As {@link #of(char[], SecureRandom)}, for those who need another number of rounds. */
+  /** As {@link #of(char[], SecureRandom)}, with another number of rounds. */
   public static PasswordHash of(char[] password, SecureRandom random, int iterations) {
     byte[] salt = new byte[SALT_BYTES];
     random.nextBytes(salt);
     return new PasswordHash(iterations, salt, derive(password, salt, iterations));
   }
 
-  /** One that no password has, and that takes as long to be tried as any. */
+  /** A hash that no password matches; checking against it takes as long as against any other. */
   public static PasswordHash unguessable(SecureRandom random) {
     byte[] salt = new byte[SALT_BYTES];
     byte[] hash = new byte[HASH_BYTES];
@@ -63,7 +63,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     return new PasswordHash(ITERATIONS, salt, hash);
   }
 
-  /** Whether it is the password. Takes as long whether it is or not. */
+  /** Whether the password matches, in constant time. */
   public boolean matches(char[] password) {
     return MessageDigest.isEqual(hash, derive(password, salt, iterations));
   }
@@ -110,7 +110,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
         + base64.encodeToString(hash);
   }
 
-  /** By content: two readings of one line are the same user. */
+  /** By content: reading a line twice gives equal users. */
   @Override
   public boolean equals(Object other) {
     return other instanceof PasswordHash hashed

@@ -22,7 +22,7 @@ public final class SecretFile {
   private SecretFile() {}
 
   /**
-   * Writes the file, whole or not at all; it is never there with wider permissions.
+   * Writes the file atomically; it never exists with wider permissions.
    *
    * @throws BadInputException if it cannot be written
    */
@@ -43,7 +43,7 @@ public final class SecretFile {
   }
 
   /**
-   * Root may write another user's file; that user is to have it all the same.
+   * When root writes another user's file, that user stays its owner.
    *
    * @throws IOException if this user may not give it away
    */

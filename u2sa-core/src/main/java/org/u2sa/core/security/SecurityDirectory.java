@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The folder in which all lies that a secured Communication Manager needs.
+ * The folder with everything that a secured Communication Manager needs.
  *
  * @param path the folder
  */
@@ -37,7 +37,7 @@ public record SecurityDirectory(Path path) {
   }
 
   /**
-   * Checks that all is there that the broker needs, and that keys and users are not for everyone.
+   * Checks that all files that the broker needs exist, and that keys and users are private.
    *
    * @throws BadInputException if something is missing or too open
    */
@@ -56,8 +56,8 @@ public record SecurityDirectory(Path path) {
   }
 
   /**
-   * Checks that nobody but the owner may read keys and users, or put others in their place. The
-   * authority's key, too, if it is here: whoever has it makes brokers that clients trust.
+   * Checks that only the owner may read or replace keys and users, including the authority's key if
+   * it is here: with it, anybody can set up a broker that clients trust.
    *
    * @throws BadInputException if one is too open; says how to close it
    */

@@ -64,7 +64,7 @@ public final class UserFile {
     }
   }
 
-  /** Writes the users, whole or not at all, readable by the file's owner only. */
+  /** Writes the users atomically, readable by the file's owner only. */
   public static void write(Path file, Collection<User> users) {
     List<String> lines = new ArrayList<>();
     lines.add(HEADER);

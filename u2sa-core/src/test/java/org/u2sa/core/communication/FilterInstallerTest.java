@@ -82,7 +82,7 @@ class FilterInstallerTest {
           CompletableFuture.supplyAsync(() -> early.connect("Early", new RecordingReceiver()));
       soon().until(() -> wire.connections() > 1); // so the first was refused
 
-      FilterInstaller.hang(filter, server);
+      FilterInstaller.install(filter, server);
 
       Connection connection = coming.join();
       assertThat(connection.instance()).isNotEmpty();

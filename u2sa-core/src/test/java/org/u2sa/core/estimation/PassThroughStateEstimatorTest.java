@@ -31,7 +31,7 @@ class PassThroughStateEstimatorTest {
             .referenceFrame(ReferenceFrame.LOCAL_NED)
             .x(1.0)
             .zDot(0.0)
-            .psiDoubleDotSigma(3.0);
+            .number(StateField.PSI_DOUBLE_DOT_SIGMA, 3.0);
     sensed.timestamp(-7L);
     kit.publish(Channels.SENSED_STATE, sensed);
 

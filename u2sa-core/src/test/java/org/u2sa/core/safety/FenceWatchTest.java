@@ -127,7 +127,9 @@ class FenceWatchTest {
 
     assertThat(watch.trouble(0))
         .isEqualTo(
-            well ? Optional.empty() : Optional.of("ceiling 150 m at " + Words.metres(altitudeM)));
+            well
+                ? Optional.empty()
+                : Optional.of("ceiling 150 m at " + CauseText.metres(altitudeM)));
   }
 
   @ParameterizedTest
@@ -146,7 +148,7 @@ class FenceWatchTest {
 
     assertThat(watch.trouble(0))
         .isEqualTo(
-            well ? Optional.empty() : Optional.of("floor 50 m at " + Words.metres(altitudeM)));
+            well ? Optional.empty() : Optional.of("floor 50 m at " + CauseText.metres(altitudeM)));
   }
 
   @Test

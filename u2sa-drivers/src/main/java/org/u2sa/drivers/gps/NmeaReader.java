@@ -96,21 +96,13 @@ final class NmeaReader {
    */
   private static Optional<FixQuality> quality(RMCSentence rmc) {
     try {
-      switch (rmc.getMode()) {
-        case NONE:
-        case ESTIMATED:
-        case MANUAL:
-        case SIMULATED:
-          return Optional.empty();
-        case DGPS:
-          return Optional.of(FixQuality.DIFFERENTIAL);
-        case RTK_FLOAT:
-          return Optional.of(FixQuality.RTK_FLOAT);
-        case RTK_FIXED:
-          return Optional.of(FixQuality.RTK_FIXED);
-        default:
-          return Optional.of(FixQuality.PLAIN);
-      }
+      return switch (rmc.getMode()) {
+        case NONE, ESTIMATED, MANUAL, SIMULATED -> Optional.empty();
+        case DGPS -> Optional.of(FixQuality.DIFFERENTIAL);
+        case RTK_FLOAT -> Optional.of(FixQuality.RTK_FLOAT);
+        case RTK_FIXED -> Optional.of(FixQuality.RTK_FIXED);
+        default -> Optional.of(FixQuality.PLAIN);
+      };
     } catch (DataNotAvailableException | IllegalArgumentException e) {
       return Optional.of(FixQuality.PLAIN);
     }
@@ -118,21 +110,14 @@ final class NmeaReader {
 
   /** Empty if the position is not measured: none, dead reckoning, typed in, simulated. */
   private static Optional<FixQuality> quality(GGASentence gga) {
-    switch (gga.getFixQuality()) {
-      case INVALID:
-      case ESTIMATED:
-      case MANUAL:
-      case SIMULATED:
-        return Optional.empty();
-      case DGPS:
-        return Optional.of(FixQuality.DIFFERENTIAL);
-      case RTK:
-        return Optional.of(FixQuality.RTK_FIXED);
-      case FRTK:
-        return Optional.of(FixQuality.RTK_FLOAT);
-      default: // alone, or by the military's code, for which no receiver's figure is published
-        return Optional.of(FixQuality.PLAIN);
-    }
+    return switch (gga.getFixQuality()) {
+      case INVALID, ESTIMATED, MANUAL, SIMULATED -> Optional.empty();
+      case DGPS -> Optional.of(FixQuality.DIFFERENTIAL);
+      case RTK -> Optional.of(FixQuality.RTK_FIXED);
+      case FRTK -> Optional.of(FixQuality.RTK_FLOAT);
+      default -> // alone, or by the military's code, for which no receiver's figure is published
+          Optional.of(FixQuality.PLAIN);
+    };
   }
 
   private void take(GGASentence gga, long nowMicros) {

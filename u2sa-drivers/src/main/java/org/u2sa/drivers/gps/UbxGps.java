@@ -66,31 +66,24 @@ public final class UbxGps implements ByteParser<GpsFix> {
   private void take(UbxPayload message) {
     try {
       switch (message.kind()) {
-        case NAV_PVT:
-          takePvt(message);
-          break;
-        case NAV_POSLLH:
-          takePosition(message);
-          break;
-        case NAV_VELNED:
-          takeVelocity(message);
-          break;
-        case NAV_SOL:
+        case NAV_PVT -> takePvt(message);
+        case NAV_POSLLH -> takePosition(message);
+        case NAV_VELNED -> takeVelocity(message);
+        case NAV_SOL -> {
           require(message, SOL_LENGTH);
           epoch.at(message.u4(0), nowMicros).status(message.u1(10), message.u1(11), message.u1(47));
           tellIfWhole();
-          break;
-        case NAV_STATUS:
+        }
+        case NAV_STATUS -> {
           require(message, STATUS_LENGTH);
           epoch.at(message.u4(0), nowMicros).status(message.u1(4), message.u1(5), 0);
           tellIfWhole();
-          break;
-        case ACK_ACK:
-        case ACK_NAK:
+        }
+        case ACK_ACK, ACK_NAK -> {
           require(message, ACK_LENGTH);
           acknowledgements.answered(message.u1(0) << 8 | message.u1(1), message.kind() == ACK_ACK);
-          break;
-        default: // not asked for
+        }
+        default -> {} // not asked for
       }
     } catch (IllegalArgumentException e) {
       refused++;

@@ -38,6 +38,6 @@ public interface BoardConnection {
    * @throws BadInputException if it names none
    */
   static BoardConnection of(String address) {
-    return BoardAddress.connection(address);
+    return PortConnection.at(address);
   }
 }

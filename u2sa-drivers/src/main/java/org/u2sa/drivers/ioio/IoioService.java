@@ -10,6 +10,7 @@ import org.u2sa.drivers.motor.PulseOutput;
 import org.u2sa.drivers.rc.RcSwitch;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
@@ -205,5 +206,28 @@ public final class IoioService extends ProprioceptiveSensor {
   protected void release() {
     with(connector.session(), pins -> motors.drive(false, pins, clock().micros()));
     connector.close();
+  }
+
+  /** What the board's LED tells who stands beside the vehicle. */
+  private enum StatusLed {
+    /** It obeys commands: lit. Keep away. */
+    OBEYS(1.0, 1.0),
+    /** The radio's switch is at manual, or no receiver is there: a slow blink. */
+    MANUAL(1.0, 0.5),
+    /** An emergency stop holds, or the vehicle is not armed: a fast blink. */
+    STOPPED(0.25, 0.5);
+
+    private final long periodMicros;
+    private final long litMicros;
+
+    StatusLed(double periodS, double litShare) {
+      periodMicros = Clock.micros(periodS);
+      litMicros = Clock.micros(periodS * litShare);
+    }
+
+    /** Whether the LED is lit at a time of the run [µs]. */
+    boolean isLit(long nowMicros) {
+      return Math.floorMod(nowMicros, periodMicros) < litMicros;
+    }
   }
 }

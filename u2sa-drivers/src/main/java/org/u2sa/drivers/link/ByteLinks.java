@@ -71,11 +71,28 @@ public final class ByteLinks {
     }
   }
 
+  /**
+   * A way to open the device at {@code serial:PATH} or {@code tcp:HOST:PORT}, for those who look
+   * for it themselves. A serial device sees DTR rise.
+   *
+   * @throws BadInputException if the address is neither
+   */
+  public static Port.Opener opener(String address) {
+    LinkAddress parsed = new LinkAddress(address);
+    if (parsed.kind().equals("serial")) {
+      return new SerialOpener(parsed, true);
+    }
+    if (!parsed.kind().equals("tcp") || parsed.host().isEmpty()) {
+      throw parsed.refused("expected serial:PATH or tcp:HOST:PORT");
+    }
+    return new TcpOpener(parsed.host(), parsed.port());
+  }
+
   private static ByteLink open(LinkAddress address, Clock clock, UnaryOperator<Path> files) {
     switch (address.kind()) {
       case "serial":
         address.onlyOptions(Set.of("baud", "parity", "stop", "dtr", "record"));
-        return new ReconnectingLink(address.toString(), new SerialOpener(address), 0.0);
+        return new ReconnectingLink(address.toString(), new SerialOpener(address, false), 0.0);
       case "tcp":
         address.onlyOptions(Set.of("silence", "record"));
         if (address.host().isEmpty()) {

@@ -4,7 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 
 /** A device that was found and opened, until it is lost. */
-interface Port extends Closeable {
+public interface Port extends Closeable {
   /** The longest that {@link #read} waits [ms]. */
   int PATIENCE_MS = 100;
 

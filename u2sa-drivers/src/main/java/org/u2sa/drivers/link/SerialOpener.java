@@ -20,11 +20,14 @@ final class SerialOpener implements Port.Opener {
   private final int parity;
   private final int stopBits;
   private final boolean dtr;
+  private final boolean raisesDtr;
 
   /**
+   * @param raisesDtr whether the device awaits the rise of DTR, which may be up already
    * @throws org.u2sa.interfaces.BadInputException if an option is wrong
    */
-  SerialOpener(LinkAddress address) {
+  SerialOpener(LinkAddress address, boolean raisesDtr) {
+    this.raisesDtr = raisesDtr;
     path = address.target();
     baud = address.option("baud", USUAL_BAUD, 1, FASTEST_BAUD);
     parity = parityOf(address);
@@ -50,8 +53,11 @@ final class SerialOpener implements Port.Opener {
         throw new IOException(
             path + " cannot be opened (" + errorText(port.getLastErrorCode()) + ")");
       }
-      if (!dtr) {
+      if (!dtr || raisesDtr) {
         port.clearDTR();
+      }
+      if (raisesDtr) {
+        port.setDTR();
       }
       return new Opened(path, port);
     } catch (SerialPortInvalidPortException e) {
@@ -74,16 +80,12 @@ final class SerialOpener implements Port.Opener {
 
   /** The numbers of errno(3) that users meet. */
   private static String errorText(int code) {
-    switch (code) {
-      case 2:
-        return "it is not there";
-      case 13:
-        return "permission denied: is the user in the group dialout?";
-      case 16:
-        return "another program has it";
-      default:
-        return "error " + code;
-    }
+    return switch (code) {
+      case 2 -> "it is not there";
+      case 13 -> "permission denied: is the user in the group dialout?";
+      case 16 -> "another program has it";
+      default -> "error " + code;
+    };
   }
 
   private static final class Opened implements Port {

@@ -80,7 +80,7 @@ final class AttitudeTarget implements CommandForm {
   @Override
   public Object message(
       Target target, Function<String, OptionalDouble> percentages, long nowMicros) {
-    turn(fullYawRadPerS * share(percentages, YAW), nowMicros);
+    turn(fullYawRadPerS * CommandForm.share(percentages, YAW), nowMicros);
     double thrust = percentages.apply(THRUST).orElse(neutralThrust * FULL_PERCENT) / FULL_PERCENT;
     return SetAttitudeTarget.builder()
         .targetSystem(target.systemId())
@@ -88,8 +88,8 @@ final class AttitudeTarget implements CommandForm {
         .typeMask(ANGLES)
         .q(
             quaternion(
-                fullTiltRad * share(percentages, ROLL),
-                fullTiltRad * share(percentages, PITCH),
+                fullTiltRad * CommandForm.share(percentages, ROLL),
+                fullTiltRad * CommandForm.share(percentages, PITCH),
                 targetRad))
         .thrust((float) Math.max(0.0, thrust))
         .thrustBody(List.of(0.0f, 0.0f, 0.0f))
@@ -109,10 +109,6 @@ final class AttitudeTarget implements CommandForm {
     }
   }
 
-  private static double share(Function<String, OptionalDouble> percentages, String axis) {
-    return percentages.apply(axis).orElse(0.0) / FULL_PERCENT;
-  }
-
   /** w, x, y, z of yaw, then pitch, then roll (Stevens and Lewis, 2nd ed., eq. 1.3-33). */
   private static List<Float> quaternion(double roll, double pitch, double yaw) {
     double cosRoll = Math.cos(roll / 2.0);
@@ -126,10 +122,5 @@ final class AttitudeTarget implements CommandForm {
         (float) (sinRoll * cosPitch * cosYaw - cosRoll * sinPitch * sinYaw),
         (float) (cosRoll * sinPitch * cosYaw + sinRoll * cosPitch * sinYaw),
         (float) (cosRoll * cosPitch * sinYaw - sinRoll * sinPitch * cosYaw));
-  }
-
-  @Override
-  public List<Object> release(Target target) {
-    return List.of();
   }
 }

@@ -37,5 +37,12 @@ interface CommandForm {
   Object message(Target target, Function<String, OptionalDouble> percentages, long nowMicros);
 
   /** The messages that give control back; none if silence does. */
-  List<Object> release(Target target);
+  default List<Object> release(Target target) {
+    return List.of();
+  }
+
+  /** An actuator's share of full, −1…1; 0 where nothing is commanded. */
+  static double share(Function<String, OptionalDouble> percentages, String actuator) {
+    return percentages.apply(actuator).orElse(0.0) / 100.0 + 0.0; // no negative zero
+  }
 }

@@ -160,18 +160,14 @@ record MavlinkVariables(
         channels.add(new RcOverride.Channel(channel, said.actuator(), said.oneWay()));
       }
     }
-    switch (commands) {
-      case "rc":
-        if (channels.isEmpty()) {
-          throw new BadInputException("COMMANDS is rc, but no CHANNEL n ACTUATOR has a name");
-        }
-        return new RcOverride(channels, pulses(shortestPulse, neutralPulse, longestPulse));
-      case "velocity":
-        return new VelocityTarget(fullSpeed, fullClimb, fullTurn);
-      case "attitude":
-        return new AttitudeTarget(fullTilt, fullTurn, neutralThrust);
-      default:
-        return new RcOverride(List.of(), PulseWidth.STANDARD); // no channels: a sensor only
+    if (commands.equals("rc") && channels.isEmpty()) {
+      throw new BadInputException("COMMANDS is rc, but no CHANNEL n ACTUATOR has a name");
     }
+    return switch (commands) {
+      case "rc" -> new RcOverride(channels, pulses(shortestPulse, neutralPulse, longestPulse));
+      case "velocity" -> new VelocityTarget(fullSpeed, fullClimb, fullTurn);
+      case "attitude" -> new AttitudeTarget(fullTilt, fullTurn, neutralThrust);
+      default -> new RcOverride(List.of(), PulseWidth.STANDARD); // no channels: a sensor only
+    };
   }
 }

@@ -58,19 +58,12 @@ final class VelocityTarget implements CommandForm {
         .targetComponent(target.componentId())
         .coordinateFrame(BODY_NED)
         .typeMask(VELOCITY_AND_YAW_RATE)
-        .vx((float) (fullMps * share(percentages, FORWARD)))
-        .vy((float) (-fullMps * share(percentages, LEFT))) // MAVLink: to the right
-        .vz((float) (-fullClimbMps * share(percentages, CLIMB))) // MAVLink: down
-        .yawRate((float) (-fullTurnRadPerS * share(percentages, TURN))) // MAVLink: to the right
+        .vx((float) (fullMps * CommandForm.share(percentages, FORWARD)))
+        .vy((float) (-fullMps * CommandForm.share(percentages, LEFT))) // MAVLink: to the right
+        .vz((float) (-fullClimbMps * CommandForm.share(percentages, CLIMB))) // MAVLink: down
+        .yawRate(
+            (float)
+                (-fullTurnRadPerS * CommandForm.share(percentages, TURN))) // MAVLink: to the right
         .build();
-  }
-
-  private static double share(Function<String, OptionalDouble> percentages, String axis) {
-    return percentages.apply(axis).orElse(0.0) / FULL_PERCENT + 0.0; // no negative zero
-  }
-
-  @Override
-  public List<Object> release(Target target) {
-    return List.of();
   }
 }

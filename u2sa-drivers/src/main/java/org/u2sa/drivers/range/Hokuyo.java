@@ -113,23 +113,20 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
     String status = lines.get(1).substring(0, 2);
     List<String> data = lines.subList(2, lines.size());
     switch (state) {
-      case QUITTING:
-        ask(State.ASKING, "PP", nowMicros);
-        break;
-      case ASKING:
-        parameters(data, nowMicros);
-        break;
-      case LIGHTING:
+      case QUITTING -> ask(State.ASKING, "PP", nowMicros);
+      case ASKING -> parameters(data, nowMicros);
+      case LIGHTING -> {
         if (expect(status.equals(DONE) || status.equals(ALREADY), status)) {
           measure(nowMicros);
         }
-        break;
-      default:
+      }
+      default -> {
         if (status.equals(MEASURES)) {
           scanned(data, nowMicros);
         } else {
           expect(status.equals(DONE), status);
         }
+      }
     }
   }
 

@@ -16,15 +16,7 @@ import org.u2sa.messages.RangeScan;
 final class RplidarParser {
   private static final int SYNC_1 = 0xA5;
   private static final int SYNC_2 = 0x5A;
-  private static final int DESCRIPTOR_BYTES = 7;
   private static final int LENGTH_MASK = 0x3FFFFFFF; // the two bits above are the send mode
-  private static final int HEALTH_TYPE = 0x06;
-  private static final int HEALTH_BYTES = 3;
-  private static final int INFO_TYPE = 0x04;
-  private static final int INFO_BYTES = 20;
-  private static final int BOARD_TYPE = 0xFF;
-  private static final int BOARD_BYTES = 4;
-  private static final int SCAN_TYPE = 0x81;
   private static final int NODE_BYTES = 5;
   private static final double STEPS_PER_DEGREE = 64.0;
   private static final double STEPS_PER_METRE = 4000.0;
@@ -54,12 +46,21 @@ final class RplidarParser {
    */
   record Turn(long firstMicros, long endMicros, List<RangeScan.Beam> beams) {}
 
+  /** What comes next: a descriptor, or the answer of a type and length that it announced. */
   private enum Expecting {
-    DESCRIPTOR,
-    HEALTH,
-    INFO,
-    BOARD,
-    NODES
+    DESCRIPTOR(-1, 7),
+    HEALTH(0x06, 3),
+    INFO(0x04, 20),
+    BOARD(0xFF, 4),
+    NODES(0x81, NODE_BYTES);
+
+    private final int type;
+    private final int bytes;
+
+    Expecting(int type, int bytes) {
+      this.type = type;
+      this.bytes = bytes;
+    }
   }
 
   private final byte[] pending = new byte[4096];
@@ -114,33 +115,23 @@ final class RplidarParser {
   /** Reads on from there; returns the bytes that are done with, 0 if more must come first. */
   private int step(int at) {
     int left = pendingBytes - at;
-    switch (expecting) {
-      case DESCRIPTOR:
-        return left < DESCRIPTOR_BYTES ? 0 : descriptor(at);
-      case HEALTH:
-        if (left < HEALTH_BYTES) {
-          return 0;
-        }
-        health = new Health(at(at), at(at + 1) | at(at + 2) << 8);
-        expecting = Expecting.DESCRIPTOR;
-        return HEALTH_BYTES;
-      case INFO:
-        if (left < INFO_BYTES) {
-          return 0;
-        }
-        model = OptionalInt.of(at(at));
-        expecting = Expecting.DESCRIPTOR;
-        return INFO_BYTES;
-      case BOARD:
-        if (left < BOARD_BYTES) {
-          return 0;
-        }
-        board = Optional.of((at(at) & 1) != 0);
-        expecting = Expecting.DESCRIPTOR;
-        return BOARD_BYTES;
-      default:
-        return trusted ? node(at, left) : hunt(at, left);
+    if (expecting == Expecting.NODES) {
+      return trusted ? node(at, left) : hunt(at, left);
     }
+    if (left < expecting.bytes) {
+      return 0;
+    }
+    if (expecting == Expecting.DESCRIPTOR) {
+      return descriptor(at);
+    }
+    int answered = expecting.bytes;
+    switch (expecting) {
+      case HEALTH -> health = new Health(at(at), at(at + 1) | at(at + 2) << 8);
+      case INFO -> model = OptionalInt.of(at(at));
+      default -> board = Optional.of((at(at) & 1) != 0);
+    }
+    expecting = Expecting.DESCRIPTOR;
+    return answered;
   }
 
   private int at(int index) {
@@ -151,22 +142,11 @@ final class RplidarParser {
     if (at(at) == SYNC_1 && at(at + 1) == SYNC_2) {
       int word = at(at + 2) | at(at + 3) << 8 | at(at + 4) << 16 | at(at + 5) << 24;
       int bytes = word & LENGTH_MASK;
-      int type = at(at + 6);
-      if (type == HEALTH_TYPE && bytes == HEALTH_BYTES) {
-        expecting = Expecting.HEALTH;
-        return DESCRIPTOR_BYTES;
-      }
-      if (type == INFO_TYPE && bytes == INFO_BYTES) {
-        expecting = Expecting.INFO;
-        return DESCRIPTOR_BYTES;
-      }
-      if (type == BOARD_TYPE && bytes == BOARD_BYTES) {
-        expecting = Expecting.BOARD;
-        return DESCRIPTOR_BYTES;
-      }
-      if (type == SCAN_TYPE && bytes == NODE_BYTES) {
-        expecting = Expecting.NODES;
-        return DESCRIPTOR_BYTES;
+      for (Expecting answer : Expecting.values()) {
+        if (at(at + 6) == answer.type && bytes == answer.bytes) {
+          expecting = answer;
+          return Expecting.DESCRIPTOR.bytes;
+        }
       }
     }
     return 1; // rests of a scan that was stopped

@@ -12,9 +12,9 @@ import org.u2sa.device.RangeFinder;
 
 /** MaxBotix's lines: R, digits, carriage return. */
 class SonarParserTest {
-  private final SonarParser parser = new SonarParser(SonarModel.LV);
+  private final SerialSonar.SonarParser parser = new SerialSonar.SonarParser(SonarModel.LV);
 
-  private void say(SonarParser to, String text, long nowMicros) {
+  private void say(SerialSonar.SonarParser to, String text, long nowMicros) {
     to.accept(text.getBytes(US_ASCII), text.length(), nowMicros);
   }
 
@@ -35,10 +35,10 @@ class SonarParserTest {
 
   @Test
   void accept_otherFamilies_haveTheirUnits() {
-    SonarParser xl = new SonarParser(SonarModel.XL);
+    SerialSonar.SonarParser xl = new SerialSonar.SonarParser(SonarModel.XL);
     say(xl, "R123\r", 1);
     assertThat(xl.latest().orElseThrow().rangeM().getAsDouble()).isCloseTo(1.23, within(1.0e-9));
-    SonarParser hr = new SonarParser(SonarModel.HR);
+    SerialSonar.SonarParser hr = new SerialSonar.SonarParser(SonarModel.HR);
     say(hr, "R1234\r", 1);
     assertThat(hr.latest().orElseThrow().rangeM().getAsDouble()).isCloseTo(1.234, within(1.0e-9));
     say(hr, "R5000\r", 2);
@@ -57,7 +57,7 @@ class SonarParserTest {
 
   @Property
   void accept_anyBytes_readsTheNextLineWhole(@ForAll byte[] noise) {
-    SonarParser any = new SonarParser(SonarModel.LV);
+    SerialSonar.SonarParser any = new SerialSonar.SonarParser(SonarModel.LV);
     any.accept(noise, noise.length, 1);
     say(any, "\rR100\r", 2);
     assertThat(any.latest().orElseThrow().rangeM().getAsDouble()).isCloseTo(2.54, within(1.0e-9));

@@ -1,11 +1,14 @@
 package org.u2sa.flightgear.link;
 
-import org.u2sa.interfaces.time.Clock;
+import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
+import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * The embedded Cessna 172 in this process: each reading brings it to the time of the run, so it
@@ -13,33 +16,27 @@ import org.u2sa.sim.aircraft.ControlInputs;
  */
 public final class EmbeddedAircraft implements AircraftLink {
   private final Cessna172 aircraft;
-  private long startMicros = -1;
-  private long steppedMicros;
+  private final VehicleRun run;
+  private VehicleTruth seen; // null before the first reading
   private long sequence;
-  private ControlInputs controls = ControlInputs.neutral();
 
   /** Links to an aircraft that nobody else steps. */
   public EmbeddedAircraft(Cessna172 aircraft) {
     this.aircraft = aircraft;
+    run = new VehicleRun(aircraft);
   }
 
   @Override
   public AircraftReading read(long nowMicros) {
-    if (startMicros < 0) {
-      startMicros = nowMicros;
-    }
-    long elapsedMicros = nowMicros - startMicros;
-    if (elapsedMicros > steppedMicros) {
-      aircraft.step(controls, Clock.seconds(elapsedMicros - steppedMicros));
-      steppedMicros = elapsedMicros;
-      sequence++;
-    }
+    VehicleTruth truth = run.at(nowMicros);
+    sequence += seen == null || truth == seen ? 0 : 1;
+    seen = truth;
     return reading(aircraft.state(), Math.max(1, sequence), nowMicros);
   }
 
   @Override
-  public void write(ControlInputs newControls) {
-    controls = newControls;
+  public void write(ControlInputs controls) {
+    aircraft.hold(controls);
   }
 
   @Override
@@ -60,30 +57,30 @@ public final class EmbeddedAircraft implements AircraftLink {
                 Point.of(
                     state.rollRateRadPerS(), state.pitchRateRadPerS(), state.yawRateRadPerS()));
     double alongPlaneMps = state.trueAirspeedMps() * Math.cos(state.sideslipRad());
-    return new AircraftReading(
-        true,
-        sequence,
-        measuredAtMicros,
-        state.longitudeDeg(),
-        state.latitudeDeg(),
-        state.altitudeM(),
-        state.heightAboveGroundM(),
-        state.rollRad(),
-        state.pitchRad(),
-        state.headingRad(),
-        euler.x(),
-        euler.y(),
-        euler.z(),
-        state.velocityNorthMps(),
-        state.velocityEastMps(),
-        -state.velocityDownMps(),
-        alongPlaneMps * Math.cos(state.angleOfAttackRad()),
-        -state.trueAirspeedMps() * Math.sin(state.sideslipRad()),
-        alongPlaneMps * Math.sin(state.angleOfAttackRad()),
-        state.calibratedAirspeedMps(),
-        state.engineRpm(),
-        state.weightOnWheels(),
-        false,
-        state.crashed());
+    AircraftState aircraft = new AircraftState();
+    aircraft
+        .referenceFrame(ReferenceFrame.GLOBAL)
+        .x(state.longitudeDeg())
+        .y(state.latitudeDeg())
+        .z(state.altitudeM())
+        .xDot(state.velocityEastMps())
+        .yDot(state.velocityNorthMps())
+        .zDot(-state.velocityDownMps())
+        .phi(state.rollRad())
+        .theta(state.pitchRad())
+        .psi(state.headingRad())
+        .phiDot(euler.x())
+        .thetaDot(euler.y())
+        .psiDot(euler.z())
+        .fluidxDot(alongPlaneMps * Math.cos(state.angleOfAttackRad()))
+        .fluidyDot(-state.trueAirspeedMps() * Math.sin(state.sideslipRad()))
+        .fluidzDot(alongPlaneMps * Math.sin(state.angleOfAttackRad()));
+    aircraft
+        .heightAboveGround(state.heightAboveGroundM())
+        .calibratedAirspeed(state.calibratedAirspeedMps())
+        .engineRpm(state.engineRpm())
+        .weightOnWheels(state.weightOnWheels())
+        .crashed(state.crashed());
+    return new AircraftReading(true, sequence, measuredAtMicros, aircraft);
   }
 }

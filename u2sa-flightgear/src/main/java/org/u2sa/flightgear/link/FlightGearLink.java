@@ -70,7 +70,7 @@ public final class FlightGearLink implements AircraftLink {
   public AircraftReading read(long nowMicros) {
     FlightGearThread.Seen seen = thread.seen();
     boolean fresh = nowMicros - seen.lastLineMicros() <= OutChannel.SILENCE_MICROS;
-    return seen.alive() && fresh ? seen.reading() : Readings.lost(seen.reading());
+    return seen.alive() && fresh ? seen.reading() : seen.reading().lost();
   }
 
   @Override

@@ -162,7 +162,7 @@ final class FlightGearThread extends Thread {
       latest = controls;
     }
     if (latest != null && (controls != null || now - sentMicros >= RESEND_MICROS)) {
-      in.send(out.newest().engineStarting() ? StartingEngine.safe(latest) : latest, now);
+      in.send(out.newest().state().engineStarting() ? StartingEngine.safe(latest) : latest, now);
       sentMicros = now;
     }
   }

@@ -2,8 +2,10 @@ package org.u2sa.flightgear.link;
 
 import java.util.EnumMap;
 import java.util.Map;
+import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
+import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * FlightGear's lines as readings and back: axes and zero points; units are the protocol's concern.
@@ -15,87 +17,59 @@ final class Readings {
 
   static AircraftReading of(OutLine line, long sequence, long measuredAtMicros) {
     double heading = line.get(OutField.HEADING);
-    return new AircraftReading(
-        true,
-        sequence,
-        measuredAtMicros,
-        line.get(OutField.LONGITUDE),
-        line.get(OutField.LATITUDE),
-        line.get(OutField.ALTITUDE),
-        line.get(OutField.HEIGHT) - OutLine.STANDING_M,
-        line.get(OutField.ROLL),
-        line.get(OutField.PITCH),
-        heading >= FULL_CIRCLE ? heading - FULL_CIRCLE : heading,
-        line.get(OutField.ROLL_RATE),
-        line.get(OutField.PITCH_RATE),
-        line.get(OutField.HEADING_RATE),
-        line.get(OutField.SPEED_NORTH),
-        line.get(OutField.SPEED_EAST),
-        -line.get(OutField.SPEED_DOWN),
-        line.get(OutField.AIR_FORWARD),
-        -line.get(OutField.AIR_RIGHT),
-        line.get(OutField.AIR_DOWN),
-        line.get(OutField.CALIBRATED_AIRSPEED),
-        line.get(OutField.ENGINE_SPEED),
-        line.isSet(OutField.WEIGHT_ON_WHEEL),
-        line.isSet(OutField.PRIMER),
-        line.isSet(OutField.CRASHED));
-  }
-
-  /** The same reading of an aircraft that is not there any more. */
-  static AircraftReading lost(AircraftReading last) {
-    return new AircraftReading(
-        false,
-        last.sequence(),
-        last.measuredAtMicros(),
-        last.longitudeDeg(),
-        last.latitudeDeg(),
-        last.altitudeM(),
-        last.heightAboveGroundM(),
-        last.rollRad(),
-        last.pitchRad(),
-        last.headingRad(),
-        last.rollRateRadPerS(),
-        last.pitchRateRadPerS(),
-        last.headingRateRadPerS(),
-        last.northMps(),
-        last.eastMps(),
-        last.upMps(),
-        last.airForwardMps(),
-        last.airLeftMps(),
-        last.airDownMps(),
-        last.calibratedAirspeedMps(),
-        last.engineRpm(),
-        last.weightOnWheels(),
-        last.engineStarting(),
-        last.crashed());
+    AircraftState state = new AircraftState();
+    state
+        .referenceFrame(ReferenceFrame.GLOBAL)
+        .x(line.get(OutField.LONGITUDE))
+        .y(line.get(OutField.LATITUDE))
+        .z(line.get(OutField.ALTITUDE))
+        .xDot(line.get(OutField.SPEED_EAST))
+        .yDot(line.get(OutField.SPEED_NORTH))
+        .zDot(-line.get(OutField.SPEED_DOWN))
+        .phi(line.get(OutField.ROLL))
+        .theta(line.get(OutField.PITCH))
+        .psi(heading >= FULL_CIRCLE ? heading - FULL_CIRCLE : heading)
+        .phiDot(line.get(OutField.ROLL_RATE))
+        .thetaDot(line.get(OutField.PITCH_RATE))
+        .psiDot(line.get(OutField.HEADING_RATE))
+        .fluidxDot(line.get(OutField.AIR_FORWARD))
+        .fluidyDot(-line.get(OutField.AIR_RIGHT))
+        .fluidzDot(line.get(OutField.AIR_DOWN));
+    state
+        .heightAboveGround(line.get(OutField.HEIGHT) - OutLine.STANDING_M)
+        .calibratedAirspeed(line.get(OutField.CALIBRATED_AIRSPEED))
+        .engineRpm(line.get(OutField.ENGINE_SPEED))
+        .weightOnWheels(line.isSet(OutField.WEIGHT_ON_WHEEL))
+        .engineStarting(line.isSet(OutField.PRIMER))
+        .crashed(line.isSet(OutField.CRASHED));
+    return new AircraftReading(true, sequence, measuredAtMicros, state);
   }
 
   /** What FlightGear would say of an aircraft. */
-  static OutLine line(AircraftReading reading, double elapsedS, boolean primer, long count) {
+  static OutLine line(AircraftState state, double elapsedS, boolean primer, long count) {
     Map<OutField, Double> values = new EnumMap<>(OutField.class);
     values.put(OutField.ELAPSED, elapsedS);
-    values.put(OutField.LATITUDE, reading.latitudeDeg());
-    values.put(OutField.LONGITUDE, reading.longitudeDeg());
-    values.put(OutField.ALTITUDE, reading.altitudeM());
-    values.put(OutField.HEIGHT, reading.heightAboveGroundM() + OutLine.STANDING_M);
-    values.put(OutField.ROLL, reading.rollRad());
-    values.put(OutField.PITCH, reading.pitchRad());
-    values.put(OutField.HEADING, reading.headingRad());
-    values.put(OutField.ROLL_RATE, reading.rollRateRadPerS());
-    values.put(OutField.PITCH_RATE, reading.pitchRateRadPerS());
-    values.put(OutField.HEADING_RATE, reading.headingRateRadPerS());
-    values.put(OutField.SPEED_NORTH, reading.northMps());
-    values.put(OutField.SPEED_EAST, reading.eastMps());
-    values.put(OutField.SPEED_DOWN, -reading.upMps());
-    values.put(OutField.CALIBRATED_AIRSPEED, reading.calibratedAirspeedMps());
-    values.put(OutField.AIR_FORWARD, reading.airForwardMps());
-    values.put(OutField.AIR_RIGHT, -reading.airLeftMps());
-    values.put(OutField.AIR_DOWN, reading.airDownMps());
-    values.put(OutField.ENGINE_SPEED, reading.engineRpm());
-    values.put(OutField.WEIGHT_ON_WHEEL, reading.weightOnWheels() ? 1.0 : 0.0);
+    values.put(OutField.LATITUDE, state.y().orElseThrow());
+    values.put(OutField.LONGITUDE, state.x().orElseThrow());
+    values.put(OutField.ALTITUDE, state.z().orElseThrow());
+    values.put(OutField.HEIGHT, state.heightAboveGround().orElseThrow() + OutLine.STANDING_M);
+    values.put(OutField.ROLL, state.phi().orElseThrow());
+    values.put(OutField.PITCH, state.theta().orElseThrow());
+    values.put(OutField.HEADING, state.psi().orElseThrow());
+    values.put(OutField.ROLL_RATE, state.phiDot().orElseThrow());
+    values.put(OutField.PITCH_RATE, state.thetaDot().orElseThrow());
+    values.put(OutField.HEADING_RATE, state.psiDot().orElseThrow());
+    values.put(OutField.SPEED_NORTH, state.yDot().orElseThrow());
+    values.put(OutField.SPEED_EAST, state.xDot().orElseThrow());
+    values.put(OutField.SPEED_DOWN, -state.zDot().orElseThrow());
+    values.put(OutField.CALIBRATED_AIRSPEED, state.calibratedAirspeed().orElseThrow());
+    values.put(OutField.AIR_FORWARD, state.fluidxDot().orElseThrow());
+    values.put(OutField.AIR_RIGHT, -state.fluidyDot().orElseThrow());
+    values.put(OutField.AIR_DOWN, state.fluidzDot().orElseThrow());
+    values.put(OutField.ENGINE_SPEED, state.engineRpm().orElseThrow());
+    values.put(OutField.WEIGHT_ON_WHEEL, state.weightOnWheels() ? 1.0 : 0.0);
     values.put(OutField.PRIMER, primer ? 1.0 : 0.0);
-    values.put(OutField.CRASHED, reading.crashed() ? 1.0 : 0.0);
+    values.put(OutField.CRASHED, state.crashed() ? 1.0 : 0.0);
     values.put(OutField.COUNT, (double) count);
     return OutLine.of(values);
   }

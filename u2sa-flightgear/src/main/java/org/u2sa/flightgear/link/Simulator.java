@@ -5,12 +5,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.u2sa.core.control.fixedwing.AircraftActuator;
 import org.u2sa.core.control.fixedwing.AircraftState;
-import org.u2sa.core.control.fixedwing.HandsOff;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -107,7 +106,7 @@ public final class Simulator extends ProprioceptiveSensor {
     double brakes = commands.mayMove() ? 0.0 : 1.0; // what may not move must not roll either
     return new ControlInputs(
         fraction("AILERON", 0.0),
-        fraction("ELEVATOR", HandsOff.ELEVATOR_PERCENT / FULL_PERCENT),
+        fraction("ELEVATOR", AircraftActuator.TRIMMED_ELEVATOR_PERCENT / FULL_PERCENT),
         fraction("RUDDER", 0.0),
         fraction("THROTTLE", 0.0),
         fraction("MIXTURE", RICH), // a lean mixture would stop the engine for good
@@ -121,33 +120,9 @@ public final class Simulator extends ProprioceptiveSensor {
   }
 
   private AircraftState state(AircraftReading reading) {
-    AircraftState state = new AircraftState();
-    state.timestamp(reading.measuredAtMicros());
-    state
-        .sensorName(sensorName())
-        .referenceFrame(ReferenceFrame.GLOBAL)
-        .x(reading.longitudeDeg())
-        .y(reading.latitudeDeg())
-        .z(reading.altitudeM())
-        .xDot(reading.eastMps())
-        .yDot(reading.northMps())
-        .zDot(reading.upMps())
-        .phi(reading.rollRad())
-        .theta(reading.pitchRad())
-        .psi(reading.headingRad())
-        .phiDot(reading.rollRateRadPerS())
-        .thetaDot(reading.pitchRateRadPerS())
-        .psiDot(reading.headingRateRadPerS())
-        .fluidxDot(reading.airForwardMps())
-        .fluidyDot(reading.airLeftMps())
-        .fluidzDot(reading.airDownMps());
-    return state
-        .heightAboveGround(reading.heightAboveGroundM())
-        .calibratedAirspeed(reading.calibratedAirspeedMps())
-        .engineRpm(reading.engineRpm())
-        .weightOnWheels(reading.weightOnWheels())
-        .engineStarting(reading.engineStarting())
-        .crashed(reading.crashed());
+    AircraftState state = reading.state().copy();
+    state.sensorName(sensorName()).timestamp(reading.measuredAtMicros());
+    return state;
   }
 
   @Override
@@ -170,7 +145,8 @@ public final class Simulator extends ProprioceptiveSensor {
   protected void release() {
     try {
       link.write(
-          ControlInputs.neutral().withSurfaces(0.0, HandsOff.ELEVATOR_PERCENT / FULL_PERCENT, 0.0));
+          ControlInputs.neutral()
+              .withSurfaces(0.0, AircraftActuator.TRIMMED_ELEVATOR_PERCENT / FULL_PERCENT, 0.0));
     } finally {
       link.close();
     }

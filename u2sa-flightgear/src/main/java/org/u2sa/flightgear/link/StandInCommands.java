@@ -11,7 +11,7 @@ import org.u2sa.flightgear.protocol.ProtocolFiles;
  * What the stand-in's property server can do: its readings, its speed-up, and FlightGear's commands
  * for channels.
  */
-final class StandInCommands implements StandInProperties.Simulator {
+final class StandInCommands {
   private static final String SPEED_UP = "/sim/speed-up";
   private static final int CONFIG_PARTS = 8; // generic,socket,out,20,127.0.0.1,5501,tcp,u2sa-out
 
@@ -29,8 +29,8 @@ final class StandInCommands implements StandInProperties.Simulator {
         "generic,socket," + direction + ",20," + host + "," + port + ",tcp," + protocol);
   }
 
-  @Override
-  public String get(String path) {
+  /** A property's value as text; empty if there is none. */
+  String get(String path) {
     OutLine said = standIn.said();
     for (OutField field : OutField.values()) {
       if (field.node().equals(path)) {
@@ -42,15 +42,15 @@ final class StandInCommands implements StandInProperties.Simulator {
         : configs.getOrDefault(path, "");
   }
 
-  @Override
-  public void set(String path, String value) {
+  /** Sets a property. */
+  void set(String path, String value) {
     if (path.equals(SPEED_UP) && value.matches("[0-9]{1,2}([.][0-9]+)?")) {
       standIn.speedUp(Double.parseDouble(value));
     }
   }
 
-  @Override
-  public boolean run(String command, List<String> arguments) {
+  /** Runs a command with its arguments, "name=value" each. @return whether it was done */
+  boolean run(String command, List<String> arguments) {
     Map<String, String> values = new HashMap<>();
     for (String argument : arguments) {
       int equals = argument.indexOf('=');

@@ -162,7 +162,7 @@ public final class StandInFlightGear implements AutoCloseable {
     double elapsedS = aircraft.state().timeS();
     said =
         Readings.line(
-            EmbeddedAircraft.reading(aircraft.state(), 1, 0),
+            EmbeddedAircraft.reading(aircraft.state(), 1, 0).state(),
             elapsedS,
             elapsedS < setup.primerS(),
             told.count());

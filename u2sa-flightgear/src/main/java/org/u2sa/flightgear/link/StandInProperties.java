@@ -20,18 +20,6 @@ final class StandInProperties implements Closeable {
   private final List<Client> clients = new ArrayList<>();
   private final ByteBuffer buffer = ByteBuffer.allocate(4_096);
 
-  /** What a client may ask for. */
-  interface Simulator {
-    /** A property's value as text; empty if there is none. */
-    String get(String path);
-
-    /** Sets a property. */
-    void set(String path, String value);
-
-    /** Runs a command with its arguments, "name=value" each. @return whether it was done */
-    boolean run(String command, List<String> arguments);
-  }
-
   /**
    * @throws IOException if the port is taken
    */
@@ -44,7 +32,7 @@ final class StandInProperties implements Closeable {
   }
 
   /** Answers what has been asked since the last frame. */
-  void work(Simulator simulator) throws IOException {
+  void work(StandInCommands simulator) throws IOException {
     for (SocketChannel next = server.accept(); next != null; next = server.accept()) {
       next.configureBlocking(false);
       clients.add(new Client(next));
@@ -58,7 +46,7 @@ final class StandInProperties implements Closeable {
     }
   }
 
-  private boolean serve(Client client, Simulator simulator) {
+  private boolean serve(Client client, StandInCommands simulator) {
     try {
       buffer.clear();
       int got = client.channel.read(buffer);
@@ -78,7 +66,7 @@ final class StandInProperties implements Closeable {
     }
   }
 
-  private static String answer(Client client, String line, Simulator simulator) {
+  private static String answer(Client client, String line, StandInCommands simulator) {
     List<String> words = List.of(line.split(" +"));
     String prompt = client.bare ? "" : "/> ";
     switch (words.get(0)) {

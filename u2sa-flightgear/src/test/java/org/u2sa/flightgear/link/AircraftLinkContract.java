@@ -46,16 +46,16 @@ abstract class AircraftLinkContract {
   void read_aircraftOnTheRunway_saysWhereItStands() throws Exception {
     link = linkToParkedAircraft();
     AircraftReading reading = readUntil(each -> each.connected() && each.sequence() > 3);
-    assertThat(reading.longitudeDeg()).isCloseTo(LONGITUDE_DEG, within(1e-6));
-    assertThat(reading.latitudeDeg()).isCloseTo(LATITUDE_DEG, within(1e-6));
-    assertThat(reading.altitudeM()).isBetween(ELEVATION_M + 0.5, ELEVATION_M + 2.0);
-    assertThat(reading.heightAboveGroundM()).isCloseTo(0.0, within(0.2));
-    assertThat(reading.headingRad()).isCloseTo(HEADING_RAD, within(0.01));
-    assertThat(reading.pitchRad()).isBetween(0.0, 0.1);
-    assertThat(reading.engineRpm()).isBetween(400.0, 1_000.0);
-    assertThat(reading.weightOnWheels()).isTrue();
-    assertThat(reading.engineStarting()).isFalse();
-    assertThat(reading.crashed()).isFalse();
+    assertThat(reading.state().x().orElse(0.0)).isCloseTo(LONGITUDE_DEG, within(1e-6));
+    assertThat(reading.state().y().orElse(0.0)).isCloseTo(LATITUDE_DEG, within(1e-6));
+    assertThat(reading.state().z().orElse(0.0)).isBetween(ELEVATION_M + 0.5, ELEVATION_M + 2.0);
+    assertThat(reading.state().heightAboveGround().orElse(0.0)).isCloseTo(0.0, within(0.2));
+    assertThat(reading.state().psi().orElse(0.0)).isCloseTo(HEADING_RAD, within(0.01));
+    assertThat(reading.state().theta().orElse(0.0)).isBetween(0.0, 0.1);
+    assertThat(reading.state().engineRpm().orElse(0.0)).isBetween(400.0, 1_000.0);
+    assertThat(reading.state().weightOnWheels()).isTrue();
+    assertThat(reading.state().engineStarting()).isFalse();
+    assertThat(reading.state().crashed()).isFalse();
   }
 
   @Test
@@ -63,10 +63,11 @@ abstract class AircraftLinkContract {
     link = linkToParkedAircraft();
     readUntil(AircraftReading::connected);
     link.write(FULL_THROTTLE);
-    AircraftReading reading = readUntil(each -> each.airForwardMps() > 5.0);
-    assertThat(reading.eastMps()).isGreaterThan(3.0);
-    assertThat(reading.calibratedAirspeedMps()).isCloseTo(reading.airForwardMps(), within(0.5));
-    assertThat(reading.engineRpm()).isGreaterThan(1_500.0);
+    AircraftReading reading = readUntil(each -> each.state().fluidxDot().orElse(0.0) > 5.0);
+    assertThat(reading.state().xDot().orElse(0.0)).isGreaterThan(3.0);
+    assertThat(reading.state().calibratedAirspeed().orElse(0.0))
+        .isCloseTo(reading.state().fluidxDot().orElse(0.0), within(0.5));
+    assertThat(reading.state().engineRpm().orElse(0.0)).isGreaterThan(1_500.0);
   }
 
   @Test

@@ -45,7 +45,8 @@ final class FlightGearLinesTest extends RawLink {
     awaitTrouble("FlightGear connected");
     assertThat(link.read(clock.micros()).connected()).isFalse();
     flightGear.send(RawFlightGear.line(0.05, 2.0));
-    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(1.99, 2.01);
+    assertThat(readUntil(AircraftReading::connected).state().psi().orElse(0.0))
+        .isBetween(1.99, 2.01);
     assertThat(link.refusedLines()).isZero();
   }
 
@@ -54,9 +55,11 @@ final class FlightGearLinesTest extends RawLink {
     String line = RawFlightGear.line(5.0, 1.25);
     flightGear.connect(link.outPort());
     flightGear.send(RawFlightGear.line(4.0, 1.0) + line.substring(0, 70));
-    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(0.99, 1.01);
+    assertThat(readUntil(AircraftReading::connected).state().psi().orElse(0.0))
+        .isBetween(0.99, 1.01);
     flightGear.send(line.substring(70));
-    assertThat(readUntil(each -> each.sequence() == 2).headingRad()).isBetween(1.24, 1.26);
+    assertThat(readUntil(each -> each.sequence() == 2).state().psi().orElse(0.0))
+        .isBetween(1.24, 1.26);
   }
 
   @Test
@@ -65,7 +68,8 @@ final class FlightGearLinesTest extends RawLink {
     for (char each : RawFlightGear.line(5.0, 1.25).toCharArray()) {
       flightGear.send(String.valueOf(each));
     }
-    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(1.24, 1.26);
+    assertThat(readUntil(AircraftReading::connected).state().psi().orElse(0.0))
+        .isBetween(1.24, 1.26);
   }
 
   @Test
@@ -75,7 +79,8 @@ final class FlightGearLinesTest extends RawLink {
         "GET / HTTP/1.0\r\n\n\0\u00ff\n1,2,3\n"
             + RawFlightGear.line(5.0, 1.0).replaceFirst("^5[^,]*", "nan"));
     flightGear.send(RawFlightGear.line(5.0, 1.25));
-    assertThat(readUntil(AircraftReading::connected).headingRad()).isBetween(1.24, 1.26);
+    assertThat(readUntil(AircraftReading::connected).state().psi().orElse(0.0))
+        .isBetween(1.24, 1.26);
     assertThat(link.refusedLines()).isEqualTo(5);
     awaitTrouble(
         "5 lines of FlightGear refused, the last: /sim/time/elapsed-sec: \"nan\" is not a number");
@@ -96,7 +101,7 @@ final class FlightGearLinesTest extends RawLink {
     readUntil(AircraftReading::connected);
     flightGear.closeLines();
     AircraftReading last = readUntil(each -> !each.connected());
-    assertThat(last.headingRad()).isBetween(1.24, 1.26);
+    assertThat(last.state().psi().orElse(0.0)).isBetween(1.24, 1.26);
     awaitTrouble("FlightGear closed the connection of its lines in the middle of a line");
     flightGear.connect(link.outPort());
     flightGear.send(RawFlightGear.line(5.2, 1.5));
@@ -128,7 +133,8 @@ final class FlightGearLinesTest extends RawLink {
       assertThat(second.isRefused()).isTrue();
     }
     flightGear.send(RawFlightGear.line(5.1, 1.5));
-    assertThat(readUntil(each -> each.sequence() == 2).headingRad()).isBetween(1.49, 1.51);
+    assertThat(readUntil(each -> each.sequence() == 2).state().psi().orElse(0.0))
+        .isBetween(1.49, 1.51);
     awaitTrouble("a second sender of lines");
   }
 

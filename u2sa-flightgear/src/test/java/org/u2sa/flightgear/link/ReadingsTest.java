@@ -1,11 +1,16 @@
 package org.u2sa.flightgear.link;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.flightgear.protocol.OutField;
 import org.u2sa.flightgear.protocol.OutLine;
+import org.u2sa.messages.StateField;
+import org.u2sa.messages.frame.ReferenceFrame;
 
 final class ReadingsTest {
   @Test
@@ -18,33 +23,57 @@ final class ReadingsTest {
             OutField.HEADING, 2.0 * Math.PI,
             OutField.HEIGHT, OutLine.STANDING_M);
     AircraftReading reading = Readings.of(OutLine.of(values), 1, 0);
-    assertThat(Math.round(reading.upMps() * 1e6)).isEqualTo(-2_000_000);
-    assertThat(Math.round(reading.airLeftMps() * 1e6)).isEqualTo(-3_000_000);
-    assertThat(Math.round(reading.airDownMps() * 1e6)).isEqualTo(4_000_000);
-    assertThat(reading.headingRad()).isLessThan(1e-9);
-    assertThat(reading.heightAboveGroundM()).isZero();
+    assertThat(Math.round(reading.state().zDot().orElse(0.0) * 1e6)).isEqualTo(-2_000_000);
+    assertThat(Math.round(reading.state().fluidyDot().orElse(0.0) * 1e6)).isEqualTo(-3_000_000);
+    assertThat(Math.round(reading.state().fluidzDot().orElse(0.0) * 1e6)).isEqualTo(4_000_000);
+    assertThat(reading.state().psi().orElse(0.0)).isLessThan(1e-9);
+    assertThat(reading.state().heightAboveGround().orElse(0.0)).isZero();
   }
 
   @Test
   void line_ofAReading_isReadAsTheSameReading() {
-    AircraftReading flying =
-        new AircraftReading(
-            true, 7, 0, -157.9, 21.3, 500.0, 495.0, 0.1, 0.2, 3.0, 0.01, 0.02, 0.03, 40.0, 5.0, 2.0,
-            42.0, -1.0, 3.0, 41.0, 2_300.0, false, false, false);
+    AircraftState flying = new AircraftState();
+    flying
+        .referenceFrame(ReferenceFrame.GLOBAL)
+        .x(-157.9)
+        .y(21.3)
+        .z(500.0)
+        .xDot(5.0)
+        .yDot(40.0)
+        .zDot(2.0)
+        .phi(0.1)
+        .theta(0.2)
+        .psi(3.0)
+        .phiDot(0.01)
+        .thetaDot(0.02)
+        .psiDot(0.03)
+        .fluidxDot(42.0)
+        .fluidyDot(-1.0)
+        .fluidzDot(3.0);
+    flying.heightAboveGround(495.0).calibratedAirspeed(41.0).engineRpm(2_300.0);
     AircraftReading read = Readings.of(Readings.line(flying, 9.0, false, 17), 7, 0);
-    assertThat(read)
-        .usingRecursiveComparison()
-        .withEqualsForType((a, b) -> Math.abs(a - b) < 1e-9, Double.class)
-        .isEqualTo(flying);
+    for (StateField field : StateField.values()) {
+      OptionalDouble expected = flying.number(field);
+      assertThat(read.state().number(field).isPresent()).isEqualTo(expected.isPresent());
+      assertThat(read.state().number(field).orElse(0.0))
+          .as(field.fieldName())
+          .isCloseTo(expected.orElse(0.0), within(1e-9));
+    }
+    assertThat(read.state().heightAboveGround().orElseThrow()).isCloseTo(495.0, within(1e-9));
+    assertThat(read.state().calibratedAirspeed().orElseThrow()).isCloseTo(41.0, within(1e-9));
+    assertThat(read.state().engineRpm().orElseThrow()).isCloseTo(2_300.0, within(1e-9));
+    assertThat(read.state().weightOnWheels()).isFalse();
+    assertThat(read.state().engineStarting()).isFalse();
+    assertThat(read.state().crashed()).isFalse();
   }
 
   @Test
   void lost_reading_changesOnlyWhetherItIsConnected() {
     AircraftReading flying = Readings.of(OutLine.of(Map.of(OutField.PITCH, 0.1)), 3, 5);
-    assertThat(Readings.lost(flying))
+    assertThat(flying.lost())
         .usingRecursiveComparison()
         .ignoringFields("connected")
         .isEqualTo(flying);
-    assertThat(Readings.lost(flying).connected()).isFalse();
+    assertThat(flying.lost().connected()).isFalse();
   }
 }

@@ -65,11 +65,11 @@ final class RealFlightGearTest {
   @Test
   void takeOffRun_linkCutBothWays_isMendedAndTheAircraftObeys() throws Exception {
     AircraftReading parked = readUntil(AircraftReading::connected);
-    assertThat(parked.heightAboveGroundM()).isBetween(-0.1, 0.1);
-    assertThat(parked.longitudeDeg()).isBetween(-157.9433, -157.9431);
-    assertThat(parked.latitudeDeg()).isBetween(21.3252, 21.3253);
-    assertThat(parked.headingRad()).isBetween(1.55, 1.58);
-    assertThat(parked.engineStarting()).isTrue();
+    assertThat(parked.state().heightAboveGround().orElse(0.0)).isBetween(-0.1, 0.1);
+    assertThat(parked.state().x().orElse(0.0)).isBetween(-157.9433, -157.9431);
+    assertThat(parked.state().y().orElse(0.0)).isBetween(21.3252, 21.3253);
+    assertThat(parked.state().psi().orElse(0.0)).isBetween(1.55, 1.58);
+    assertThat(parked.state().engineStarting()).isTrue();
 
     // Somebody spoils the channel for controls; full throttle would kill the engine while it
     // starts, were it not held back.
@@ -79,20 +79,22 @@ final class RealFlightGearTest {
     link.write(FULL_THROTTLE);
     awaitTrouble("FlightGear takes no controls");
     awaitTrouble("FlightGear takes controls again");
-    AircraftReading running = readUntil(each -> !each.engineStarting());
-    assertThat(running.engineRpm()).isGreaterThan(600.0);
-    AircraftReading rolling = readUntil(each -> each.calibratedAirspeedMps() > 8.0);
-    assertThat(rolling.airForwardMps()).isBetween(7.5, 9.0);
-    assertThat(rolling.engineRpm()).isGreaterThan(2_000.0);
+    AircraftReading running = readUntil(each -> !each.state().engineStarting());
+    assertThat(running.state().engineRpm().orElse(0.0)).isGreaterThan(600.0);
+    AircraftReading rolling =
+        readUntil(each -> each.state().calibratedAirspeed().orElse(0.0) > 8.0);
+    assertThat(rolling.state().fluidxDot().orElse(0.0)).isBetween(7.5, 9.0);
+    assertThat(rolling.state().engineRpm().orElse(0.0)).isGreaterThan(2_000.0);
 
     try (PropertyServer server = new PropertyServer("127.0.0.1", propertyPort)) {
       assertThat(server.run("remove-io-channel name=generic-1")).isTrue();
     }
     readUntil(each -> !each.connected());
     AircraftReading back = readUntil(AircraftReading::connected);
-    assertThat(back.calibratedAirspeedMps()).isGreaterThan(rolling.calibratedAirspeedMps());
+    assertThat(back.state().calibratedAirspeed().orElse(0.0))
+        .isGreaterThan(rolling.state().calibratedAirspeed().orElse(0.0));
     link.write(ControlInputs.neutral().withBrakes(1.0, 1.0));
-    readUntil(each -> each.calibratedAirspeedMps() < 2.0);
+    readUntil(each -> each.state().calibratedAirspeed().orElse(0.0) < 2.0);
     awaitTrouble("asked FlightGear to restore the link");
   }
 

@@ -3,6 +3,7 @@ package org.u2sa.gcs.configuration;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.function.Supplier;
+import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -14,6 +15,11 @@ final class AnswerFormat {
 
   @Option(names = "--json", description = "Print JSON.")
   private boolean json;
+
+  /** The command that prints it. */
+  CommandLine commandLine() {
+    return command.commandLine();
+  }
 
   void print(Supplier<String> asJson, Supplier<List<String>> asLines) {
     PrintWriter out = command.commandLine().getOut();

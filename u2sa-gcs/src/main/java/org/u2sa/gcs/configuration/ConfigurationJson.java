@@ -1,12 +1,9 @@
 package org.u2sa.gcs.configuration;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
-import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
+import java.math.BigDecimal;
 import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
@@ -16,96 +13,56 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 final class ConfigurationJson {
   private ConfigurationJson() {}
 
-  /** Writes one value. */
-  private interface Content {
-    void write(JsonGenerator json) throws IOException;
+  static String text(String systemId, List<ConfigurationResponse> services) {
+    return new JsonText()
+        .put("system", systemId)
+        .put("services", services.stream().map(ConfigurationJson::of).toList())
+        .toString();
   }
 
-  static String text(String systemId, List<ConfigurationResponse> services) {
-    return text(
-        json -> {
-          json.writeStartObject();
-          json.writeStringField("system", systemId);
-          json.writeArrayFieldStart("services");
-          for (ConfigurationResponse service : services) {
-            json.writeStartObject();
-            json.writeStringField("name", service.serviceName());
-            if (service.revision().isPresent()) {
-              json.writeNumberField("revision", service.revision().getAsLong());
-            }
-            json.writeArrayFieldStart("variables");
-            for (ConfigurationVariable variable : service.variables()) {
-              write(json, variable);
-            }
-            json.writeEndArray();
-            json.writeEndObject();
-          }
-          json.writeEndArray();
-          json.writeEndObject();
-        });
+  private static JsonText of(ConfigurationResponse service) {
+    return new JsonText()
+        .put("name", service.serviceName())
+        .put("revision", service.revision())
+        .put("variables", service.variables().stream().map(ConfigurationJson::of).toList());
   }
 
   static String text(ConfigurationVariable variable) {
-    return text(json -> write(json, variable));
+    return of(variable).toString();
   }
 
   static String text(ConfigurationTransactionResult result) {
-    return text(
-        json -> {
-          json.writeStartObject();
-          json.writeStringField("service", result.serviceName());
-          json.writeNumberField("revision", result.revision());
-          json.writeArrayFieldStart("changes");
-          for (ConfigurationAssignment assignment : result.assignments()) {
-            json.writeStartObject();
-            json.writeStringField("variable", assignment.variableName());
-            json.writeStringField("old", assignment.previous().orElse(""));
-            json.writeStringField("new", assignment.value());
-            json.writeEndObject();
-          }
-          json.writeEndArray();
-          json.writeEndObject();
-        });
+    return new JsonText()
+        .put("service", result.serviceName())
+        .put("revision", result.revision())
+        .put("changes", result.assignments().stream().map(ConfigurationJson::of).toList())
+        .toString();
   }
 
-  private static void write(JsonGenerator json, ConfigurationVariable variable) throws IOException {
-    json.writeStartObject();
-    json.writeStringField("name", variable.name());
-    json.writeStringField("type", variable.variableType());
-    json.writeFieldName("value");
-    switch (variable.variableType()) {
-      case "double", "int" -> json.writeNumber(variable.value());
-      case "boolean" -> json.writeBoolean(Boolean.parseBoolean(variable.value()));
-      default -> json.writeString(variable.value());
-    }
-    if (!variable.unit().isEmpty()) {
-      json.writeStringField("unit", variable.unit());
-    }
-    if (variable.min().isPresent()) {
-      json.writeNumberField("min", variable.min().getAsDouble());
-    }
-    if (variable.max().isPresent()) {
-      json.writeNumberField("max", variable.max().getAsDouble());
-    }
-    if (!variable.choices().isEmpty()) {
-      json.writeArrayFieldStart("choices");
-      for (String choice : variable.choices()) {
-        json.writeString(choice);
-      }
-      json.writeEndArray();
-    }
-    json.writeStringField("description", variable.description());
-    json.writeEndObject();
+  private static JsonText of(ConfigurationAssignment assignment) {
+    return new JsonText()
+        .put("variable", assignment.variableName())
+        .put("old", assignment.previous().orElse(""))
+        .put("new", assignment.value());
   }
 
-  private static String text(Content content) {
-    StringWriter text = new StringWriter();
-    try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
-      json.setPrettyPrinter(new DefaultPrettyPrinter());
-      content.write(json);
-    } catch (IOException e) {
-      throw new UncheckedIOException("writing into memory", e);
-    }
-    return text.toString();
+  private static JsonText of(ConfigurationVariable variable) {
+    return new JsonText()
+        .put("name", variable.name())
+        .put("type", variable.variableType())
+        .put("value", value(variable))
+        .put("unit", Optional.of(variable.unit()).filter(unit -> !unit.isEmpty()))
+        .put("min", variable.min())
+        .put("max", variable.max())
+        .put("choices", Optional.of(variable.choices()).filter(choices -> !choices.isEmpty()))
+        .put("description", variable.description());
+  }
+
+  private static Object value(ConfigurationVariable variable) {
+    return switch (variable.variableType()) {
+      case "double", "int" -> new BigDecimal(variable.value());
+      case "boolean" -> Boolean.parseBoolean(variable.value());
+      default -> variable.value();
+    };
   }
 }

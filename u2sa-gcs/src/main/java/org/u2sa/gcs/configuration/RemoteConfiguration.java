@@ -1,16 +1,17 @@
 package org.u2sa.gcs.configuration;
 
-import java.util.Comparator;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
 import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.remote.HeardServices;
-import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
@@ -57,32 +58,30 @@ final class RemoteConfiguration {
             .map(ConfigurationResponse::serviceName)
             .collect(Collectors.toCollection(TreeSet::new));
     throw new BadInputException(
-        "no service \""
-            + service
-            + "\" answered in system \""
-            + link.systemId()
-            + "\"; there are "
-            + String.join(", ", there)
-            + NearestNames.didYouMean(service, there));
+        String.format(
+            "no service \"%s\" answered in system \"%s\"; there are %s%s",
+            service,
+            link.systemId(),
+            String.join(", ", there),
+            NearestNames.didYouMean(service, there)));
   }
 
-  // Everybody is asked even where one is meant: who does answer helps those who mistyped a name.
-  private static Question<ConfigurationResponse> everybody() {
-    return new Question<>(
-            Channels.CONFIGURATION,
-            new ConfigurationRequest().serviceName(""),
-            ConfigurationResponse.class)
-        .oneOfEach(ConfigurationResponse::serviceName);
-  }
-
-  /** The answers of these, where they answer; else of everybody who is heard. */
+  /**
+   * The answers of these, where they answer; else of everybody who is heard. Everybody is asked
+   * even where one is meant: who does answer helps those who mistyped a name.
+   */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
-    return sorted(link.ask(everybody().expectingAll(HeardServices.begin(link), these)));
-  }
-
-  private static List<ConfigurationResponse> sorted(List<ConfigurationResponse> answers) {
-    answers.sort(Comparator.comparing(ConfigurationResponse::serviceName));
-    return answers;
+    DirectoryObservation heard = DirectoryObservation.begin(link);
+    Map<String, ConfigurationResponse> answers = new ConcurrentSkipListMap<>();
+    link.ask(
+        Channels.CONFIGURATION,
+        new ConfigurationRequest().serviceName(""),
+        ConfigurationResponse.class,
+        answer -> answers.put(answer.serviceName(), answer),
+        () ->
+            !these.isEmpty() && answers.keySet().containsAll(these)
+                || heard.areAmong(answers.keySet()));
+    return new ArrayList<>(answers.values());
   }
 
   /**
@@ -96,11 +95,9 @@ final class RemoteConfiguration {
     int index = names.indexOf(name);
     if (index < 0) {
       throw new BadInputException(
-          of.serviceName()
-              + ", variable \""
-              + name
-              + "\": there is none"
-              + NearestNames.didYouMean(name, names));
+          String.format(
+              "%s, variable \"%s\": there is none%s",
+              of.serviceName(), name, NearestNames.didYouMean(name, names)));
     }
     return of.variables().get(index);
   }
@@ -133,28 +130,24 @@ final class RemoteConfiguration {
 
   private ConfigurationTransactionResult result(U2SAData request, String id, String service)
       throws InterruptedException {
-    List<ConfigurationTransactionResult> results =
-        link.ask(
-            new Question<>(Channels.CONFIGURATION, request, ConfigurationTransactionResult.class)
-                .only(result -> result.requestId().equals(id))
-                .first());
-    if (results.isEmpty()) {
-      throw nobody(service);
+    ConfigurationTransactionResult result =
+        link.first(
+                Channels.CONFIGURATION,
+                request,
+                ConfigurationTransactionResult.class,
+                each -> each.requestId().equals(id))
+            .orElseThrow(() -> nobody(service));
+    if (!result.accepted()) {
+      throw new RunFailedException(result.reason());
     }
-    if (!results.get(0).accepted()) {
-      throw new RunFailedException(results.get(0).reason());
-    }
-    return results.get(0);
+    return result;
   }
 
   private RunFailedException nobody(String service) {
     return new RunFailedException(
-        service
-            + " of system \""
-            + link.systemId()
-            + "\" did not answer within "
-            + link.timeoutS()
-            + " s; ./u2sa config list shows which services do");
+        String.format(
+            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which services do",
+            service, link.systemId(), link.timeoutS()));
   }
 
   /** What was changed, a line for each variable, and the revision. */
@@ -169,10 +162,11 @@ final class RemoteConfiguration {
 
   private static String told(ConfigurationAssignment assignment, ConfigurationVariable variable) {
     String unit = variable.unit().isEmpty() ? "" : " " + variable.unit();
-    return assignment.variableName()
-        + ": "
-        + assignment.previous().map(previous -> previous + " → ").orElse("")
-        + assignment.value()
-        + unit;
+    return String.format(
+        "%s: %s%s%s",
+        assignment.variableName(),
+        assignment.previous().map(previous -> previous + " → ").orElse(""),
+        assignment.value(),
+        unit);
   }
 }

@@ -1,11 +1,15 @@
 package org.u2sa.gcs.remote;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
@@ -66,10 +70,11 @@ public final class RemoteLink implements AutoCloseable {
    *
    * @throws CommunicationException if the broker refuses the subscription
    */
-  public void listen(Channel<?> channel, Consumer<U2SAData> listener) {
-    List<Consumer<U2SAData>> ofChannel =
-        listeners.computeIfAbsent(channel.name(), name -> new CopyOnWriteArrayList<>());
-    ofChannel.add(listener);
+  @SuppressWarnings("unchecked") // only messages of the channel's type come in on it
+  public <T extends U2SAData> void listen(Channel<T> channel, Consumer<? super T> listener) {
+    listeners
+        .computeIfAbsent(channel.name(), name -> new CopyOnWriteArrayList<>())
+        .add((Consumer<U2SAData>) listener);
     if (!connection.subscribe(channel)) {
       throw new CommunicationException(
           "the broker refuses \"" + channel + "\" of system \"" + systemId + "\"");
@@ -77,11 +82,8 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /** Ends {@link #listen} for this listener. */
-  public void listenNoMore(Channel<?> channel, Consumer<U2SAData> listener) {
-    List<Consumer<U2SAData>> ofChannel = listeners.get(channel.name());
-    if (ofChannel != null) {
-      ofChannel.remove(listener);
-    }
+  public void listenNoMore(Channel<?> channel, Consumer<?> listener) {
+    listeners.getOrDefault(channel.name(), new ArrayList<>()).remove(listener);
   }
 
   /**
@@ -106,23 +108,54 @@ public final class RemoteLink implements AutoCloseable {
   }
 
   /**
-   * Puts a question to the services and collects their answers until they are enough, or for {@link
-   * #timeoutS}.
+   * Publishes a request, and hands on the answers that come in on its channel until they are
+   * enough, or for {@link #timeoutS}.
    *
-   * @return the answers, in the order in which their sources first answered; perhaps none
+   * @param request not frozen yet; system and time are filled in
+   * @param type what answers are; subclasses count
+   * @param answers takes each answer, on the transport's thread
+   * @param enough whether to wait no longer; asked every 20 ms
    * @throws CommunicationException if the request was not taken
    */
-  public <T extends U2SAData> List<T> ask(Question<T> question) throws InterruptedException {
-    Question.Answers<T> answers = question.answers();
-    Consumer<U2SAData> listener = answers::take;
-    listen(question.channel(), listener);
+  public <T extends U2SAData> void ask(
+      Channel<?> channel,
+      U2SAData request,
+      Class<T> type,
+      Consumer<? super T> answers,
+      BooleanSupplier enough)
+      throws InterruptedException {
+    Consumer<U2SAData> listener =
+        message -> {
+          if (type.isInstance(message)) {
+            answers.accept(type.cast(message));
+          }
+        };
+    listen(channel, listener);
     try {
-      publish(question.channel(), question.request());
-      await(answers::areEnough, timeoutS);
+      publish(channel, request);
+      await(enough, timeoutS);
     } finally {
-      listenNoMore(question.channel(), listener);
+      listenNoMore(channel, listener);
     }
-    return answers.list();
+  }
+
+  /**
+   * The first answer to a request, as {@link #ask}; empty if none comes in time.
+   *
+   * @param isAnswer tells answers apart, for example by the request's ID
+   */
+  public <T extends U2SAData> Optional<T> first(
+      Channel<?> channel, U2SAData request, Class<T> type, Predicate<? super T> isAnswer)
+      throws InterruptedException {
+    AtomicReference<T> first = new AtomicReference<>();
+    Consumer<T> answers =
+        answer -> {
+          if (isAnswer.test(answer)) {
+            first.compareAndSet(null, answer);
+          }
+        };
+    ask(channel, request, type, answers, () -> first.get() != null);
+    return Optional.ofNullable(first.get());
   }
 
   /**

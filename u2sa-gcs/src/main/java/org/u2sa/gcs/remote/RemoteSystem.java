@@ -6,11 +6,13 @@ import java.net.UnknownHostException;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SortedSet;
+import java.util.concurrent.ConcurrentSkipListSet;
 import org.u2sa.core.communication.BrokerSearch;
 import org.u2sa.core.communication.FoundBroker;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.BrokerAccess;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.MqttTransport;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.time.Clock;
@@ -29,10 +31,12 @@ import picocli.CommandLine.Spec;
  *
  * <pre>{@code
  * try (RemoteLink link = remote.connect()) {
- *   List<DiscoveryResponse> services =
- *       link.ask(
- *           new Question<>(Channels.DISCOVERY, new DiscoveryRequest(), DiscoveryResponse.class)
- *               .oneOfEach(DiscoveryResponse::serviceName));
+ *   Optional<ServiceOrderResult> result =
+ *       link.first(
+ *           Channels.SERVICE_ORDERS,
+ *           order.requestId(id),
+ *           ServiceOrderResult.class,
+ *           answer -> answer.requestId().equals(id));
  * }
  * }</pre>
  *
@@ -41,6 +45,9 @@ import picocli.CommandLine.Spec;
  */
 public final class RemoteSystem {
   private static final double LONGEST_S = 3_600.0;
+
+  /** Services report each quarter of a second unless told otherwise; twice that, and some slack. */
+  private static final double LISTEN_ON_S = 0.6;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -132,8 +139,7 @@ public final class RemoteSystem {
   }
 
   private String theOnlyOne(Clock clock) throws InterruptedException {
-    SortedSet<String> heard =
-        SystemSearch.heard(transport(Topic.ANY_SYSTEM), name(), clock, timeoutS);
+    SortedSet<String> heard = heard(name(), clock);
     if (heard.isEmpty()) {
       throw new RunFailedException(
           String.format(
@@ -144,11 +150,9 @@ public final class RemoteSystem {
     }
     if (heard.size() > 1) {
       throw new BadInputException(
-          "several systems heard at "
-              + broker
-              + ": "
-              + String.join(", ", heard)
-              + "; --system chooses one");
+          String.format(
+              "several systems heard at %s: %s; --system chooses one",
+              broker, String.join(", ", heard)));
     }
     return heard.first();
   }
@@ -161,9 +165,7 @@ public final class RemoteSystem {
     if (systemId == null) {
       return Optional.empty();
     }
-    SortedSet<String> heard =
-        SystemSearch.heard(
-            transport(Topic.ANY_SYSTEM), name() + "-search", link.clock(), link.timeoutS());
+    SortedSet<String> heard = heard(name() + "-search", link.clock());
     heard.remove(systemId);
     return Optional.of(
         "  "
@@ -171,6 +173,24 @@ public final class RemoteSystem {
                 ? "no other system is heard at " + broker
                 : "heard at " + broker + ": " + String.join(", ", heard))
             + NearestNames.didYouMean(systemId, heard));
+  }
+
+  /**
+   * The systems whose services report health at the broker: listens until the first is heard, and
+   * then on for others. Lost connections are not reported: what was not heard is said at the end.
+   */
+  private SortedSet<String> heard(String name, Clock clock) throws InterruptedException {
+    SortedSet<String> heard = new ConcurrentSkipListSet<>();
+    try (RemoteLink everywhere =
+        new RemoteLink(transport(Topic.ANY_SYSTEM), name, clock, timeoutS, trouble -> {})) {
+      everywhere.listen(Channels.HEALTH, report -> heard.add(report.systemId()));
+      everywhere.await(() -> !heard.isEmpty(), timeoutS);
+      if (!heard.isEmpty()) {
+        everywhere.await(() -> false, Math.min(timeoutS, LISTEN_ON_S));
+      }
+    }
+    heard.remove("");
+    return heard;
   }
 
   private MqttTransport transport(String id) {

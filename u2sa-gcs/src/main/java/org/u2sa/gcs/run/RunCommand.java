@@ -1,5 +1,6 @@
 package org.u2sa.gcs.run;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -14,7 +15,6 @@ import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.BrokerAddress;
-import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.service.U2SAService;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -109,9 +109,8 @@ public final class RunCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     SystemFile system = SystemFile.read(file);
-    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
-    LaunchOptions options =
-        new LaunchOptions().logDirectory(logs).seed(seed).console(terminal.out()::println);
+    PrintWriter out = command.commandLine().getOut();
+    LaunchOptions options = new LaunchOptions().logDirectory(logs).seed(seed).console(out::println);
     if (broker != null) {
       settings = new ArrayList<>(settings);
       settings.addAll(settingsOfBroker());
@@ -138,9 +137,7 @@ public final class RunCommand implements Callable<Integer> {
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart);
     }
-    return separate
-        ? runSeparately(system.apart(), options, terminal)
-        : run(system, options, terminal);
+    return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
   }
 
   /** Watches the process that started this one, if there is one that holds it. */
@@ -192,20 +189,16 @@ public final class RunCommand implements Callable<Integer> {
   }
 
   @SuppressWarnings("try") // the hook is there to be closed, not called
-  private Integer run(SystemFile file, LaunchOptions options, Terminal terminal)
+  private Integer run(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     Optional<ParentWatch> parent = parentWatch();
     try (RunningSystem system = RunningSystem.start(file, options);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       parent.ifPresent(watch -> watch.endingBy(system::close));
-      terminal
-          .out()
-          .println(
-              "System "
-                  + file.systemId()
-                  + " runs: "
-                  + (file.services().isEmpty() ? MANAGER : names(system.services()))
-                  + ". Ctrl-C ends it.");
+      out.println(
+          String.format(
+              "System %s runs: %s. Ctrl-C ends it.",
+              file.systemId(), file.services().isEmpty() ? MANAGER : names(system.services())));
       if (file.services().isEmpty()) {
         new CountDownLatch(1).await(); // the Communication Manager alone, until interrupted
       }
@@ -213,40 +206,33 @@ public final class RunCommand implements Callable<Integer> {
       for (U2SAService ended : system.services()) {
         ended
             .endReason()
-            .ifPresent(
-                why ->
-                    terminal.out().println("Service " + ended.getServiceName() + " ended: " + why));
+            .ifPresent(why -> out.println("Service " + ended.getServiceName() + " ended: " + why));
       }
       for (U2SAService failed : system.failed()) {
-        terminal.out().println("Service " + failed.getServiceName() + " failed; see its log file.");
+        out.println("Service " + failed.getServiceName() + " failed; see its log file.");
       }
       return system.failed().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 
   @SuppressWarnings("try") // hook and supervisor are there to be closed, not called
-  private Integer runSeparately(SystemFile file, LaunchOptions options, Terminal terminal)
+  private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
-    ProcessCommand start = new ProcessCommand(file.file(), logs, seed, settings);
+    ServiceProcesses.ProcessCommand start =
+        new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings);
     try (RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
-        ServiceProcesses processes = new ServiceProcesses(start, entries, terminal.out()::println);
-        Supervisor supervisor = new Supervisor(file, manager, processes, terminal.out()::println);
+        ServiceProcesses processes = new ServiceProcesses(start, entries, out::println);
+        Supervisor supervisor = new Supervisor(file, manager, processes, out::println);
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
       processes.start();
-      terminal
-          .out()
-          .println(
-              "System "
-                  + file.systemId()
-                  + " runs in processes: "
-                  + processes.names()
-                  + ". Ctrl-C ends it.");
+      out.println(
+          String.format(
+              "System %s runs in processes: %s. Ctrl-C ends it.",
+              file.systemId(), processes.names()));
       boolean endedWell = processes.awaitEnd().isEmpty();
       if (processes.isRefused()) {
-        terminal
-            .out()
-            .println("The system ends: a service refuses what it was started with (see above).");
+        out.println("The system ends: a service refuses what it was started with (see above).");
         return ExitCode.BAD_INPUT;
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
@@ -255,5 +241,25 @@ public final class RunCommand implements Callable<Integer> {
 
   private static String names(List<U2SAService> services) {
     return String.join(", ", services.stream().map(U2SAService::getServiceName).toList());
+  }
+
+  /** Ends something in good order when the program is interrupted (Ctrl-C, TERM). */
+  private static final class EndOnInterrupt implements AutoCloseable {
+    private final Thread hook;
+
+    EndOnInterrupt(Runnable end) {
+      hook = new Thread(end, "u2sa-end");
+      Runtime.getRuntime().addShutdownHook(hook);
+    }
+
+    @Override
+    public void close() {
+      try {
+        Runtime.getRuntime().removeShutdownHook(hook);
+      } catch (IllegalStateException e) {
+        // The program is ending already, which is what the hook is for: it runs now.
+        return;
+      }
+    }
   }
 }

@@ -65,19 +65,15 @@ public record Setting(String service, String variable, Object value) {
     known.add(MANAGER);
     if (!known.contains(service)) {
       throw new IllegalArgumentException(
-          "\""
-              + service
-              + ":"
-              + variable
-              + "="
-              + value
-              + "\": "
-              + system.file()
-              + " lists no service of class \""
-              + service
-              + "\"; expected one of "
-              + String.join(", ", known)
-              + NearestNames.didYouMean(service, known));
+          String.format(
+              "\"%s:%s=%s\": %s lists no service of class \"%s\"; expected one of %s%s",
+              service,
+              variable,
+              value,
+              system.file(),
+              service,
+              String.join(", ", known),
+              NearestNames.didYouMean(service, known)));
     }
   }
 

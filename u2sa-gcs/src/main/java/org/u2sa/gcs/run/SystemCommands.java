@@ -7,16 +7,14 @@ import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
 import org.u2sa.gcs.mission.MissionCommand;
-import org.u2sa.gcs.safety.ArmVehicleCommand;
-import org.u2sa.gcs.safety.DisarmVehicleCommand;
+import org.u2sa.gcs.safety.ArmingCommand;
 import org.u2sa.gcs.safety.EmergencyStopCommand;
 import org.u2sa.gcs.safety.OperatorCommand;
 import org.u2sa.gcs.security.SecurityCommand;
 import org.u2sa.gcs.services.GraphCommand;
-import org.u2sa.gcs.services.RestartCommand;
+import org.u2sa.gcs.services.LauncherCommand;
 import org.u2sa.gcs.services.ServicesCommand;
 import org.u2sa.gcs.services.StopServicesCommand;
-import org.u2sa.gcs.services.SwapCommand;
 import org.u2sa.gcs.template.NewCommand;
 
 /** Adds the commands that run systems and operate running ones. */
@@ -29,12 +27,12 @@ public final class SystemCommands implements CommandProvider {
             new ServicesCommand(),
             new GraphCommand(),
             new StopServicesCommand(),
-            new RestartCommand(),
-            new SwapCommand(),
+            new LauncherCommand.Restart(),
+            new LauncherCommand.Swap(),
             new SecurityCommand(),
             new EmergencyStopCommand(),
-            new ArmVehicleCommand(),
-            new DisarmVehicleCommand(),
+            new ArmingCommand.Arm(),
+            new ArmingCommand.Disarm(),
             new OperatorCommand(),
             new MissionCommand(),
             new DependenciesCommand(),

@@ -13,7 +13,6 @@ import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.contract.ServiceCondition;
-import org.u2sa.messages.schema.U2SAData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -86,27 +85,31 @@ public final class OperatorCommand implements Callable<Integer> {
     return ExitCode.FAILED;
   }
 
-  /** Called on the transport's thread. */
-  private void show(U2SAData message) {
-    if (message instanceof ArmingState state) {
-      show(
-          ARMING,
-          state.armed() ? "armed" : "not armed: " + state.reasons(),
-          state.armed() + " " + state.reasons().size());
-    } else if (message instanceof FailsafeState state) {
-      String line =
-          state.action() + (state.causes().isEmpty() ? "" : " because of " + state.causes());
-      show("failsafe", line, state.action() + " " + state.causes().size());
-    } else if (message instanceof ServiceCondition condition) {
-      String line =
-          condition.condition()
-              + (condition.reason().isEmpty() ? "" : ": " + condition.reason())
-              + (condition.action().isEmpty() ? "" : ", " + condition.action());
-      show("service " + condition.serviceName(), line, condition.condition() + condition.action());
-    }
+  private void show(ArmingState state) {
+    show(
+        ARMING,
+        state.armed() ? "armed" : "not armed: " + state.reasons(),
+        state.armed() + " " + state.reasons().size());
   }
 
-  /** Shows a line unless its gist, which leaves numbers out, is the one shown last. */
+  private void show(FailsafeState state) {
+    String line =
+        state.action() + (state.causes().isEmpty() ? "" : " because of " + state.causes());
+    show("failsafe", line, state.action() + " " + state.causes().size());
+  }
+
+  private void show(ServiceCondition condition) {
+    String line =
+        condition.condition()
+            + (condition.reason().isEmpty() ? "" : ": " + condition.reason())
+            + (condition.action().isEmpty() ? "" : ", " + condition.action());
+    show("service " + condition.serviceName(), line, condition.condition() + condition.action());
+  }
+
+  /**
+   * Shows a line unless its gist, which leaves numbers out, is the one shown last. Called on the
+   * transport's thread.
+   */
   private void show(String subject, String line, String gist) {
     synchronized (shown) {
       if (!gist.equals(shown.put(subject, gist))) {

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
@@ -13,7 +14,6 @@ import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Which services confirm an emergency stop. A stop is confirmed once every service that obeys stops
@@ -38,29 +38,24 @@ final class StopConfirmation {
   /** Listens from now on. */
   static StopConfirmation listen(RemoteLink link, Clock.Waiter waiter) {
     StopConfirmation confirmation = new StopConfirmation(link, waiter);
-    link.listen(Channels.HEALTH, confirmation::take);
-    link.listen(Channels.CONDITIONS, confirmation::take);
-    link.listen(Channels.EMERGENCY_STOP, confirmation::take);
+    link.listen(Channels.HEALTH, confirmation.<HealthReport>taking(confirmation::take));
+    link.listen(Channels.CONDITIONS, confirmation.<ServiceCondition>taking(confirmation::take));
+    link.listen(Channels.EMERGENCY_STOP, confirmation.<EmergencyStop>taking(confirmation::take));
     return confirmation;
   }
 
-  /** Called on the transport's thread. */
-  private void take(U2SAData message) {
-    synchronized (this) {
-      if (message instanceof HealthReport report) {
-        take(report);
-      } else if (message instanceof ServiceCondition condition) {
-        take(condition);
-      } else if (message instanceof EmergencyStop stop && stop.active()) {
-        stops.put(stop.identity(), stop);
+  /** Has the action done on the transport's thread, and looks again. */
+  private <T> Consumer<T> taking(Consumer<T> action) {
+    return message -> {
+      synchronized (this) {
+        action.accept(message);
       }
-    }
-    waiter.signal();
+      waiter.signal();
+    };
   }
 
   private void take(HealthReport report) {
-    boolean ended = report.status() == ServiceStatus.STOPPED;
-    if (ended) {
+    if (report.status() == ServiceStatus.STOPPED) {
       heard.remove(report.serviceName());
       holding.remove(report.serviceName());
       return;
@@ -70,15 +65,16 @@ final class StopConfirmation {
   }
 
   private void take(ServiceCondition condition) {
-    boolean gone =
-        switch (condition.condition()) {
-          case HUNG, DEAD, LOST, FAILED -> true;
-          default -> false;
-        };
-    if (gone) {
-      broken.put(condition.serviceName(), condition.condition() + ": " + condition.reason());
-    } else {
-      broken.remove(condition.serviceName());
+    switch (condition.condition()) {
+      case HUNG, DEAD, LOST, FAILED ->
+          broken.put(condition.serviceName(), condition.condition() + ": " + condition.reason());
+      default -> broken.remove(condition.serviceName());
+    }
+  }
+
+  private void take(EmergencyStop stop) {
+    if (stop.active()) {
+      stops.put(stop.identity(), stop);
     }
   }
 

@@ -1,11 +1,17 @@
 package org.u2sa.gcs.security;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.Optional;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.AccessTable;
+import org.u2sa.core.security.SecretFile;
+import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.User;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
@@ -16,7 +22,23 @@ final class MosquittoFiles {
 
   private MosquittoFiles() {}
 
-  static String configuration(Path folder, String bind, int port) {
+  /** Writes them all to the folder, with the broker's certificate and key. */
+  static void write(
+      Path folder, SecurityDirectory directory, Collection<User> users, String bind, int port)
+      throws IOException {
+    Files.copy(
+        directory.certificate(), folder.resolve("server.pem"), StandardCopyOption.REPLACE_EXISTING);
+    SecretFile.write(folder.resolve("server-key.pem"), Files.readAllBytes(directory.key()));
+    write(folder.resolve("passwords"), passwords(users));
+    write(folder.resolve("acl"), rights(users, MessageTypes.discovered()));
+    write(folder.resolve("mosquitto.conf"), configuration(folder, bind, port));
+  }
+
+  private static void write(Path file, String text) {
+    SecretFile.write(file, text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static String configuration(Path folder, String bind, int port) {
     return String.join(
         "\n",
         "# Written by ./u2sa security mosquitto.",
@@ -36,7 +58,7 @@ final class MosquittoFiles {
         "");
   }
 
-  static String passwords(Collection<User> users) {
+  private static String passwords(Collection<User> users) {
     StringBuilder text = new StringBuilder();
     users.forEach(
         user ->

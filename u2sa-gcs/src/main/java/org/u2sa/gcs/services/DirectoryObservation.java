@@ -3,33 +3,36 @@ package org.u2sa.gcs.services;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceCondition;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.directory.KnownService;
 import org.u2sa.service.directory.ServiceDirectory;
 
 /** What a command has heard of a running system's services so far, and goes on hearing. */
-final class DirectoryObservation {
+public final class DirectoryObservation {
   /** In this time a service that reports as often as most do has reported twice. */
   private static final double LISTEN_S = 0.6;
 
   private final RemoteLink link;
   private final ServiceDirectory directory;
+  private final long beganMicros;
   private final Map<String, ServiceCondition> conditions = new TreeMap<>(); // guarded by itself
 
   private DirectoryObservation(RemoteLink link) {
     this.link = link;
     directory = new ServiceDirectory(link.clock(), link::publish);
+    beganMicros = link.clock().micros();
   }
 
   /** Begins to listen, and asks all services. */
-  static DirectoryObservation begin(RemoteLink link) {
+  public static DirectoryObservation begin(RemoteLink link) {
     DirectoryObservation observation = new DirectoryObservation(link);
     for (Channel<?> channel : ServiceDirectory.CHANNELS) {
       link.listen(channel, observation.directory::take);
@@ -42,27 +45,36 @@ final class DirectoryObservation {
   /** {@link #begin}, and waits until all that were heard have answered, or for the link's time. */
   static DirectoryObservation made(RemoteLink link) throws InterruptedException {
     DirectoryObservation observation = begin(link);
-    long began = link.clock().micros();
-    link.await(() -> observation.isComplete(began), link.timeoutS());
+    link.await(observation::isComplete, link.timeoutS());
     return observation;
   }
 
-  private boolean isComplete(long beganMicros) {
-    directory.refresh();
-    List<KnownService> heard = directory.services();
-    return !heard.isEmpty()
-        && heard.stream().allMatch(KnownService::isComplete)
-        && link.clock().micros() - beganMicros >= Clock.micros(LISTEN_S);
+  private boolean isComplete() {
+    return areAmong(
+        directory.services().stream()
+            .filter(KnownService::isComplete)
+            .map(KnownService::name)
+            .collect(Collectors.toSet()));
   }
 
-  private void note(U2SAData message) {
-    if (message instanceof ServiceCondition condition) {
-      synchronized (conditions) {
-        if (condition.condition() == Condition.UNWATCHED) {
-          conditions.remove(condition.serviceName());
-        } else {
-          conditions.put(condition.serviceName(), condition);
-        }
+  /**
+   * Whether each service that was heard is among these, and there was time to hear them all. A
+   * service counts from its first word on, answer or health report. False while nobody was heard.
+   */
+  public boolean areAmong(Set<String> names) {
+    directory.refresh();
+    List<String> heard = names();
+    return link.clock().micros() - beganMicros >= Clock.micros(LISTEN_S)
+        && !heard.isEmpty()
+        && names.containsAll(heard);
+  }
+
+  private void note(ServiceCondition condition) {
+    synchronized (conditions) {
+      if (condition.condition() == Condition.UNWATCHED) {
+        conditions.remove(condition.serviceName());
+      } else {
+        conditions.put(condition.serviceName(), condition);
       }
     }
   }

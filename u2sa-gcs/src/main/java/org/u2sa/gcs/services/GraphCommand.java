@@ -1,13 +1,23 @@
 package org.u2sa.gcs.services;
 
 import java.io.PrintWriter;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.FunctionalityResponse;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.directory.KnownService;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -55,10 +65,9 @@ public final class GraphCommand implements Callable<Integer> {
       DirectoryObservation observation = settled.observation();
       if (observation.names().isEmpty()) {
         throw new RunFailedException(
-            "no service of system \""
-                + link.systemId()
-                + "\" answers at "
-                + remote.brokerAddress());
+            String.format(
+                "no service of system \"%s\" answers at %s",
+                link.systemId(), remote.brokerAddress()));
       }
       ServiceGraph graph = ServiceGraph.of(observation.directory().services());
       if (!settled.hasSettled()) {
@@ -85,5 +94,96 @@ public final class GraphCommand implements Callable<Integer> {
             + "--timeout waits longer%n",
         link.systemId(),
         link.timeoutS());
+  }
+
+  /**
+   * An {@link DirectoryObservation} of a system that has come to rest: all services that are heard
+   * have answered twice, the same both times, and none has just been made. A system that is
+   * starting answers service by service, and one answer alone would show a channel as published to
+   * nobody whose subscriber is about to come.
+   */
+  static final class SettledObservation {
+    /** In this time the services of a system have followed the one that was made last [s]. */
+    private static final double YOUNG_S = 2.0;
+
+    private static final double ROUND_S = 0.6; // two health reports at the usual interval
+
+    private final RemoteLink link;
+    private final DirectoryObservation observation;
+    private final Set<String> answered = ConcurrentHashMap.newKeySet(); // since the last question
+    private boolean settled;
+
+    private SettledObservation(RemoteLink link, DirectoryObservation observation) {
+      this.link = link;
+      this.observation = observation;
+    }
+
+    /** Observes until the system has settled, or for the link's time. */
+    static SettledObservation made(RemoteLink link) throws InterruptedException {
+      long began = link.clock().micros();
+      SettledObservation made = new SettledObservation(link, DirectoryObservation.made(link));
+      link.listen(Channels.FUNCTIONALITY, made::note);
+      made.settle(began + Clock.micros(link.timeoutS()));
+      return made;
+    }
+
+    private void note(U2SAData message) {
+      if (message instanceof FunctionalityResponse response) {
+        answered.add(response.serviceName());
+      }
+    }
+
+    private void settle(long deadlineMicros) throws InterruptedException {
+      Map<String, List<?>> before = offers();
+      while (!settled && link.clock().micros() < deadlineMicros) {
+        boolean all = askedAgain(deadlineMicros);
+        Map<String, List<?>> after = offers();
+        settled = all && after.equals(before) && !isYoung();
+        before = after;
+      }
+    }
+
+    /** Asks all once more; returns whether all that were heard have answered. */
+    private boolean askedAgain(long deadlineMicros) throws InterruptedException {
+      answered.clear();
+      observation.directory().ask();
+      long began = link.clock().micros();
+      link.await(
+          () -> {
+            observation.directory().refresh();
+            return haveAllAnswered() && link.clock().micros() - began >= Clock.micros(ROUND_S);
+          },
+          Clock.seconds(deadlineMicros - began));
+      return haveAllAnswered();
+    }
+
+    private boolean haveAllAnswered() {
+      return answered.containsAll(observation.names());
+    }
+
+    private Map<String, List<?>> offers() {
+      Map<String, List<?>> offers = new HashMap<>();
+      for (KnownService service : observation.directory().services()) {
+        offers.put(service.name(), List.of(service.publishes(), service.subscribes()));
+      }
+      return offers;
+    }
+
+    private boolean isYoung() {
+      return observation.directory().services().stream()
+          .flatMap(service -> service.discovery().stream())
+          .mapToDouble(DiscoveryResponse::uptime)
+          .anyMatch(uptimeS -> uptimeS < YOUNG_S);
+    }
+
+    /** What was heard. */
+    DirectoryObservation observation() {
+      return observation;
+    }
+
+    /** Whether the system has come to rest; otherwise services or channels may be missing. */
+    boolean hasSettled() {
+      return settled;
+    }
   }
 }

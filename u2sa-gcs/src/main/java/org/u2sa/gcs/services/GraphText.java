@@ -56,13 +56,9 @@ final class GraphText {
       String line = point.isPresent() ? " -.->" : " -->";
       String label = escaped(arrow.channel()) + "<br/>" + escaped(arrow.type());
       lines.add(
-          "  "
-              + box(services, arrow.from())
-              + line
-              + "|\""
-              + label
-              + "\"| "
-              + box(services, arrow.to()));
+          String.format(
+              "  %s%s|\"%s\"| %s",
+              box(services, arrow.from()), line, label, box(services, arrow.to())));
     }
     return lines;
   }

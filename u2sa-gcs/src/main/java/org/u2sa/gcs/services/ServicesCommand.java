@@ -2,14 +2,29 @@ package org.u2sa.gcs.services;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
+import java.util.function.ToLongFunction;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.gcs.terminal.TextTable;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.directory.Found;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.directory.DataOffer;
+import org.u2sa.service.directory.KnownService;
+import org.u2sa.service.directory.ServiceDirectory;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -83,13 +98,13 @@ public final class ServicesCommand implements Callable<Integer> {
     }
   }
 
-  private static int print(PrintWriter out, List<Found> found, String does) {
+  private static int print(PrintWriter out, List<ServiceDirectory.Found> found, String does) {
     if (found.isEmpty()) {
       out.println("Nobody " + does + ".");
       return ExitCode.FAILED;
     }
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE", "");
-    for (Found each : found) {
+    for (ServiceDirectory.Found each : found) {
       table.add(
           each.service().name(),
           each.offer().channel(),
@@ -121,5 +136,119 @@ public final class ServicesCommand implements Callable<Integer> {
 
   private static String cut(String line, int columns) {
     return line.length() < columns ? line : line.substring(0, columns - 1);
+  }
+
+  /** The type of data that an operator names. */
+  private static final class DataType {
+    private DataType() {}
+
+    /**
+     * The type and its ancestors, base first: of a type known here, or of one that some service
+     * named.
+     *
+     * @throws BadInputException if nobody knows it; names those that are near
+     */
+    static List<String> chain(String name, ServiceDirectory directory) {
+      Optional<MessageType<?>> known = MessageTypes.discovered().byName(name);
+      if (known.isPresent()) {
+        return known.get().chain();
+      }
+      SortedSet<String> names = new TreeSet<>();
+      for (MessageType<?> type : MessageTypes.discovered().all()) {
+        names.add(type.name());
+      }
+      for (KnownService service : directory.services()) {
+        for (List<DataOffer> offers : List.of(service.publishes(), service.subscribes())) {
+          for (DataOffer offer : offers) {
+            int at = offer.typeChain().indexOf(name);
+            if (at >= 0) {
+              return offer.typeChain().subList(0, at + 1);
+            }
+            names.addAll(offer.typeChain());
+          }
+        }
+      }
+      throw new BadInputException(
+          String.format(
+              "no data of type \"%s\" is known here or to any service%s",
+              name, NearestNames.didYouMean(name, names)));
+    }
+  }
+
+  /** The services of a system as a table, one a line. */
+  private static final class ServiceTable {
+    private static final double SECONDS_PER_MINUTE = 60.0;
+    private static final double MICROS_PER_SECOND = 1e6;
+    private static final double MILLIS_PER_SECOND = 1e3;
+
+    private ServiceTable() {}
+
+    static List<String> lines(List<ServiceRow> rows) {
+      TextTable table =
+          new TextTable(
+              "NAME",
+              "TYPE",
+              "STATUS",
+              "CONDITION",
+              "HOST",
+              "UPTIME",
+              "VERSION",
+              "CLASS",
+              "INBOX",
+              "DROPS",
+              "REPLACED",
+              "REFUSED",
+              "OVERRUNS",
+              "P99",
+              "LAST ERROR");
+      for (ServiceRow row : rows) {
+        table.add(
+            row.name(),
+            row.type(),
+            row.status(),
+            row.conditionText(),
+            row.discovery().map(DiscoveryResponse::host).orElse(""),
+            row.discovery().map(response -> uptime(response.uptime())).orElse(""),
+            row.discovery().map(DiscoveryResponse::version).orElse(""),
+            row.simpleClassName(),
+            count(row, HealthReport::inboxDepth),
+            count(row, HealthReport::dropped),
+            replaced(row),
+            count(row, HealthReport::refused),
+            count(row, HealthReport::overruns),
+            duration(row.callbackP99S()),
+            row.lastError());
+      }
+      return table.lines();
+    }
+
+    /** Empty where a service, of an older version or in another language, does not count them. */
+    private static String replaced(ServiceRow row) {
+      OptionalLong count = row.health().map(HealthReport::replaced).orElse(OptionalLong.empty());
+      return count.isPresent() ? String.valueOf(count.getAsLong()) : "";
+    }
+
+    private static String count(ServiceRow row, ToLongFunction<HealthReport> of) {
+      return row.health().map(report -> String.valueOf(of.applyAsLong(report))).orElse("");
+    }
+
+    /** Seconds below a minute, else hours:minutes:seconds. */
+    static String uptime(double seconds) {
+      if (seconds < SECONDS_PER_MINUTE) {
+        return String.format(Locale.ROOT, "%.1f s", seconds);
+      }
+      long whole = (long) seconds;
+      return String.format(Locale.ROOT, "%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
+    }
+
+    private static String duration(OptionalDouble seconds) {
+      if (seconds.isEmpty()) {
+        return "";
+      }
+      double value = seconds.getAsDouble();
+      return value < 1e-3
+          ? String.format(Locale.ROOT, "%.0f us", value * MICROS_PER_SECOND)
+          : String.format(Locale.ROOT, "%.1f ms", value * MILLIS_PER_SECOND);
+    }
   }
 }

@@ -1,14 +1,8 @@
 package org.u2sa.gcs.services;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
-import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
 import java.util.List;
-import java.util.OptionalDouble;
-import java.util.OptionalLong;
+import java.util.Optional;
+import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
@@ -17,118 +11,64 @@ import org.u2sa.service.directory.KnownService;
 
 /** The services of a system for programs. What is not known is left out. */
 final class ServicesJson {
-  private final JsonGenerator json;
-
-  private ServicesJson(JsonGenerator json) {
-    this.json = json;
-  }
+  private ServicesJson() {}
 
   static String text(String systemId, DirectoryObservation observation) {
-    StringWriter text = new StringWriter();
-    try (JsonGenerator json = new JsonFactory().createGenerator(text)) {
-      json.setPrettyPrinter(new DefaultPrettyPrinter());
-      json.writeStartObject();
-      json.writeStringField("system", systemId);
-      json.writeArrayFieldStart("services");
-      for (ServiceRow row : observation.rows()) {
-        new ServicesJson(json)
-            .service(row, observation.directory().service(row.name()).orElse(null));
-      }
-      json.writeEndArray();
-      json.writeEndObject();
-    } catch (IOException e) {
-      throw new UncheckedIOException("writing into memory", e);
-    }
-    return text.toString();
+    List<JsonText> services =
+        observation.rows().stream()
+            .map(row -> service(row, observation.directory().service(row.name())))
+            .toList();
+    return new JsonText().put("system", systemId).put("services", services).toString();
   }
 
-  private void service(ServiceRow row, KnownService service) throws IOException {
-    json.writeStartObject();
-    json.writeStringField("name", row.name());
-    json.writeStringField("status", row.status());
-    if (row.discovery().isPresent()) {
-      discovery(row.discovery().get());
-    }
-    if (service != null && service.isComplete()) {
-      offers("publishes", service.publishes());
-      offers("subscribes", service.subscribes());
-    }
-    if (row.health().isPresent()) {
-      health(row.health().get());
-    }
-    if (row.condition().isPresent()) {
-      condition(row.condition().get());
-    }
-    json.writeEndObject();
+  private static JsonText service(ServiceRow row, Optional<KnownService> service) {
+    JsonText json = new JsonText().put("name", row.name()).put("status", row.status());
+    row.discovery().ifPresent(response -> discovery(json, response));
+    Optional<KnownService> complete = service.filter(KnownService::isComplete);
+    return json.put("publishes", complete.map(each -> offers(each.publishes())))
+        .put("subscribes", complete.map(each -> offers(each.subscribes())))
+        .put("health", row.health().map(ServicesJson::health))
+        .put("condition", row.condition().map(ServicesJson::condition));
   }
 
-  private void discovery(DiscoveryResponse response) throws IOException {
-    json.writeStringField("type", response.serviceType());
-    json.writeStringField("host", response.host());
-    json.writeNumberField("uptimeS", response.uptime());
-    json.writeStringField("version", response.version());
-    if (response.className().isPresent()) {
-      json.writeStringField("className", response.className().get());
-    }
-    if (response.instance().isPresent()) {
-      json.writeStringField("instance", response.instance().get());
-    }
+  private static void discovery(JsonText json, DiscoveryResponse response) {
+    json.put("type", response.serviceType())
+        .put("host", response.host())
+        .put("uptimeS", response.uptime())
+        .put("version", response.version())
+        .put("className", response.className())
+        .put("instance", response.instance());
   }
 
-  private void offers(String field, List<DataOffer> offers) throws IOException {
-    json.writeArrayFieldStart(field);
-    for (DataOffer offer : offers) {
-      json.writeStartObject();
-      json.writeStringField("channel", offer.channel());
-      json.writeArrayFieldStart("typeChain");
-      for (String type : offer.typeChain()) {
-        json.writeString(type);
-      }
-      json.writeEndArray();
-      json.writeEndObject();
-    }
-    json.writeEndArray();
+  private static List<JsonText> offers(List<DataOffer> offers) {
+    return offers.stream()
+        .map(
+            offer ->
+                new JsonText().put("channel", offer.channel()).put("typeChain", offer.typeChain()))
+        .toList();
   }
 
-  private void health(HealthReport report) throws IOException {
-    json.writeObjectFieldStart("health");
-    json.writeNumberField("inbox", report.inboxDepth());
-    json.writeNumberField("dropped", report.dropped());
-    number("replaced", report.replaced());
-    json.writeNumberField("refused", report.refused());
-    json.writeNumberField("overruns", report.overruns());
-    json.writeNumberField("exceptions", report.exceptions());
-    number("callbackP50S", report.callbackP50());
-    number("callbackP99S", report.callbackP99());
-    number("commandsObeyed", report.commandsObeyed());
-    number("commandsRefused", report.commandsRefused());
-    if (report.refusedSubscriptions().isPresent()) {
-      json.writeStringField("refusedSubscriptions", report.refusedSubscriptions().get());
-    }
-    if (report.lastError().isPresent()) {
-      json.writeStringField("lastError", report.lastError().get());
-    }
-    json.writeEndObject();
+  private static JsonText health(HealthReport report) {
+    return new JsonText()
+        .put("inbox", report.inboxDepth())
+        .put("dropped", report.dropped())
+        .put("replaced", report.replaced())
+        .put("refused", report.refused())
+        .put("overruns", report.overruns())
+        .put("exceptions", report.exceptions())
+        .put("callbackP50S", report.callbackP50())
+        .put("callbackP99S", report.callbackP99())
+        .put("commandsObeyed", report.commandsObeyed())
+        .put("commandsRefused", report.commandsRefused())
+        .put("refusedSubscriptions", report.refusedSubscriptions())
+        .put("lastError", report.lastError());
   }
 
-  private void number(String field, OptionalDouble value) throws IOException {
-    if (value.isPresent()) {
-      json.writeNumberField(field, value.getAsDouble());
-    }
-  }
-
-  private void number(String field, OptionalLong value) throws IOException {
-    if (value.isPresent()) {
-      json.writeNumberField(field, value.getAsLong());
-    }
-  }
-
-  private void condition(ServiceCondition condition) throws IOException {
-    json.writeObjectFieldStart("condition");
-    json.writeStringField("condition", condition.condition().name());
-    json.writeStringField("reason", condition.reason());
-    json.writeStringField("action", condition.action());
-    json.writeNumberField("restarts", condition.restarts());
-    json.writeEndObject();
+  private static JsonText condition(ServiceCondition condition) {
+    return new JsonText()
+        .put("condition", condition.condition().name())
+        .put("reason", condition.reason())
+        .put("action", condition.action())
+        .put("restarts", condition.restarts());
   }
 }

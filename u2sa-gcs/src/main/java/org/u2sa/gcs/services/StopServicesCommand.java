@@ -13,7 +13,6 @@ import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
-import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.contract.StopCommand;
 import picocli.CommandLine.Command;
@@ -59,14 +58,12 @@ public final class StopServicesCommand implements Callable<Integer> {
 
   /** That nobody of the name is there, and who is. */
   static String unknown(String name, List<String> there, RemoteLink link) {
-    return "system \""
-        + link.systemId()
-        + "\" has no service \""
-        + name
-        + "\" that is heard"
-        + "; there are "
-        + (there.isEmpty() ? "none" : String.join(", ", there))
-        + NearestNames.didYouMean(name, there);
+    return String.format(
+        "system \"%s\" has no service \"%s\" that is heard; there are %s%s",
+        link.systemId(),
+        name,
+        there.isEmpty() ? "none" : String.join(", ", there),
+        NearestNames.didYouMean(name, there));
   }
 
   private Map<String, ServiceStatus> stopped(RemoteLink link, Set<String> told)
@@ -74,10 +71,8 @@ public final class StopServicesCommand implements Callable<Integer> {
     Map<String, ServiceStatus> ends = new ConcurrentHashMap<>();
     link.listen(
         Channels.HEALTH,
-        message -> {
-          if (message instanceof HealthReport report
-              && (report.status() == ServiceStatus.STOPPED
-                  || report.status() == ServiceStatus.FAILED)) {
+        report -> {
+          if (report.status() == ServiceStatus.STOPPED || report.status() == ServiceStatus.FAILED) {
             ends.put(report.serviceName(), report.status());
           }
         });

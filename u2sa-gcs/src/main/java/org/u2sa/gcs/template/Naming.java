@@ -32,11 +32,9 @@ record Naming(List<String> words) {
   static Naming of(String name) {
     if (name.length() > LONGEST || !NAME.matcher(name).matches()) {
       throw new BadInputException(
-          "name \""
-              + name
-              + "\": expected letters and digits, words joined by hyphens, at most "
-              + LONGEST
-              + " characters, such as depth-gauge");
+          String.format(
+              "name \"%s\": expected letters and digits, words joined by hyphens, at most %s characters, such as depth-gauge",
+              name, LONGEST));
     }
     Naming naming =
         new Naming(
@@ -49,12 +47,9 @@ record Naming(List<String> words) {
     }
     if (isOfJava(naming.className())) {
       throw new BadInputException(
-          "name \""
-              + name
-              + "\": java.lang has a class "
-              + naming.className()
-              + "; expected another, such as my-"
-              + naming.hyphenated());
+          String.format(
+              "name \"%s\": java.lang has a class %s; expected another, such as my-%s",
+              name, naming.className(), naming.hyphenated()));
     }
     return naming;
   }

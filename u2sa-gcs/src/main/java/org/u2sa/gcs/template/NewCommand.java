@@ -111,16 +111,16 @@ public final class NewCommand implements Callable<Integer> {
   }
 
   private void list(Templates available) {
-    Map<String, TemplateKind> kinds = available.kinds();
+    Map<String, Templates.TemplateKind> kinds = available.kinds();
     int width = kinds.keySet().stream().mapToInt(String::length).max().orElse(0);
     PrintWriter out = command.commandLine().getOut();
-    for (TemplateKind each : kinds.values()) {
+    for (Templates.TemplateKind each : kinds.values()) {
       String padding = " ".repeat(width - each.name().length());
       out.println(each.name() + padding + "  " + each.description() + " (" + each.origin() + ")");
     }
   }
 
-  private void make(Templates available, TemplateKind chosen, Naming naming) {
+  private void make(Templates available, Templates.TemplateKind chosen, Naming naming) {
     if (MessageTypes.discovered().byName(naming.className()).isPresent()) {
       throw new BadInputException(
           "name \"" + name + "\": U2SA has a message " + naming.className() + "; expected another");
@@ -133,7 +133,7 @@ public final class NewCommand implements Callable<Integer> {
             Optional.ofNullable(packageName)
                 .or(() -> project.flatMap(build::group))
                 .orElse(naming.defaultPackage()));
-    Placeholders placeholders = placeholders(naming, inPackage, build);
+    Rendering.Placeholders placeholders = placeholders(naming, inPackage, build);
     List<String> layers = new ArrayList<>();
     if (project.isEmpty()) {
       layers.addAll(List.of("project", build.template()));
@@ -174,7 +174,7 @@ public final class NewCommand implements Callable<Integer> {
     return build;
   }
 
-  private Placeholders placeholders(Naming naming, String inPackage, BuildTool build) {
+  private Rendering.Placeholders placeholders(Naming naming, String inPackage, BuildTool build) {
     Map<String, String> values = new TreeMap<>();
     values.put("Name", naming.className());
     values.put("name", naming.variable());
@@ -188,16 +188,16 @@ public final class NewCommand implements Callable<Integer> {
     values.put("jars", build.jars);
     values.put(
         "dot", "."); // build tools leave out files like .gitignore where resources are copied
-    return new Placeholders(values);
+    return new Rendering.Placeholders(values);
   }
 
   private void tell(
-      TemplateKind made,
+      Templates.TemplateKind made,
       Path folder,
       boolean added,
       List<String> files,
       BuildTool build,
-      Placeholders placeholders) {
+      Rendering.Placeholders placeholders) {
     PrintWriter out = command.commandLine().getOut();
     String where = folder.toString().isEmpty() ? "." : folder.toString();
     out.println((added ? "Added to " : "Made ") + where + ":");

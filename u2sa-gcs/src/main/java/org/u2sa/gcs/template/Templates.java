@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URL;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -117,11 +118,11 @@ final class Templates implements AutoCloseable {
     TemplateKind kind = kinds.get(name);
     if (kind == null) {
       throw new BadInputException(
-          "unknown kind \""
-              + name
-              + "\"; expected one of "
-              + String.join(", ", kinds.keySet())
-              + NearestNames.didYouMean(name, kinds.keySet()));
+          String.format(
+              "unknown kind \"%s\"; expected one of %s%s",
+              name,
+              String.join(", ", kinds.keySet()),
+              NearestNames.didYouMean(name, kinds.keySet())));
     }
     return kind;
   }
@@ -158,12 +159,9 @@ final class Templates implements AutoCloseable {
         files.put(place, new File(origin + "/" + place, content));
         if (bytes > MOST_BYTES || files.size() > MOST_FILES) {
           throw new BadInputException(
-              origin
-                  + ": expected at most "
-                  + MOST_FILES
-                  + " files with "
-                  + MOST_BYTES
-                  + " bytes together");
+              String.format(
+                  "%s: expected at most %s files with %s bytes together",
+                  origin, MOST_FILES, MOST_BYTES));
         }
       }
     } catch (IOException e) {
@@ -187,6 +185,36 @@ final class Templates implements AutoCloseable {
   public void close() throws IOException {
     for (FileSystem jar : jars) {
       jar.close();
+    }
+  }
+
+  /**
+   * A kind of thing to make, as its {@code about.txt} says: a line that describes it, a line {@code
+   * with: …} if it needs the files of other templates too, and what to tell at the end.
+   *
+   * @param name of its folder
+   * @param origin where the folder is
+   * @param description one line
+   * @param with templates whose files it shares with others of the project
+   * @param advice how to run what was made, with placeholders
+   */
+  record TemplateKind(
+      String name, String origin, String description, List<String> with, String advice) {
+    private static final String WITH = "with:";
+
+    static TemplateKind read(String name, String origin, byte[] about) {
+      List<String> lines = new String(about, StandardCharsets.UTF_8).lines().toList();
+      if (lines.isEmpty() || lines.get(0).isBlank()) {
+        throw new BadInputException(
+            origin + "/" + name + "/" + Templates.ABOUT + ": expected a description in line 1");
+      }
+      boolean shares = lines.size() > 1 && lines.get(1).startsWith(WITH);
+      List<String> with =
+          shares
+              ? Stream.of(lines.get(1).substring(WITH.length()).trim().split("[ ,]+")).toList()
+              : List.of();
+      String advice = String.join("\n", lines.subList(shares ? 2 : 1, lines.size())).strip();
+      return new TemplateKind(name, origin, lines.get(0), with, advice);
     }
   }
 }

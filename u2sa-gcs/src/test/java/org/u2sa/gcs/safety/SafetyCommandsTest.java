@@ -50,11 +50,11 @@ class SafetyCommandsTest {
 
   @Test
   void arm_vehicleThatIsNotReady_saysWhyAndFails() {
-    assertThat(run(new ArmVehicleCommand())).isEqualTo(ExitCode.FAILED);
+    assertThat(run(new ArmingCommand.Arm())).isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .startsWith("boat: not armed")
         .contains("position: no state yet", "mission: no goals");
-    assertThat(run(new DisarmVehicleCommand())).isEqualTo(ExitCode.DONE);
+    assertThat(run(new ArmingCommand.Disarm())).isEqualTo(ExitCode.DONE);
   }
 
   @Test
@@ -62,14 +62,14 @@ class SafetyCommandsTest {
     assertThat(run(new EmergencyStopCommand(), "--reason", "smoke")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .startsWith("boat: Emergency stop, confirmed by Motor, SafetyManager");
-    run(new ArmVehicleCommand());
+    run(new ArmingCommand.Arm());
     assertThat(out.toString()).contains("emergency stop by ").contains(": smoke");
 
     assertThat(run(new EmergencyStopCommand(), "--clear")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .contains("Emergency stop cleared, confirmed by Motor, SafetyManager");
     out.getBuffer().setLength(0);
-    run(new ArmVehicleCommand());
+    run(new ArmingCommand.Arm());
 
     assertThat(out.toString()).doesNotContain("emergency stop");
   }
@@ -91,7 +91,7 @@ class SafetyCommandsTest {
         .contains("no service of system \"baot\" is heard")
         .contains("did you mean \"boat\"?");
     out.getBuffer().setLength(0);
-    assertThat(run(foreign.broker(), "baot", new ArmVehicleCommand(), "--timeout", "10"))
+    assertThat(run(foreign.broker(), "baot", new ArmingCommand.Arm(), "--timeout", "10"))
         .isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .contains("no Safety Manager answered")

@@ -85,15 +85,15 @@ class SettledObservationTest {
     }
   }
 
-  private SettledObservation made(double timeoutS) throws InterruptedException {
+  private GraphCommand.SettledObservation made(double timeoutS) throws InterruptedException {
     scripted.start();
-    return SettledObservation.made(
+    return GraphCommand.SettledObservation.made(
         new RemoteLink(bus, "graph", new SystemClock(), timeoutS, line -> {}));
   }
 
   @Test
   void made_subscriberComesAfterTheFirstAnswer_isAwaited() throws InterruptedException {
-    SettledObservation made = made(60.0);
+    GraphCommand.SettledObservation made = made(60.0);
 
     ServiceGraph graph = ServiceGraph.of(made.observation().directory().services());
     assertThat(made.hasSettled()).isTrue();

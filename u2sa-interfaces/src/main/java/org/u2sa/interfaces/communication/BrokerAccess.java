@@ -86,11 +86,9 @@ public final class BrokerAccess {
       String user, String passwordFile, boolean encrypted, String caFile) {
     if (user.isEmpty() != passwordFile.isEmpty()) {
       throw new BadInputException(
-          "USER \""
-              + user
-              + "\" and PASSWORD FILE \""
-              + passwordFile
-              + "\": expected both or neither");
+          String.format(
+              "USER \"%s\" and PASSWORD FILE \"%s\": expected both or neither",
+              user, passwordFile));
     }
     boolean tls = encrypted || !caFile.isEmpty();
     if (user.isEmpty() && !tls) {

@@ -1,11 +1,12 @@
 package org.u2sa.interfaces.communication;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -13,15 +14,15 @@ import org.u2sa.messages.schema.U2SAData;
  * The direct path of the Communication Manager: services of its own process are handed messages
  * object to object, on the publisher's thread, without socket or encoding.
  *
- * <p>Any number of {@link Bridge bridges} may be attached and taken off while messages flow: to
- * give remote subscribers their copies, to record, to look on.
+ * <p>Any number of {@link Bridge bridges} may be attached and detached while messages flow: for
+ * remote subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
   private final String systemId;
   private final Map<String, Route> routes = new ConcurrentHashMap<>();
   private final Set<String> names = ConcurrentHashMap.newKeySet();
   private final AtomicLong connections = new AtomicLong();
-  private volatile Bridge[] bridges = {}; // replaced, never changed; written under this
+  private final List<Bridge> bridges = new CopyOnWriteArrayList<>();
 
   /** A bus for the services of one system. */
   public LocalBus(String systemId) {
@@ -29,8 +30,8 @@ public final class LocalBus implements Transport {
   }
 
   /**
-   * What is handed each message that a local service publishes, on the publisher's thread: must not
-   * block. What it throws is counted and told as trouble of the publisher.
+   * Receives each message that a local service publishes, on the publisher's thread; must not
+   * block. Exceptions are counted and reported to the publisher.
    */
   @FunctionalInterface
   public interface Bridge {
@@ -43,7 +44,7 @@ public final class LocalBus implements Transport {
      * forwards it, as a copy of an older message may have got there after it.
      */
     default void restate(Channel<?> channel, U2SAData message) {
-      // to look on at what services publish needs nothing of it
+      // observers of what services publish do not need it
     }
   }
 
@@ -53,17 +54,13 @@ public final class LocalBus implements Transport {
    * twice, but never an older message after a newer one.
    */
   public void attach(Bridge added) {
-    synchronized (this) {
-      Bridge[] longer = Arrays.copyOf(bridges, bridges.length + 1);
-      longer[bridges.length] = added;
-      bridges = longer;
-    }
+    bridges.add(added);
     routes.values().forEach(route -> route.handRetained(added));
   }
 
-  /** Takes a bridge off. A message that is on its way to it on another thread may still come. */
-  public synchronized void detach(Bridge removed) {
-    bridges = Arrays.stream(bridges).filter(bridge -> bridge != removed).toArray(Bridge[]::new);
+  /** Detaches a bridge. A message on its way on another thread may still reach it. */
+  public void detach(Bridge removed) {
+    bridges.removeIf(bridge -> bridge == removed);
   }
 
   /** Delivers a frozen message that came from another process to the local subscribers. */
@@ -71,7 +68,7 @@ public final class LocalBus implements Transport {
     route(channel).deliver(channel, message, null);
   }
 
-  /** Takes note that messages of other processes were lost on their way to the bus. */
+  /** Counts messages of other processes that were lost on their way to the bus. */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {
       subscription.owner.missed.addAndGet(messages);
@@ -82,11 +79,9 @@ public final class LocalBus implements Transport {
   public Connection connect(String serviceName, Receiver receiver) {
     if (!names.add(serviceName)) {
       throw new CommunicationException(
-          "service name \""
-              + serviceName
-              + "\" is taken in system \""
-              + systemId
-              + "\": names must differ");
+          String.format(
+              "service name \"%s\" is taken in system \"%s\": names must differ",
+              serviceName, systemId));
     }
     return new LocalConnection(serviceName, receiver);
   }
@@ -102,7 +97,7 @@ public final class LocalBus implements Transport {
     return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
   }
 
-  /** One of a bridge's ways. */
+  /** One of a bridge's methods. */
   @FunctionalInterface
   private interface Crossing {
     void cross(Bridge bridge, Channel<?> channel, U2SAData message);
@@ -122,7 +117,7 @@ public final class LocalBus implements Transport {
 
   /** The subscribers of one channel, and what is retained on it. */
   private static final class Route {
-    private volatile Subscription[] subscriptions = {};
+    private final List<Subscription> subscriptions = new CopyOnWriteArrayList<>();
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
     private final Map<String, LocalConnection> publishers = new HashMap<>(); // last ones, by source
     private Channel<?> channel; // of what is retained
@@ -168,20 +163,14 @@ public final class LocalBus implements Transport {
 
     synchronized void add(Subscription added) {
       remove(added.owner);
-      Subscription[] longer = new Subscription[subscriptions.length + 1];
-      System.arraycopy(subscriptions, 0, longer, 0, subscriptions.length);
-      longer[subscriptions.length] = added;
-      subscriptions = longer;
+      subscriptions.add(added);
       for (U2SAData message : retained.values()) {
         added.hand(message);
       }
     }
 
     synchronized void remove(LocalConnection owner) {
-      subscriptions =
-          Arrays.stream(subscriptions)
-              .filter(subscription -> subscription.owner != owner)
-              .toArray(Subscription[]::new);
+      subscriptions.removeIf(subscription -> subscription.owner == owner);
     }
   }
 
@@ -224,8 +213,8 @@ public final class LocalBus implements Transport {
     }
 
     /**
-     * Counts and tells that a receiver or a bridge threw: neither publisher nor other receivers
-     * notice.
+     * Counts and reports that a receiver or a bridge threw; the publisher and other receivers go on
+     * unaffected.
      */
     void failed(String what, Channel<?> channel, RuntimeException error) {
       long count = refused.incrementAndGet();

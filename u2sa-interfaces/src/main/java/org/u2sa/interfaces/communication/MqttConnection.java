@@ -1,8 +1,11 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
@@ -17,7 +20,7 @@ import org.u2sa.messages.schema.U2SAData;
  * One service's MQTT connection: what it sends, and what it is subscribed to. When the broker or
  * the way to it is gone, it comes back by itself.
  */
-final class MqttConnection implements Connection, MqttLink.Owner {
+final class MqttConnection implements Connection {
   private static final int AT_LEAST_ONCE = 1;
 
   private final String address;
@@ -65,11 +68,9 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     } catch (MqttException | IllegalArgumentException e) {
       close();
       throw new CommunicationException(
-          "no Communication Manager at "
-              + address
-              + ": "
-              + MqttSession.reason(e)
-              + "; is it running, and is the address right?",
+          String.format(
+              "no Communication Manager at %s: %s; is it running, and is the address right?",
+              address, MqttSession.reason(e)),
           e);
     }
   }
@@ -156,20 +157,32 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     return subscriptions.refused();
   }
 
-  @Override
-  public void renew(MqttSession session) throws MqttException, InterruptedException {
+  /**
+   * Renews on a new session what the broken one had, before it is in use. Called on the link
+   * thread.
+   */
+  void renew(MqttSession session) throws MqttException, InterruptedException {
     retained.restore(session);
     subscriptions.renew(session);
   }
 
-  @Override
-  public boolean catchUp(MqttSession session) throws MqttException {
+  /**
+   * Does on a session in use what was asked for while it was not, or what it could not take then.
+   * Called on the link thread.
+   *
+   * @return whether nothing is left to do
+   */
+  boolean catchUp(MqttSession session) throws MqttException {
     subscriptions.renew(session);
     return retained.catchUp(session, numbers::on);
   }
 
-  @Override
-  public void arrived(String topicName, byte[] payload, boolean isOld) {
+  /**
+   * A message came in, on Paho's thread. Must not throw.
+   *
+   * @param isOld whether it was published before the subscription that brings it
+   */
+  void arrived(String topicName, byte[] payload, boolean isOld) {
     Topic topic;
     try {
       topic = Topic.parse(topicName);
@@ -189,19 +202,19 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     }
   }
 
-  @Override
-  public void lost(MqttSession session, String why) {
+  /** The session broke and will not be of use again. Called on Paho's threads. */
+  void lost(MqttSession session, String why) {
     link.lost(session, why);
   }
 
-  @Override
-  public void interrupted(String why) {
+  /** The link broke. */
+  void interrupted(String why) {
     refusedBefore = incoming.refused();
     receiver.trouble(why);
   }
 
-  @Override
-  public void restored(double afterS) {
+  /** The link and all subscriptions are back. */
+  void restored(double afterS) {
     receiver.trouble(
         String.format(
             "connection to %s restored, subscriptions %s, after %.1f s; %d messages could not be sent meanwhile",
@@ -211,13 +224,13 @@ final class MqttConnection implements Connection, MqttLink.Owner {
             incoming.refused() - refusedBefore));
   }
 
-  @Override
-  public void trouble(String what) {
+  /** The link does not come back, for a reason not told before. */
+  void trouble(String what) {
     receiver.trouble(what);
   }
 
-  @Override
-  public void unconfirmed(long messages) {
+  /** Counts messages of which nobody can say that they have arrived. */
+  void unconfirmed(long messages) {
     incoming.refuse(messages);
   }
 
@@ -236,6 +249,27 @@ final class MqttConnection implements Connection, MqttLink.Owner {
     if (!closed) {
       closed = true;
       link.close();
+    }
+  }
+
+  /** The topics of what one system sends, composed once for each channel and type. */
+  static final class TopicNames {
+    private final String systemId;
+    private final Map<String, Map<List<String>, String>> composed = new ConcurrentHashMap<>();
+
+    TopicNames(String systemId) {
+      this.systemId = systemId;
+    }
+
+    /** The topic of a message; those that a source of its own tells apart are not remembered. */
+    String of(Channel<?> channel, U2SAData message) {
+      if (channel.isRetained()) {
+        return Topic.of(systemId, channel, message).toString();
+      }
+      return composed
+          .computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>())
+          .computeIfAbsent(
+              message.typeChain(), chain -> Topic.of(systemId, channel, message).toString());
     }
   }
 }

@@ -28,7 +28,7 @@ final class MqttLink {
 
   private final String address;
   private final String clientId;
-  private final Owner owner;
+  private final MqttConnection owner;
   private final ScheduledThreadPoolExecutor linkThread;
   private volatile Supplier<MqttConnectOptions> options;
   private volatile Clock clock;
@@ -40,37 +40,8 @@ final class MqttLink {
   private String lastFailure = ""; // touched by the link thread only
   private long lostAtMicros; // touched by the link thread only
 
-  /** Whose link it is. */
-  interface Owner extends MqttSession.Listener {
-    /**
-     * Renews on a new session what the broken one had, before it is in use. Called on the link
-     * thread.
-     */
-    void renew(MqttSession session) throws MqttException, InterruptedException;
-
-    /**
-     * Does on a session in use what was asked for while it was not, or what it could not take then.
-     * Called on the link thread.
-     *
-     * @return whether nothing is left to do
-     */
-    boolean catchUp(MqttSession session) throws MqttException;
-
-    /** The link broke. */
-    void interrupted(String why);
-
-    /** The link and all subscriptions are back. */
-    void restored(double afterS);
-
-    /** The link does not come back, for a reason not told before. */
-    void trouble(String what);
-
-    /** Counts messages of which nobody can say that they have arrived. */
-    void unconfirmed(long messages);
-  }
-
   /** A link that {@link #open} makes. */
-  MqttLink(String address, String clientId, Owner owner) {
+  MqttLink(String address, String clientId, MqttConnection owner) {
     this.address = address;
     this.clientId = clientId;
     this.owner = owner;
@@ -265,6 +236,37 @@ final class MqttLink {
       linkThread.awaitTermination(END_WITHIN_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  /**
+   * How long to wait before the next attempt to connect: longer after each failure, and never the
+   * same for all, so that the services of a vehicle do not fall upon a restarted broker together.
+   */
+  static final class BackOff {
+    private static final long FIRST_MS = 100;
+    private static final long LONGEST_MS = 2_000;
+    private static final double LEAST_PART = 0.5;
+
+    private final Random random;
+    private long nextMs = FIRST_MS;
+
+    BackOff(Random random) {
+      this.random = random;
+    }
+
+    /**
+     * The wait before the next attempt [ms]: between half and the whole of what doubles each time.
+     */
+    synchronized long nextMs() {
+      long whole = nextMs;
+      nextMs = Math.min(LONGEST_MS, 2 * nextMs);
+      return Math.round(whole * (LEAST_PART + (1 - LEAST_PART) * random.nextDouble()));
+    }
+
+    /** Begins again with the shortest wait, after success. */
+    synchronized void reset() {
+      nextMs = FIRST_MS;
     }
   }
 }

@@ -5,6 +5,8 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -16,11 +18,13 @@ import org.eclipse.paho.client.mqttv3.MqttCallback;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.eclipse.paho.client.mqttv3.MqttMessage;
+import org.eclipse.paho.client.mqttv3.MqttPingSender;
+import org.eclipse.paho.client.mqttv3.internal.ClientComms;
 import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
 
 /**
  * One MQTT session, from its opening until it breaks or is closed: a Paho client that is used once,
- * so that nothing of a broken link comes back later. Knows how many messages it owes.
+ * so that nothing of a broken link comes back later. Counts the unconfirmed messages.
  */
 final class MqttSession {
   private static final int AT_MOST_ONCE = 0;
@@ -31,7 +35,7 @@ final class MqttSession {
   private static final long OVER = Long.MIN_VALUE / 2;
 
   private final MqttAsyncClient client;
-  private final Listener listener;
+  private final MqttConnection owner;
   private final long answerWithinMs;
   private final AtomicLong owed = new AtomicLong(); // far below zero: the session is over
   private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters that it answered
@@ -39,28 +43,15 @@ final class MqttSession {
   private volatile boolean closing;
   private boolean gone; // Paho's client is closed; guarded by this
 
-  /** Whom a session tells. Calls come on Paho's threads. */
-  interface Listener {
-    /**
-     * A message came in. Must not throw.
-     *
-     * @param retained whether it was published before the subscription that brings it
-     */
-    void arrived(String topicName, byte[] payload, boolean retained);
-
-    /** The session broke; it will not be of use again. */
-    void lost(MqttSession session, String why);
-  }
-
   /** Takes what a session needs; {@link #open} begins it. */
   MqttSession(
       String address,
       String clientId,
       ScheduledExecutorService linkThread,
       long answerWithinMs,
-      Listener listener)
+      MqttConnection owner)
       throws MqttException {
-    this.listener = listener;
+    this.owner = owner;
     this.answerWithinMs = answerWithinMs;
     client =
         new MqttAsyncClient(
@@ -150,10 +141,10 @@ final class MqttSession {
   }
 
   /**
-   * Takes leave of the broker after what is on the way, such as neutral commands, was sent and, if
-   * each matters, confirmed. Paho alone would send its farewell before what waits.
+   * Disconnects after the messages on their way, such as neutral commands, were sent and, where
+   * each matters, confirmed. Paho alone would send its DISCONNECT before waiting messages.
    *
-   * @return the number of messages of which nobody can say that they have arrived
+   * @return how many messages may not have arrived
    */
   long close() {
     closing = true;
@@ -169,13 +160,13 @@ final class MqttSession {
     try {
       client.disconnect(FAREWELL_WITHIN_MS).waitForCompletion(FAREWELL_WITHIN_MS);
     } catch (MqttException e) {
-      return lost + cut(); // it broke meanwhile: nothing to take leave of
+      return lost + cut(); // it broke meanwhile
     }
     abandon();
     return lost;
   }
 
-  /** Cuts off what Paho is about to end itself, on a thread that fails if all is taken from it. */
+  /** Cuts the link, but leaves the client open to Paho's threads, which may be closing it. */
   private synchronized long cut() {
     long lost = end();
     if (gone) {
@@ -204,7 +195,7 @@ final class MqttSession {
     return lost;
   }
 
-  /** Ends the account: what is owed now was lost, or nobody can say. */
+  /** Stops counting; returns how many messages were unconfirmed. */
   long end() {
     return Math.max(0, owed.getAndSet(OVER));
   }
@@ -212,12 +203,12 @@ final class MqttSession {
   private final class Callback implements MqttCallback {
     @Override
     public void connectionLost(Throwable cause) {
-      listener.lost(MqttSession.this, reason(cause));
+      owner.lost(MqttSession.this, reason(cause));
     }
 
     @Override
     public void messageArrived(String topicName, MqttMessage message) {
-      listener.arrived(topicName, message.getPayload(), message.isRetained());
+      owner.arrived(topicName, message.getPayload(), message.isRetained());
     }
 
     @Override
@@ -228,9 +219,54 @@ final class MqttSession {
     }
   }
 
-  /** Paho's words and those of what lies beneath. */
+  /** Paho's message and that of its cause. */
   static String reason(Throwable e) {
     Throwable cause = e.getCause();
     return cause == null ? e.getMessage() : e.getMessage() + " (" + cause.getMessage() + ")";
+  }
+
+  /**
+   * Has Paho look after the link at regular times, on the connection's own thread. Paho's own
+   * senders keep the program alive, or interrupt the thread that found the link dead.
+   */
+  private static final class KeepAlive implements MqttPingSender {
+    private final ScheduledExecutorService thread;
+    private ClientComms link;
+    private Future<?> next;
+    private boolean stopped;
+
+    KeepAlive(ScheduledExecutorService thread) {
+      this.thread = thread;
+    }
+
+    @Override
+    public synchronized void init(ClientComms comms) {
+      link = comms;
+    }
+
+    @Override
+    public void start() {
+      schedule(link.getKeepAlive());
+    }
+
+    @Override
+    public synchronized void stop() {
+      stopped = true;
+      if (next != null) {
+        next.cancel(false);
+      }
+    }
+
+    @Override
+    public synchronized void schedule(long delayMs) {
+      if (stopped) {
+        return;
+      }
+      try {
+        next = thread.schedule((Runnable) link::checkForActivity, delayMs, TimeUnit.MILLISECONDS);
+      } catch (RejectedExecutionException e) {
+        stopped = true; // the connection is being closed, and its thread with it
+      }
+    }
   }
 }

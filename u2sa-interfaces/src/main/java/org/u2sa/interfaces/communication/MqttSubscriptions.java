@@ -95,11 +95,9 @@ final class MqttSubscriptions {
     }
     if (refused.add(channel.name())) { // said once, however often the link breaks
       trouble.accept(
-          "the broker at "
-              + address
-              + " refuses the subscription to \""
-              + channel
-              + "\"; it is asked again at the next connection");
+          String.format(
+              "the broker at %s refuses the subscription to \"%s\"; it is asked again at the next connection",
+              address, channel));
     }
     return false;
   }

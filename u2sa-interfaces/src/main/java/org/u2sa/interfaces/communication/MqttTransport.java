@@ -9,59 +9,52 @@ import org.u2sa.messages.schema.MessageCodec;
 /**
  * The way to a Communication Manager in another process, or to any other MQTT broker, with Eclipse
  * Paho.
+ *
+ * @param host the broker's name or address
+ * @param port the broker's TCP port, 1…65535
+ * @param systemId the system whose messages are exchanged; {@link Topic#ANY_SYSTEM} hears those of
+ *     all systems on the broker and publishes none
+ * @param codec what reads incoming messages
+ * @param access how each client logs in
+ * @param patienceS how long the first attempt to connect may last [s]
  */
-public final class MqttTransport implements Transport {
+public record MqttTransport(
+    String host,
+    int port,
+    String systemId,
+    MessageCodec codec,
+    BrokerAccess access,
+    double patienceS)
+    implements Transport {
   /** A dead link is found within twice this time here, and within 1.5 times it by the broker. */
   private static final int KEEP_ALIVE_S = 2;
 
   private static final int CONNECT_WITHIN_S = 3;
 
-  private final String host;
-  private final int port;
-  private final String systemId;
-  private final MessageCodec codec;
-  private final BrokerAccess access;
-  private final double patienceS;
-
   /**
-   * A transport that connects each service with a client of its own.
-   *
-   * @param host the broker's name or address
-   * @param port the broker's TCP port, 1…65535
-   * @param systemId the system whose messages are exchanged; {@link Topic#ANY_SYSTEM} hears those
-   *     of all systems on the broker and publishes none
-   * @param codec what reads incoming messages
+   * @throws IllegalArgumentException if the port or the system ID is none
    */
+  public MqttTransport {
+    if (port < 1 || port > 65_535) {
+      throw new IllegalArgumentException("port: " + port + " is outside 1…65535");
+    }
+    Objects.requireNonNull(host, "host");
+    Objects.requireNonNull(codec, "codec");
+    Objects.requireNonNull(access, "access");
+    if (!systemId.equals(Topic.ANY_SYSTEM)) {
+      Topic.checkSystemId(systemId);
+    }
+  }
+
+  /** A transport for a broker that wants neither user nor encryption. */
   public MqttTransport(String host, int port, String systemId, MessageCodec codec) {
     this(host, port, systemId, codec, BrokerAccess.open());
   }
 
-  /**
-   * A transport for a broker that wants a user or encryption.
-   *
-   * @param access how each client logs in; the rest as above
-   */
+  /** A transport that connects each service with a client of its own, at once. */
   public MqttTransport(
       String host, int port, String systemId, MessageCodec codec, BrokerAccess access) {
     this(host, port, systemId, codec, access, 0.0);
-  }
-
-  private MqttTransport(
-      String host,
-      int port,
-      String systemId,
-      MessageCodec codec,
-      BrokerAccess access,
-      double patienceS) {
-    if (port < 1 || port > 65_535) {
-      throw new IllegalArgumentException("port: " + port + " is outside 1…65535");
-    }
-    this.host = Objects.requireNonNull(host, "host");
-    this.port = port;
-    this.systemId = systemId.equals(Topic.ANY_SYSTEM) ? systemId : Topic.checkSystemId(systemId);
-    this.codec = Objects.requireNonNull(codec, "codec");
-    this.access = Objects.requireNonNull(access, "access");
-    this.patienceS = patienceS;
   }
 
   /**
@@ -113,10 +106,5 @@ public final class MqttTransport implements Transport {
               });
     }
     return options;
-  }
-
-  @Override
-  public String systemId() {
-    return systemId;
   }
 }

@@ -1,9 +1,20 @@
 package org.u2sa.interfaces.configuration;
 
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import java.io.IOException;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.JsonText;
 
 /**
  * A line of a configuration's audit log.
@@ -22,6 +33,8 @@ record AuditEntry(
     String reason,
     OptionalLong undoes,
     List<Value> values) {
+
+  private static final JsonFactory JSON = new JsonFactory();
 
   /** What came of a change. */
   enum Outcome {
@@ -60,14 +73,98 @@ record AuditEntry(
         values.stream()
             .map(
                 value ->
-                    "\""
-                        + value.variable()
-                        + "\" "
-                        + value.before().orElse("?")
-                        + " → "
-                        + value.after())
+                    String.format(
+                        "\"%s\" %s → %s",
+                        value.variable(), value.before().orElse("?"), value.after()))
             .collect(Collectors.joining(", "));
     String who = origin.author().isEmpty() ? "somebody" : "\"" + origin.author() + "\"";
     return who + ": " + what + " (revision " + revision + ")";
+  }
+
+  /** This as a line of JSON, for people and programs alike; without its end. */
+  String line() {
+    List<JsonText> changes = new ArrayList<>();
+    for (Value value : values) {
+      changes.add(
+          new JsonText()
+              .put("variable", value.variable())
+              .put("old", value.before())
+              .put("new", value.after())
+              .put("oldText", value.textBefore())
+              .put("newText", value.textAfter()));
+    }
+    return new JsonText()
+        .put("revision", revision)
+        .put("time", Instant.EPOCH.plus(origin.micros(), ChronoUnit.MICROS).toString())
+        .put("service", origin.service())
+        .put("author", origin.author())
+        .put("outcome", outcome.name())
+        .put("reason", Optional.of(reason).filter(why -> !why.isEmpty()))
+        .put("undoes", undoes)
+        .put("changes", changes)
+        .line();
+  }
+
+  /** The entry; empty if the line is none: torn by a power cut, or written by hand. */
+  static Optional<AuditEntry> read(String line) {
+    try (JsonParser json = JSON.createParser(line)) {
+      if (json.nextToken() != JsonToken.START_OBJECT) {
+        return Optional.empty();
+      }
+      List<Value> values = new ArrayList<>();
+      Map<String, String> fields = fields(json, values);
+      String undoes = fields.get("undoes");
+      return Optional.of(
+          new AuditEntry(
+              Long.parseLong(required(fields, "revision")),
+              new ChangeOrigin(
+                  ChronoUnit.MICROS.between(Instant.EPOCH, Instant.parse(required(fields, "time"))),
+                  fields.getOrDefault("service", ""),
+                  fields.getOrDefault("author", "")),
+              Outcome.valueOf(required(fields, "outcome")),
+              fields.getOrDefault("reason", ""),
+              undoes == null ? OptionalLong.empty() : OptionalLong.of(Long.parseLong(undoes)),
+              values));
+    } catch (IOException | IllegalArgumentException | DateTimeException e) {
+      return Optional.empty(); // what is no entry is passed over, as the log's users are told
+    }
+  }
+
+  private static Map<String, String> fields(JsonParser json, List<Value> values)
+      throws IOException {
+    Map<String, String> fields = new HashMap<>();
+    while (json.nextToken() == JsonToken.FIELD_NAME) {
+      String name = json.currentName();
+      JsonToken token = json.nextToken();
+      if (token == JsonToken.START_ARRAY && name.equals("changes")) {
+        while (json.nextToken() == JsonToken.START_OBJECT) {
+          values.add(value(fields(json, new ArrayList<>())));
+        }
+      } else {
+        fields.put(name, json.getText());
+        json.skipChildren();
+      }
+    }
+    if (json.currentToken() != JsonToken.END_OBJECT) {
+      throw new IllegalArgumentException("the line ends too early");
+    }
+    return fields;
+  }
+
+  private static Value value(Map<String, String> fields) {
+    return new Value(
+        required(fields, "variable"),
+        Optional.ofNullable(fields.get("old")),
+        required(fields, "new"),
+        Optional.ofNullable(fields.get("oldText")),
+        Optional.ofNullable(fields.get("newText")));
+  }
+
+  private static String required(Map<String, String> fields, String name) {
+    String text = fields.get(name);
+    if (text == null) {
+      throw new IllegalArgumentException("\"" + name + "\" is missing");
+    }
+    return text;
   }
 }

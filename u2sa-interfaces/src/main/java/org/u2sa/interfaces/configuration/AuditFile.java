@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.configuration;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
@@ -11,7 +12,9 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * The audit log of one configuration file: JSON lines in {@code <file>.audit.jsonl} beside it, so
@@ -29,7 +32,7 @@ final class AuditFile implements ChangeJournal {
   private static final int MOST_READ_BYTES = 4 * 1024 * 1024; // of a log of an older version
 
   private final Path configuration;
-  private AuditTail known = AuditTail.NONE; // used under the folder's lock, or before any change
+  private Tail known = Tail.NONE; // used under the folder's lock, or before any change
 
   /**
    * @param configuration the configuration file, which may be a link
@@ -51,16 +54,15 @@ final class AuditFile implements ChangeJournal {
   }
 
   @Override
-  public Turn take() throws IOException {
-    FolderLock lock = FolderLock.take(target().getParent());
-    return lock::close;
+  public Closeable take() throws IOException {
+    return FolderLock.take(target().getParent());
   }
 
   @Override
   public List<AuditEntry> recent() throws IOException {
     Path path = path();
     if (!exists(path)) {
-      known = AuditTail.NONE;
+      known = Tail.NONE;
     } else {
       boolean interrupted = Thread.interrupted(); // would close the channel; given back below
       try (FileChannel file =
@@ -99,7 +101,7 @@ final class AuditFile implements ChangeJournal {
       continue;
     }
     boolean cut = !same && from > 0; // the first line then is half a line
-    known = (same ? known : AuditTail.of(key, from)).with(bytes.array(), bytes.position(), cut);
+    known = (same ? known : Tail.of(key, from)).with(bytes.array(), bytes.position(), cut);
   }
 
   @Override
@@ -112,7 +114,7 @@ final class AuditFile implements ChangeJournal {
       } else if (known.end() > MOST_BYTES) {
         keepAsOlder(path);
       }
-      write(path, (AuditLine.of(entry) + "\n").getBytes(StandardCharsets.UTF_8));
+      write(path, (entry.line() + "\n").getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new IOException("the audit log cannot be written: " + e, e);
     }
@@ -139,14 +141,14 @@ final class AuditFile implements ChangeJournal {
       Files.copy(path, older, StandardCopyOption.COPY_ATTRIBUTES);
     }
     StringBuilder newest = new StringBuilder();
-    known.entries().forEach(entry -> newest.append(AuditLine.of(entry)).append('\n'));
+    known.entries().forEach(entry -> newest.append(entry.line()).append('\n'));
     WholeFile.replace(path, newest.toString().getBytes(StandardCharsets.UTF_8));
     recent();
   }
 
   private void write(Path path, byte[] line) throws IOException {
     if (Files.exists(target())) {
-      FileOwnership.copy(target(), path);
+      WholeFile.FileOwnership.copy(target(), path);
     }
     boolean interrupted = Thread.interrupted();
     try (FileChannel file =
@@ -165,6 +167,59 @@ final class AuditFile implements ChangeJournal {
       if (interrupted) {
         Thread.currentThread().interrupt();
       }
+    }
+  }
+
+  /**
+   * The newest entries of an audit log, as far as it was read: the newest changes, and the last
+   * refusal. Immutable.
+   *
+   * @param key what the file system calls the file; null if there is none
+   * @param end where the last whole line that was read ends [bytes]
+   * @param entries oldest first
+   */
+  private record Tail(Object key, long end, List<AuditEntry> entries) {
+    /** Of a log that is not there. */
+    static final Tail NONE = new Tail(null, 0, List.of());
+
+    private static final int MOST_ENTRIES = 200;
+
+    /** Of a log of which nothing was read yet, from a place in it. */
+    static Tail of(Object key, long from) {
+      return new Tail(key, from, List.of());
+    }
+
+    /** Whether it tells of the file of that key. File systems without keys have one name a file. */
+    boolean isOf(Object otherKey) {
+      return end > 0 && Objects.equals(key, otherKey);
+    }
+
+    /**
+     * This tail and what follows in the file.
+     *
+     * @param cut whether the first line is half a line, to be passed over
+     */
+    Tail with(byte[] bytes, int length, boolean cut) {
+      int whole = length;
+      while (whole > 0 && bytes[whole - 1] != '\n') {
+        whole--;
+      }
+      List<AuditEntry> all = new ArrayList<>(entries);
+      String[] lines = new String(bytes, 0, whole, StandardCharsets.UTF_8).split("\n");
+      for (int i = cut ? 1 : 0; i < lines.length; i++) {
+        AuditEntry.read(lines[i]).ifPresent(all::add);
+      }
+      return new Tail(key, end + whole, newest(all));
+    }
+
+    private static List<AuditEntry> newest(List<AuditEntry> all) {
+      List<AuditEntry> kept = new ArrayList<>();
+      for (int i = 0; i < all.size(); i++) {
+        if (all.get(i).outcome() != AuditEntry.Outcome.REFUSED || i == all.size() - 1) {
+          kept.add(all.get(i));
+        }
+      }
+      return List.copyOf(kept.subList(Math.max(0, kept.size() - MOST_ENTRIES), kept.size()));
     }
   }
 }

@@ -1,9 +1,11 @@
 package org.u2sa.interfaces.configuration;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.u2sa.messages.contract.ConfigurationAssignment;
 
 /** Works out and checks what a change or an undo does, against what the file says now. */
 final class ChangePlanner {
@@ -62,11 +64,9 @@ final class ChangePlanner {
     if (!now.map(FileVariable::text).equals(seen)) {
       throw new ConfigurationException(
           place(name)
-              + "is "
-              + now.map(FileVariable::text).orElse("absent")
-              + " in the file, not "
-              + seen.orElse("absent")
-              + " as the service read it; to overwrite it, name no revision");
+              + String.format(
+                  "is %s in the file, not %s as the service read it; to overwrite it, name no revision",
+                  now.map(FileVariable::text).orElse("absent"), seen.orElse("absent")));
     }
   }
 
@@ -90,13 +90,11 @@ final class ChangePlanner {
     if (!before.map(FileVariable::text).equals(value.textAfter())) {
       throw new ConfigurationException(
           place(name)
-              + "is "
-              + before.map(FileVariable::text).orElse("absent")
-              + ", not "
-              + value.textAfter().orElse("absent")
-              + " as revision "
-              + revision
-              + " left it: not taken back");
+              + String.format(
+                  "is %s, not %s as revision %s left it: not taken back",
+                  before.map(FileVariable::text).orElse("absent"),
+                  value.textAfter().orElse("absent"),
+                  revision));
     }
     Optional<FileVariable> after;
     try {
@@ -138,5 +136,119 @@ final class ChangePlanner {
 
   private ConfigurationException error(String name, IllegalArgumentException e) {
     return new ConfigurationException(place(name) + e.getMessage(), e);
+  }
+
+  /**
+   * What is to become of one variable; checked, not yet done.
+   *
+   * @param name of the variable
+   * @param before the file's statement; empty if it has none
+   * @param after what the file is to state; empty if nothing any longer
+   * @param oldValue in the declared unit
+   * @param newValue in the declared unit
+   * @param changes false if file and memory have the new value already
+   */
+  record PlannedChange(
+      String name,
+      Optional<FileVariable> before,
+      Optional<FileVariable> after,
+      Object oldValue,
+      Object newValue,
+      boolean changes) {
+
+    ConfigurationAssignment told() {
+      return new ConfigurationAssignment()
+          .variableName(name)
+          .value(String.valueOf(newValue))
+          .previous(String.valueOf(oldValue));
+    }
+
+    AuditEntry.Value audited() {
+      return new AuditEntry.Value(
+          name,
+          Optional.of(String.valueOf(oldValue)),
+          String.valueOf(newValue),
+          before.map(FileVariable::text),
+          after.map(FileVariable::text));
+    }
+
+    /** {@code file} after this change. */
+    ConfigurationFile in(ConfigurationFile file) {
+      return after.isPresent() ? file.with(after.get()) : file.without(name);
+    }
+  }
+
+  /**
+   * What was asked for, as far as answer and audit log repeat it: whoever asks may ask for
+   * anything, of any length.
+   */
+  static final class RefusedTexts {
+    private static final int LONGEST = 200;
+    private static final int SHOWN = 16;
+    private static final int MOST_VARIABLES = 256;
+    private static final int LONGEST_VALUE = 2_000;
+
+    private RefusedTexts() {}
+
+    /**
+     * Refuses oversized changes.
+     *
+     * @throws ConfigurationException if there are too many variables, or texts are too long
+     */
+    static void refuseTooMuch(Map<String, ?> wanted, String origin) {
+      if (wanted.size() > MOST_VARIABLES) {
+        throw new ConfigurationException(
+            String.format(
+                "%s: %s variables at once, expected %s at most",
+                origin, wanted.size(), MOST_VARIABLES));
+      }
+      wanted.forEach(
+          (name, value) -> {
+            int length = Math.max(name.length(), String.valueOf(value).length());
+            if (length > LONGEST_VALUE) {
+              throw new ConfigurationException(
+                  String.format(
+                      "%s, variable \"%s\": %s characters, expected %s at most",
+                      origin, shortened(name), length, LONGEST_VALUE));
+            }
+          });
+    }
+
+    /** The first variables with their values, cut to a length that can be shown. */
+    static Map<String, String> of(Map<String, ?> wanted) {
+      Map<String, String> texts = new LinkedHashMap<>();
+      for (Map.Entry<String, ?> entry : wanted.entrySet()) {
+        if (texts.size() == SHOWN) {
+          break;
+        }
+        texts.put(shortened(entry.getKey()), shortened(String.valueOf(entry.getValue())));
+      }
+      return texts;
+    }
+
+    static List<AuditEntry.Value> audited(Map<String, String> texts) {
+      List<AuditEntry.Value> values = new ArrayList<>();
+      texts.forEach(
+          (name, text) ->
+              values.add(
+                  new AuditEntry.Value(
+                      name, Optional.empty(), text, Optional.empty(), Optional.empty())));
+      return values;
+    }
+
+    static List<ConfigurationAssignment> answered(Map<String, String> texts) {
+      List<ConfigurationAssignment> asked = new ArrayList<>();
+      texts.forEach(
+          (name, text) -> asked.add(new ConfigurationAssignment().variableName(name).value(text)));
+      return asked;
+    }
+
+    private static String shortened(String text) {
+      return shortened(text, LONGEST);
+    }
+
+    static String shortened(String text, int longest) {
+      return text.length() <= longest ? text : text.substring(0, longest) + "…";
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.configuration;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -26,7 +27,8 @@ final class ConfigurationChanges {
   private volatile long revision; // written by one thread at a time
 
   ConfigurationChanges(LiveValues live, Optional<Path> path) {
-    this(live, path, path.isPresent() ? new AuditFile(path.get()) : new MemoryJournal(), 0);
+    this(
+        live, path, path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory(), 0);
   }
 
   private ConfigurationChanges(
@@ -69,13 +71,14 @@ final class ConfigurationChanges {
       Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
     return attempt(
         by,
-        RefusedTexts.of(wanted),
+        ChangePlanner.RefusedTexts.of(wanted),
         (memory, history, file) -> {
-          RefusedTexts.refuseTooMuch(wanted, live.origin());
+          ChangePlanner.RefusedTexts.refuseTooMuch(wanted, live.origin());
           if (seen.isPresent() && seen.getAsLong() != history.revision()) {
             throw new ConfigurationException(outdated(seen.getAsLong(), history));
           }
-          List<PlannedChange> plan = new ChangePlanner(memory, file).set(wanted, seen.isPresent());
+          List<ChangePlanner.PlannedChange> plan =
+              new ChangePlanner(memory, file).set(wanted, seen.isPresent());
           return make(memory, plan, file, by, OptionalLong.empty(), check);
         });
   }
@@ -92,14 +95,14 @@ final class ConfigurationChanges {
                       () ->
                           new ConfigurationException(
                               live.origin() + ": no change is remembered that could be undone"));
-          List<PlannedChange> plan = new ChangePlanner(memory, file).undo(last);
+          List<ChangePlanner.PlannedChange> plan = new ChangePlanner(memory, file).undo(last);
           return make(memory, plan, file, by, OptionalLong.of(last.revision()), check);
         });
   }
 
   private WrittenChange attempt(ChangeOrigin by, Map<String, String> wanted, Attempt attempt) {
     try {
-      ChangeJournal.Turn turn = journal.take();
+      Closeable turn = journal.take();
       try {
         Optional<ConfigurationFile> file = path.map(ConfigurationFile::read);
         ConfigurationValues memory = live.written();
@@ -133,7 +136,7 @@ final class ConfigurationChanges {
 
   private WrittenChange make(
       ConfigurationValues memory,
-      List<PlannedChange> plan,
+      List<ChangePlanner.PlannedChange> plan,
       Optional<ConfigurationFile> file,
       ChangeOrigin by,
       OptionalLong undoes,
@@ -146,8 +149,8 @@ final class ConfigurationChanges {
     if (objection.isPresent()) {
       throw new ConfigurationException(live.origin() + ": " + objection.get());
     }
-    List<PlannedChange> changes =
-        plan.stream().filter(PlannedChange::changes).collect(Collectors.toList());
+    List<ChangePlanner.PlannedChange> changes =
+        plan.stream().filter(ChangePlanner.PlannedChange::changes).collect(Collectors.toList());
     if (!changes.isEmpty()) {
       Optional<ConfigurationFile> after = file.map(now -> edited(now, changes));
       AuditEntry entry =
@@ -157,7 +160,9 @@ final class ConfigurationChanges {
               AuditEntry.Outcome.ACCEPTED,
               "",
               undoes,
-              changes.stream().map(PlannedChange::audited).collect(Collectors.toList()));
+              changes.stream()
+                  .map(ChangePlanner.PlannedChange::audited)
+                  .collect(Collectors.toList()));
       journal.append(entry);
       write(after, entry);
       live.await(changes);
@@ -166,17 +171,18 @@ final class ConfigurationChanges {
     ConfigurationOutcome outcome =
         new ConfigurationOutcome(
             Optional.empty(),
-            plan.stream().map(PlannedChange::told).collect(Collectors.toList()),
+            plan.stream().map(ChangePlanner.PlannedChange::told).collect(Collectors.toList()),
             changes.stream()
-                .map(PlannedChange::name)
+                .map(ChangePlanner.PlannedChange::name)
                 .collect(Collectors.toCollection(LinkedHashSet::new)),
             revision);
     return new WrittenChange(outcome, () -> live.takeEffect(changes));
   }
 
-  private ConfigurationFile edited(ConfigurationFile file, List<PlannedChange> changes) {
+  private ConfigurationFile edited(
+      ConfigurationFile file, List<ChangePlanner.PlannedChange> changes) {
     ConfigurationFile edited = file;
-    for (PlannedChange change : changes) {
+    for (ChangePlanner.PlannedChange change : changes) {
       try {
         edited = change.in(edited);
       } catch (IllegalArgumentException e) {
@@ -209,9 +215,9 @@ final class ConfigurationChanges {
             revision,
             by,
             AuditEntry.Outcome.REFUSED,
-            RefusedTexts.shortened(reason, 1_000),
+            ChangePlanner.RefusedTexts.shortened(reason, 1_000),
             OptionalLong.empty(),
-            RefusedTexts.audited(wanted));
+            ChangePlanner.RefusedTexts.audited(wanted));
     String why = reason;
     try {
       journal.append(entry);
@@ -224,19 +230,15 @@ final class ConfigurationChanges {
   private WrittenChange refusal(String reason, Map<String, String> wanted) {
     ConfigurationOutcome outcome =
         new ConfigurationOutcome(
-            Optional.of(reason), RefusedTexts.answered(wanted), Set.of(), revision);
+            Optional.of(reason), ChangePlanner.RefusedTexts.answered(wanted), Set.of(), revision);
     return new WrittenChange(outcome, () -> {});
   }
 
   private String outdated(long seen, ChangeHistory history) {
     String since = history.since(seen);
-    return live.origin()
-        + ": is at revision "
-        + history.revision()
-        + " by now, not "
-        + seen
-        + (since.isEmpty() ? "" : "; since then " + since)
-        + ": nothing was changed";
+    return String.format(
+        "%s: is at revision %s by now, not %s%s: nothing was changed",
+        live.origin(), history.revision(), seen, since.isEmpty() ? "" : "; since then " + since);
   }
 
   /** {@code X.xml, variable "A": cannot be written, the old value stays: }. */

@@ -60,11 +60,9 @@ final class ConfigurationValues {
     Object value = values.get(name);
     if (value == null) {
       throw new ConfigurationException(
-          origin
-              + ", variable \""
-              + name
-              + "\": there is none"
-              + NearestNames.didYouMean(name, values.keySet()));
+          String.format(
+              "%s, variable \"%s\": there is none%s",
+              origin, name, NearestNames.didYouMean(name, values.keySet())));
     }
     return value;
   }
@@ -141,10 +139,7 @@ final class ConfigurationValues {
       String value = NumberText.withUnit(refused.get(variable.name()), variable.unit());
       words.add(
           (statement == null ? "" : statement.place().replace(origin + ", ", "") + ": ")
-              + "variable \""
-              + variable.name()
-              + "\" is "
-              + value);
+              + String.format("variable \"%s\" is %s", variable.name(), value));
     }
     return why + " (" + String.join("; ", words) + ")";
   }
@@ -209,7 +204,7 @@ final class ConfigurationValues {
   }
 
   /** Takes over what the file says now. */
-  void adopt(PlannedChange change) {
+  void adopt(ChangePlanner.PlannedChange change) {
     if (change.after().isPresent()) {
       stated.put(change.name(), change.after().get());
     } else {

@@ -69,12 +69,9 @@ record FileVariable(
             .orElseThrow(
                 () ->
                     new IllegalArgumentException(
-                        origin
-                            + ", variable \""
-                            + name
-                            + "\": "
-                            + value
-                            + " is neither Integer, Double, Boolean nor String"));
+                        String.format(
+                            "%s, variable \"%s\": %s is neither Integer, Double, Boolean nor String",
+                            origin, name, value)));
     return new FileVariable(
         origin, name, type, String.valueOf(value), value, Optional.empty(), Range.any(), "");
   }
@@ -131,13 +128,13 @@ record FileVariable(
                 error(
                     place,
                     name,
-                    "unknown type \""
-                        + given
-                        + "\"; expected "
-                        + Arrays.stream(VariableType.values())
+                    String.format(
+                        "unknown type \"%s\"; expected %s",
+                        given,
+                        Arrays.stream(VariableType.values())
                             .map(VariableType::xmlName)
                             .collect(Collectors.joining(", "))
-                            .toLowerCase(Locale.ROOT)));
+                            .toLowerCase(Locale.ROOT))));
   }
 
   private static Range limits(XmlElement element, String place, String name, VariableType type) {

@@ -12,7 +12,8 @@ import java.util.function.Function;
  */
 final class LiveValues {
   private final ConfigurationValues values;
-  private final Deque<List<PlannedChange>> waiting = new ArrayDeque<>(); // oldest first
+  private final Deque<List<ChangePlanner.PlannedChange>> waiting =
+      new ArrayDeque<>(); // oldest first
   private volatile long version; // written under this
 
   LiveValues(ConfigurationValues values) {
@@ -53,15 +54,15 @@ final class LiveValues {
   }
 
   /** Takes note of changes that are on file. */
-  synchronized void await(List<PlannedChange> changes) {
+  synchronized void await(List<ChangePlanner.PlannedChange> changes) {
     waiting.add(changes);
   }
 
   /** Adopts these changes and those before them, unless that has happened. */
-  synchronized void takeEffect(List<PlannedChange> changes) {
+  synchronized void takeEffect(List<ChangePlanner.PlannedChange> changes) {
     boolean isWaiting = waiting.stream().anyMatch(each -> each == changes); // equal ones may be
     while (isWaiting) {
-      List<PlannedChange> next = waiting.remove();
+      List<ChangePlanner.PlannedChange> next = waiting.remove();
       next.forEach(values::adopt);
       isWaiting = next != changes;
       version++;

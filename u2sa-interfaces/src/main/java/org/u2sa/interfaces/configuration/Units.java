@@ -104,14 +104,12 @@ public final class Units {
         find(from).orElseThrow(() -> new IllegalArgumentException(unknown(from, target.dimension)));
     if (!source.dimension.equals(target.dimension)) {
       throw new IllegalArgumentException(
-          "unit \""
-              + from
-              + "\" measures "
-              + source.dimension
-              + ", expected "
-              + target.dimension
-              + ": "
-              + String.join(", ", unitsOf(target.dimension, to)));
+          String.format(
+              "unit \"%s\" measures %s, expected %s: %s",
+              from,
+              source.dimension,
+              target.dimension,
+              String.join(", ", unitsOf(target.dimension, to))));
     }
     return source.factor == target.factor && source.offset == target.offset
         ? value
@@ -138,12 +136,12 @@ public final class Units {
 
   private static String unknown(String unit, String dimension) {
     List<String> known = unitsOf(dimension, "");
-    return "unknown unit \""
-        + unit
-        + "\"; expected "
-        + dimension
-        + (known.isEmpty() ? "" : ": " + String.join(", ", known))
-        + NearestNames.didYouMean(unit, known);
+    return String.format(
+        "unknown unit \"%s\"; expected %s%s%s",
+        unit,
+        dimension,
+        known.isEmpty() ? "" : ": " + String.join(", ", known),
+        NearestNames.didYouMean(unit, known));
   }
 
   private static String noConversion(String from, String to) {

@@ -52,10 +52,9 @@ public record VariableDeclaration<T>(
           .ifPresent(
               reason -> {
                 throw new IllegalArgumentException(
-                    "variable \""
-                        + name
-                        + "\" is declared with a default that it refuses: "
-                        + reason);
+                    String.format(
+                        "variable \"%s\" is declared with a default that it refuses: %s",
+                        name, reason));
               });
     }
   }
@@ -169,11 +168,7 @@ public record VariableDeclaration<T>(
 
   @Override
   public String toString() {
-    return "variable \""
-        + name
-        + "\" ("
-        + type.xmlName()
-        + (unit.isEmpty() ? "" : ", " + unit)
-        + ")";
+    return String.format(
+        "variable \"%s\" (%s%s)", name, type.xmlName(), unit.isEmpty() ? "" : ", " + unit);
   }
 }

@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFileAttributes;
 
 /**
  * Replaces a file as a whole: after a power cut there is the old or the new one. Written beside it,
@@ -105,5 +107,42 @@ public final class WholeFile {
   private static boolean isLeftover(Path entry, String prefix) {
     String name = entry.getFileName().toString();
     return name.startsWith(prefix) && name.endsWith(SUFFIX);
+  }
+
+  /** Whose a file is and who may use it, passed on to the file that takes its place. */
+  static final class FileOwnership {
+    private FileOwnership() {}
+
+    /**
+     * Gives {@code to}, which is this process's own and closed to others, owner, group and
+     * permissions of {@code from}. Never wider on the way than in the end.
+     *
+     * @throws IOException if this user may not give it to the owner or the group
+     */
+    static void copy(Path from, Path to) throws IOException {
+      PosixFileAttributeView view = Files.getFileAttributeView(to, PosixFileAttributeView.class);
+      if (view == null) {
+        return; // another kind of permissions, which Java does not tell
+      }
+      PosixFileAttributes wanted = Files.readAttributes(from, PosixFileAttributes.class);
+      PosixFileAttributes now = view.readAttributes();
+      try {
+        if (!now.group().equals(wanted.group())) {
+          view.setGroup(wanted.group());
+        }
+        if (!now.owner().equals(wanted.owner())) {
+          view.setOwner(wanted.owner());
+        }
+      } catch (IOException e) {
+        throw new IOException(
+            String.format(
+                "%s belongs to %s:%s and could not stay theirs: change it as that user",
+                from, wanted.owner().getName(), wanted.group().getName()),
+            e);
+      }
+      if (!now.permissions().equals(wanted.permissions())) {
+        view.setPermissions(wanted.permissions());
+      }
+    }
   }
 }

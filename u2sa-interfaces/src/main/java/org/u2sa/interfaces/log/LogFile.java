@@ -1,20 +1,56 @@
 package org.u2sa.interfaces.log;
 
 import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.OneLine;
 import org.u2sa.interfaces.time.Clock;
 
 /**
  * The log file of one service (thesis 3.2.1.5, 4.6.1.3, 8.2.3.1): a line has the run's time, level,
- * service, thread ID and message. Each line is on its way to the disk when {@code log} returns.
- * Never throws into the service: a line that cannot be written is counted, and said once on
- * standard error.
+ * service, thread ID and message. Each line is on its way to the disk when {@code log} returns,
+ * with one system call. Never throws into the service: a line that cannot be written is counted,
+ * and the first failure is reported on standard error.
+ *
+ * <p>No logging library stands between: Logback's file appender drops lines uncounted for a while
+ * after a failure, and on a phone it is another library with other methods.
  */
 public final class LogFile implements AutoCloseable {
+  private static final long NANOS_PER_MICRO = 1_000L;
+  private static final DateTimeFormatter TIMESTAMP =
+      DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH:mm:ss.SSSSSS'Z'").withZone(ZoneOffset.UTC);
+  private static final String SEPARATOR = " | ";
+  private static final Pattern LINE_END = Pattern.compile("\\R");
+  private static final String NEXT_LINE = "\n    ";
+
+  /** Opens a file for writing at its end, unbuffered; makes it if it is not there. */
+  interface Opener {
+    OutputStream append(Path file) throws IOException;
+  }
+
+  private final Path file;
+  private final String serviceName;
   private final LogLevelEnum lowest;
   private final Clock clock;
-  private final LogLineWriter lines;
+  private final PrintStream complaints;
+  private final Opener opener;
+  private OutputStream out;
+  private boolean lineBroken; // the last write failed, perhaps in the middle of its line
+  private long lost; // lines since the last one that was written
+  private long failures;
+  private boolean said;
+  private boolean closed;
 
   /**
    * Appends to {@code file}; makes it and its folder if need be.
@@ -39,11 +75,18 @@ public final class LogFile implements AutoCloseable {
       LogLevelEnum lowest,
       Clock clock,
       PrintStream complaints,
-      LogLineWriter.Opener opener) {
+      Opener opener) {
+    this.file = file;
+    this.serviceName = serviceName;
     this.lowest = lowest;
     this.clock = clock;
-    lines = new LogLineWriter(file, serviceName, complaints, opener);
-    lines.start();
+    this.complaints = complaints;
+    this.opener = opener;
+    try {
+      open();
+    } catch (IOException e) { // it may become writable: each line tries again
+      sayOnce(e);
+    }
   }
 
   /** Writes a line, unless {@code level} is below the lowest that is written. */
@@ -58,7 +101,7 @@ public final class LogFile implements AutoCloseable {
    */
   public void log(LogLevelEnum level, String message, Throwable thrown) {
     if (writes(level)) {
-      lines.write(clock.micros(), level, message, thrown);
+      write(clock.micros(), level, message, thrown);
     }
   }
 
@@ -67,14 +110,92 @@ public final class LogFile implements AutoCloseable {
     return level.compareTo(lowest) >= 0;
   }
 
-  /** How many lines could not be written. */
-  public long failures() {
-    return lines.failures();
+  private synchronized void write(
+      long micros, LogLevelEnum level, String message, Throwable thrown) {
+    if (closed) {
+      return;
+    }
+    try {
+      if (out == null || !Files.exists(file)) {
+        open();
+      }
+      StringBuilder text = new StringBuilder(lineBroken ? "\n" : "");
+      if (lost > 0) {
+        line(
+            text,
+            micros,
+            LogLevelEnum.WARN,
+            lost + (lost == 1 ? " line" : " lines") + " before this one could not be written");
+      }
+      line(text, micros, level, message(message, thrown));
+      out.write(text.toString().getBytes(StandardCharsets.UTF_8));
+      lineBroken = false;
+      lost = 0;
+    } catch (IOException e) {
+      lineBroken = out != null;
+      lost++;
+      failures++;
+      sayOnce(e);
+    }
   }
 
   /** Closes the file; later lines are dropped. Safe to call twice. */
   @Override
-  public void close() {
-    lines.close();
+  public synchronized void close() {
+    closed = true;
+    try {
+      if (out != null) {
+        out.close();
+      }
+    } catch (IOException e) {
+      sayOnce(e);
+    }
+    out = null;
+  }
+
+  /** How many lines could not be written. */
+  public synchronized long failures() {
+    return failures;
+  }
+
+  private void open() throws IOException {
+    if (out != null) {
+      out.close();
+      out = null;
+    }
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder != null) {
+      Files.createDirectories(folder);
+    }
+    out = opener.append(file);
+  }
+
+  private void line(StringBuilder text, long micros, LogLevelEnum level, String message) {
+    Instant time =
+        Instant.ofEpochSecond(
+            Math.floorDiv(micros, Clock.MICROS_PER_SECOND),
+            Math.floorMod(micros, Clock.MICROS_PER_SECOND) * NANOS_PER_MICRO);
+    text.append(TIMESTAMP.format(time)).append(SEPARATOR);
+    text.append(level).append(SEPARATOR);
+    text.append(serviceName).append(SEPARATOR);
+    text.append(Thread.currentThread().getId()).append(SEPARATOR);
+    text.append(message).append('\n');
+  }
+
+  private static String message(String message, Throwable thrown) {
+    String text = String.valueOf(message);
+    if (thrown != null) {
+      StringWriter trace = new StringWriter();
+      thrown.printStackTrace(new PrintWriter(trace, true));
+      text += "\n" + trace.toString().trim();
+    }
+    return LINE_END.splitAsStream(text).map(OneLine::of).collect(Collectors.joining(NEXT_LINE));
+  }
+
+  private void sayOnce(IOException e) {
+    if (!said) {
+      said = true;
+      complaints.println(file + ": log of " + serviceName + " cannot be written: " + e);
+    }
   }
 }

@@ -13,57 +13,34 @@ import org.u2sa.interfaces.BadInputException;
 /**
  * An element of an XML file that knows where it stands, so that whoever refuses it can say where.
  * Names keep their case; text and child elements do not mix. Immutable.
+ *
+ * @param origin the file that it was read from, as the user named it
+ * @param name the name of the tag
+ * @param line the line on which the tag begins, from 1
+ * @param span where it stands in the file's text
+ * @param attributes all attributes in the order of the file
+ * @param children all child elements in the order of the file
+ * @param text the text between the tags without the spaces around it; empty if there are child
+ *     elements
  */
-public final class XmlElement {
-  private final String origin;
-  private final String name;
-  private final int line;
-  private final XmlSpan span;
-  private final Map<String, String> attributes;
-  private final List<XmlElement> children;
-  private final String text;
-
-  XmlElement(
-      String origin,
-      String name,
-      int line,
-      XmlSpan span,
-      Map<String, String> attributes,
-      List<XmlElement> children,
-      String text) {
-    this.origin = origin;
-    this.name = name;
-    this.line = line;
-    this.span = span;
-    this.attributes =
+public record XmlElement(
+    String origin,
+    String name,
+    int line,
+    Span span,
+    Map<String, String> attributes,
+    List<XmlElement> children,
+    String text) {
+  /** Keeps copies that nobody can change. */
+  public XmlElement {
+    attributes =
         attributes.isEmpty()
             ? Collections.emptyMap() // most have none, and a file may have a million elements
             : Collections.unmodifiableMap(new LinkedHashMap<>(attributes));
-    this.children =
+    children =
         children.isEmpty()
             ? Collections.emptyList()
             : Collections.unmodifiableList(new ArrayList<>(children));
-    this.text = text;
-  }
-
-  /** The name of the tag. */
-  public String name() {
-    return name;
-  }
-
-  /** The line on which the tag begins, from 1. */
-  public int line() {
-    return line;
-  }
-
-  /** The file that it was read from, as the user named it. */
-  public String origin() {
-    return origin;
-  }
-
-  /** All attributes in the order of the file. */
-  public Map<String, String> attributes() {
-    return attributes;
   }
 
   /**
@@ -79,11 +56,6 @@ public final class XmlElement {
   /** An attribute that may be there. */
   public Optional<String> optionalAttribute(String attributeName) {
     return Optional.ofNullable(attributes.get(attributeName));
-  }
-
-  /** All child elements in the order of the file. */
-  public List<XmlElement> children() {
-    return children;
   }
 
   /** The child elements of that name in the order of the file. */
@@ -104,18 +76,10 @@ public final class XmlElement {
       throw found
           .get(1)
           .error(
-              "stands twice in <"
-                  + name
-                  + ">; it stands in line "
-                  + found.get(0).line
-                  + " already");
+              String.format(
+                  "stands twice in <%s>; it stands in line %s already", name, found.get(0).line));
     }
     return found.stream().findFirst();
-  }
-
-  /** The text between the tags without the spaces around it; empty if there are child elements. */
-  public String text() {
-    return text;
   }
 
   /** The exception to throw for this element: {@code <origin>, line N, <element>: what}. */
@@ -167,10 +131,6 @@ public final class XmlElement {
     }
   }
 
-  XmlSpan span() {
-    return span;
-  }
-
   private static String expected(String kind, String[] known, String given) {
     if (known.length == 0) {
       return "no " + kind + " is expected here";
@@ -184,4 +144,13 @@ public final class XmlElement {
   public String toString() {
     return origin + ", line " + line + ", <" + name + ">";
   }
+
+  /**
+   * Where an element stands in the text of its file, in characters from its beginning.
+   *
+   * @param start index of the start tag's {@code <}
+   * @param endTag index of the end tag's {@code <}; of no meaning for an empty-element tag, which
+   *     has none
+   */
+  public record Span(int start, int endTag) {}
 }

@@ -145,7 +145,7 @@ final class XmlParser {
             origin,
             closed.name,
             closed.line,
-            new XmlSpan(closed.start, position()),
+            new XmlElement.Span(closed.start, position()),
             closed.attributes,
             closed.children,
             text);
@@ -171,14 +171,9 @@ final class XmlParser {
   private String qualified(String prefix, String local) {
     if (local.length() > MAX_NAME_LENGTH) {
       throw new BadInputException(
-          origin
-              + ", line "
-              + line()
-              + ": the name \""
-              + XmlText.shortened(local)
-              + "\" is longer than "
-              + MAX_NAME_LENGTH
-              + " characters");
+          String.format(
+              "%s, line %s: the name \"%s\" is longer than %s characters",
+              origin, line(), XmlText.shortened(local), MAX_NAME_LENGTH));
     }
     return prefix == null || prefix.isEmpty() ? local : prefix + ":" + local;
   }

@@ -18,7 +18,7 @@ class BackOffTest {
     };
   }
 
-  private static long[] waits(BackOff backOff, int count) {
+  private static long[] waits(MqttLink.BackOff backOff, int count) {
     long[] waits = new long[count];
     for (int i = 0; i < count; i++) {
       waits[i] = backOff.nextMs();
@@ -28,19 +28,19 @@ class BackOffTest {
 
   @Test
   void nextMs_leastChance_isHalfOfWhatDoublesUpToTwoSeconds() {
-    assertThat(waits(new BackOff(always(0.0)), 7))
+    assertThat(waits(new MqttLink.BackOff(always(0.0)), 7))
         .containsExactly(50, 100, 200, 400, 800, 1_000, 1_000);
   }
 
   @Test
   void nextMs_mostChance_isTheWholeOfWhatDoublesUpToTwoSeconds() {
-    assertThat(waits(new BackOff(always(Math.nextDown(1.0))), 7))
+    assertThat(waits(new MqttLink.BackOff(always(Math.nextDown(1.0))), 7))
         .containsExactly(100, 200, 400, 800, 1_600, 2_000, 2_000);
   }
 
   @Test
   void reset_afterFailures_beginsWithTheShortestWait() {
-    BackOff backOff = new BackOff(always(0.0));
+    MqttLink.BackOff backOff = new MqttLink.BackOff(always(0.0));
     waits(backOff, 4);
 
     backOff.reset();

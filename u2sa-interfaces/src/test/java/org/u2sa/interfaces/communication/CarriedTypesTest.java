@@ -27,7 +27,7 @@ class CarriedTypesTest {
     List<String> wrong = new ArrayList<>();
     for (MessageType<?> type : StandardTypes.registry().all()) {
       long channels = Channels.all().stream().filter(channel -> channel.carries(type)).count();
-      if (CarriedTypes.isOfContract(type) && channels != (parts.contains(type) ? 0 : 1)) {
+      if (Channel.CarriedTypes.isOfContract(type) && channels != (parts.contains(type) ? 0 : 1)) {
         wrong.add(type + " on " + channels);
       }
     }

@@ -56,7 +56,7 @@ class TopicFormTest {
 
   @Test
   void topicNames_ofEachMessage_areThoseOfTheTopic() {
-    TopicNames names = new TopicNames("cessna");
+    MqttConnection.TopicNames names = new MqttConnection.TopicNames("cessna");
     StateInformation state = new StateInformation();
 
     assertThat(names.of(Channels.STATE, state)).isEqualTo("u2sa/cessna/state/StateInformation");

@@ -80,7 +80,7 @@ class LogFileFailureTest extends LogFileFixture {
   void log_diskFullsInTheMiddleOfALine_nextLineStartsAfresh() throws IOException {
     Path file = folder.resolve("Control.log");
     AtomicReference<FillingDisk> disk = new AtomicReference<>();
-    LogLineWriter.Opener opener =
+    LogFile.Opener opener =
         path -> {
           disk.set(new FillingDisk(new FileOutputStream(path.toFile(), true), 10));
           return disk.get();

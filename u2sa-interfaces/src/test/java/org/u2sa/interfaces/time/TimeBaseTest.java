@@ -11,8 +11,8 @@ class TimeBaseTest {
   private long timeOfDayMillis = 1_700_000_000_000L;
   private long monotonicNanos = 5_000_000_000L;
 
-  private TimeBase process(String handed) {
-    return TimeBase.of(handed, () -> timeOfDayMillis, () -> monotonicNanos);
+  private SystemClock.TimeBase process(String handed) {
+    return SystemClock.TimeBase.of(handed, () -> timeOfDayMillis, () -> monotonicNanos);
   }
 
   private void pass(long millis) {
@@ -22,7 +22,7 @@ class TimeBaseTest {
 
   @Test
   void micros_timeOfDaySetWhileItRuns_goesOnAsIfNot() {
-    TimeBase process = process("");
+    SystemClock.TimeBase process = process("");
     pass(1_000);
     timeOfDayMillis += HOUR_MILLIS;
 
@@ -31,13 +31,13 @@ class TimeBaseTest {
 
   @Test
   void of_processStartedAfterTheTimeOfDayWasSet_agreesWithTheOneThatStartedIt() {
-    TimeBase supervisor = process("");
+    SystemClock.TimeBase supervisor = process("");
     pass(1_000);
     timeOfDayMillis += HOUR_MILLIS;
     String handed = supervisor.text(monotonicNanos);
     pass(300); // it takes its time to start
 
-    TimeBase child = process(handed);
+    SystemClock.TimeBase child = process(handed);
 
     assertThat(child.micros(monotonicNanos)).isEqualTo(supervisor.micros(monotonicNanos));
     assertThat(process("").micros(monotonicNanos)).isEqualTo(1_700_003_601_300_000L);
@@ -45,7 +45,7 @@ class TimeBaseTest {
 
   @Test
   void of_handedOnBetweenMachinesOrNonsense_takesTheTimeOfDay() {
-    TimeBase own = process("");
+    SystemClock.TimeBase own = process("");
 
     assertThat(process("17,6000000000")).isEqualTo(own); // monotonic time is ahead: another machine
     monotonicNanos += 3_600_000_000_000L;

@@ -6,11 +6,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to change a variable (thesis 3.2.1.1). */
-public final class ConfigurationChange extends U2SAData {
+public final class ConfigurationChange extends ServiceMessage<ConfigurationChange> {
   private static final Schema<ConfigurationChange> SCHEMA =
-      Schema.of(ConfigurationChange.class, ConfigurationChange::new, U2SAData.TYPE);
-  private static final ValueField<ConfigurationChange, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(ConfigurationChange.class, ConfigurationChange::new, U2SAData.TYPE)
+          .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationChange, String> VARIABLE_NAME =
       SCHEMA.requiredText("variableName");
   private static final ValueField<ConfigurationChange, String> VALUE = SCHEMA.requiredText("value");
@@ -21,16 +20,6 @@ public final class ConfigurationChange extends U2SAData {
   @Override
   public MessageType<ConfigurationChange> type() {
     return TYPE;
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public ConfigurationChange serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** The variable. */

@@ -6,11 +6,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** What became of a {@link ConfigurationChange}. */
-public final class ConfigurationChangeResult extends U2SAData {
+public final class ConfigurationChangeResult extends ServiceMessage<ConfigurationChangeResult> {
   private static final Schema<ConfigurationChangeResult> SCHEMA =
-      Schema.of(ConfigurationChangeResult.class, ConfigurationChangeResult::new, U2SAData.TYPE);
-  private static final ValueField<ConfigurationChangeResult, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(ConfigurationChangeResult.class, ConfigurationChangeResult::new, U2SAData.TYPE)
+          .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationChangeResult, String> VARIABLE_NAME =
       SCHEMA.requiredText("variableName");
   private static final ValueField<ConfigurationChangeResult, Boolean> ACCEPTED =
@@ -26,16 +25,6 @@ public final class ConfigurationChangeResult extends U2SAData {
   @Override
   public MessageType<ConfigurationChangeResult> type() {
     return TYPE;
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public ConfigurationChangeResult serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** The variable. */

@@ -8,11 +8,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** A service's configuration. */
-public final class ConfigurationResponse extends U2SAData {
+public final class ConfigurationResponse extends ServiceMessage<ConfigurationResponse> {
   private static final Schema<ConfigurationResponse> SCHEMA =
-      Schema.of(ConfigurationResponse.class, ConfigurationResponse::new, U2SAData.TYPE);
-  private static final ValueField<ConfigurationResponse, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(ConfigurationResponse.class, ConfigurationResponse::new, U2SAData.TYPE)
+          .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationResponse, List<ConfigurationVariable>> VARIABLES =
       SCHEMA.messages("variables", ConfigurationVariable.TYPE);
   private static final ValueField<ConfigurationResponse, Long> REVISION =
@@ -24,16 +23,6 @@ public final class ConfigurationResponse extends U2SAData {
   @Override
   public MessageType<ConfigurationResponse> type() {
     return TYPE;
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public ConfigurationResponse serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** All its variables. */

@@ -8,14 +8,12 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** Tells a service to change several variables at once: all of them or none (thesis 3.2.1.1). */
-public final class ConfigurationTransaction extends U2SAData {
+public final class ConfigurationTransaction extends ServiceExchange<ConfigurationTransaction> {
   private static final Schema<ConfigurationTransaction> SCHEMA =
       Schema.of(ConfigurationTransaction.class, ConfigurationTransaction::new, U2SAData.TYPE)
-          .since(2);
-  private static final ValueField<ConfigurationTransaction, String> REQUEST_ID =
-      SCHEMA.requiredText("requestId");
-  private static final ValueField<ConfigurationTransaction, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+          .since(2)
+          .requiring(REQUEST_ID)
+          .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationTransaction, List<ConfigurationAssignment>>
       ASSIGNMENTS = SCHEMA.messages("assignments", ConfigurationAssignment.TYPE);
   private static final ValueField<ConfigurationTransaction, String> AUTHOR =
@@ -29,26 +27,6 @@ public final class ConfigurationTransaction extends U2SAData {
   @Override
   public MessageType<ConfigurationTransaction> type() {
     return TYPE;
-  }
-
-  /** What the answer is recognised by; chosen by the sender, unique. */
-  public String requestId() {
-    return require(REQUEST_ID);
-  }
-
-  /** Sets {@link #requestId()}. */
-  public ConfigurationTransaction requestId(String value) {
-    return put(REQUEST_ID, value);
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public ConfigurationTransaction serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** The variables and their new values. */

@@ -7,17 +7,16 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** What came of a {@link ConfigurationTransaction} or {@link ConfigurationUndo}. */
-public final class ConfigurationTransactionResult extends U2SAData {
+public final class ConfigurationTransactionResult
+    extends ServiceExchange<ConfigurationTransactionResult> {
   private static final Schema<ConfigurationTransactionResult> SCHEMA =
       Schema.of(
               ConfigurationTransactionResult.class,
               ConfigurationTransactionResult::new,
               U2SAData.TYPE)
-          .since(2);
-  private static final ValueField<ConfigurationTransactionResult, String> REQUEST_ID =
-      SCHEMA.requiredText("requestId");
-  private static final ValueField<ConfigurationTransactionResult, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+          .since(2)
+          .requiring(REQUEST_ID)
+          .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationTransactionResult, Boolean> ACCEPTED =
       SCHEMA.flag("accepted");
   private static final ValueField<ConfigurationTransactionResult, String> REASON =
@@ -35,26 +34,6 @@ public final class ConfigurationTransactionResult extends U2SAData {
   @Override
   public MessageType<ConfigurationTransactionResult> type() {
     return TYPE;
-  }
-
-  /** The request that this answers. */
-  public String requestId() {
-    return require(REQUEST_ID);
-  }
-
-  /** Sets {@link #requestId()}. */
-  public ConfigurationTransactionResult requestId(String value) {
-    return put(REQUEST_ID, value);
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public ConfigurationTransactionResult serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** Whether all variables have their new values. */

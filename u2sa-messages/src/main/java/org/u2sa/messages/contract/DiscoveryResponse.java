@@ -8,11 +8,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** A service says that it is there (thesis 3.2.2.1). */
-public final class DiscoveryResponse extends U2SAData {
+public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
   private static final Schema<DiscoveryResponse> SCHEMA =
-      Schema.of(DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE);
-  private static final ValueField<DiscoveryResponse, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(DiscoveryResponse.class, DiscoveryResponse::new, U2SAData.TYPE)
+          .requiring(SERVICE_NAME);
   private static final ValueField<DiscoveryResponse, String> SERVICE_TYPE =
       SCHEMA.text("serviceType", "");
   private static final ValueField<DiscoveryResponse, ServiceStatus> STATUS =
@@ -32,16 +31,6 @@ public final class DiscoveryResponse extends U2SAData {
   @Override
   public MessageType<DiscoveryResponse> type() {
     return TYPE;
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public DiscoveryResponse serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** Its role; empty if none. */

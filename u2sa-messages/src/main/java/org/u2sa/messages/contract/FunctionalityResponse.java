@@ -7,11 +7,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** What a service publishes and subscribes to (thesis 3.2.2.1). */
-public final class FunctionalityResponse extends U2SAData {
+public final class FunctionalityResponse extends ServiceMessage<FunctionalityResponse> {
   private static final Schema<FunctionalityResponse> SCHEMA =
-      Schema.of(FunctionalityResponse.class, FunctionalityResponse::new, U2SAData.TYPE);
-  private static final ValueField<FunctionalityResponse, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(FunctionalityResponse.class, FunctionalityResponse::new, U2SAData.TYPE)
+          .requiring(SERVICE_NAME);
   private static final ValueField<FunctionalityResponse, List<String>> PUBLISHES =
       SCHEMA.texts("publishes");
   private static final ValueField<FunctionalityResponse, List<String>> SUBSCRIBES =
@@ -23,16 +22,6 @@ public final class FunctionalityResponse extends U2SAData {
   @Override
   public MessageType<FunctionalityResponse> type() {
     return TYPE;
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public FunctionalityResponse serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** Each "channel/TypeChain". */

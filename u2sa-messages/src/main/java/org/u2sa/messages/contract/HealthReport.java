@@ -11,11 +11,9 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /** A service's heartbeat (thesis 3.5.3). Counts are since the service started. */
-public class HealthReport extends U2SAData {
+public class HealthReport extends ServiceMessage<HealthReport> {
   private static final Schema<HealthReport> SCHEMA =
-      Schema.of(HealthReport.class, HealthReport::new, U2SAData.TYPE);
-  private static final ValueField<HealthReport, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(HealthReport.class, HealthReport::new, U2SAData.TYPE).requiring(SERVICE_NAME);
   private static final ValueField<HealthReport, ServiceStatus> STATUS =
       SCHEMA.requiredChoice("status", ServiceStatus.class);
   private static final ValueField<HealthReport, String> LAST_ERROR =
@@ -62,16 +60,6 @@ public class HealthReport extends U2SAData {
   @Override
   public MessageType<? extends HealthReport> type() {
     return TYPE;
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public HealthReport serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** Where it is in its life. */

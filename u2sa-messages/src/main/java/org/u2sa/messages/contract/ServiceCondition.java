@@ -11,11 +11,11 @@ import org.u2sa.messages.schema.ValueField;
  * How a service is, as the health monitor sees it from outside (thesis 3.5.3), and what is being
  * done about it.
  */
-public final class ServiceCondition extends U2SAData {
+public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
   private static final Schema<ServiceCondition> SCHEMA =
-      Schema.of(ServiceCondition.class, ServiceCondition::new, U2SAData.TYPE).since(2);
-  private static final ValueField<ServiceCondition, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(ServiceCondition.class, ServiceCondition::new, U2SAData.TYPE)
+          .since(2)
+          .requiring(SERVICE_NAME);
   private static final ValueField<ServiceCondition, Condition> CONDITION =
       SCHEMA.requiredChoice("condition", Condition.class);
   private static final ValueField<ServiceCondition, Long> SINCE =
@@ -32,16 +32,6 @@ public final class ServiceCondition extends U2SAData {
   @Override
   public MessageType<ServiceCondition> type() {
     return TYPE;
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public ServiceCondition serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** What the monitor found. */

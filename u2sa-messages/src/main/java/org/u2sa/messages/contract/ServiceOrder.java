@@ -10,13 +10,12 @@ import org.u2sa.messages.schema.ValueField;
  * Tells the launcher that runs a service to start it again or to put another class in its place
  * (user story 8, thesis 3.5.3).
  */
-public final class ServiceOrder extends U2SAData {
+public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
   private static final Schema<ServiceOrder> SCHEMA =
-      Schema.of(ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE).since(2);
-  private static final ValueField<ServiceOrder, String> REQUEST_ID =
-      SCHEMA.requiredText("requestId");
-  private static final ValueField<ServiceOrder, String> SERVICE_NAME =
-      SCHEMA.requiredText("serviceName");
+      Schema.of(ServiceOrder.class, ServiceOrder::new, U2SAData.TYPE)
+          .since(2)
+          .requiring(REQUEST_ID)
+          .requiring(SERVICE_NAME);
   private static final ValueField<ServiceOrder, ServiceAction> ACTION =
       SCHEMA.requiredChoice("action", ServiceAction.class);
   private static final ValueField<ServiceOrder, String> CLASS_NAME =
@@ -29,26 +28,6 @@ public final class ServiceOrder extends U2SAData {
   @Override
   public MessageType<ServiceOrder> type() {
     return TYPE;
-  }
-
-  /** What the answer is recognised by; chosen by the sender, unique. */
-  public String requestId() {
-    return require(REQUEST_ID);
-  }
-
-  /** Sets {@link #requestId()}. */
-  public ServiceOrder requestId(String value) {
-    return put(REQUEST_ID, value);
-  }
-
-  /** The service. */
-  public String serviceName() {
-    return require(SERVICE_NAME);
-  }
-
-  /** Sets {@link #serviceName()}. */
-  public ServiceOrder serviceName(String value) {
-    return put(SERVICE_NAME, value);
   }
 
   /** What to do with it. */

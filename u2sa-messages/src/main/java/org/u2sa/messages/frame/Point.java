@@ -1,24 +1,27 @@
 package org.u2sa.messages.frame;
 
 /**
- * A point in space, in the axes of whatever names it (thesis 3.2.3.6, figure 10). Immutable.
+ * A point in space, in the axes of whatever names it (thesis 3.2.3.6, figure 10).
  *
  * <p>Cartesian inside; {@link #azimuth()}, {@link #elevation()} and {@link #distance()} are the
  * thesis's polar view of the same point. In {@link ReferenceFrame#GLOBAL} x is longitude [deg], y
  * is latitude [deg] and z altitude [m]; polar values have no meaning there.
+ *
+ * @param x along the x axis [m]; longitude [deg] in GLOBAL
+ * @param y along the y axis [m]; latitude [deg] in GLOBAL
+ * @param z along the z axis [m]; altitude above mean sea level in GLOBAL
  */
-public final class Point {
+public record Point(double x, double y, double z) {
   /** The origin of the axes. */
   public static final Point ORIGIN = new Point(0.0, 0.0, 0.0);
 
-  private final double x;
-  private final double y;
-  private final double z;
-
-  private Point(double x, double y, double z) {
-    this.x = x;
-    this.y = y;
-    this.z = z;
+  /**
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite
+   */
+  public Point {
+    requireFinite("x", x);
+    requireFinite("y", y);
+    requireFinite("z", z);
   }
 
   /**
@@ -27,7 +30,7 @@ public final class Point {
    * @throws IllegalArgumentException if one is NaN or infinite
    */
   public static Point of(double x, double y, double z) {
-    return new Point(finite("x", x), finite("y", y), finite("z", z));
+    return new Point(x, y, z);
   }
 
   /**
@@ -46,27 +49,11 @@ public final class Point {
     return of(flat * Math.cos(azimuth), flat * Math.sin(azimuth), distance * Math.sin(elevation));
   }
 
-  private static double finite(String name, double value) {
+  private static void requireFinite(String name, double value) {
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException(
           "Point " + name + ": " + value + " is not a finite number");
     }
-    return value;
-  }
-
-  /** Along the x axis [m]; longitude [deg] in GLOBAL. */
-  public double x() {
-    return x;
-  }
-
-  /** Along the y axis [m]; latitude [deg] in GLOBAL. */
-  public double y() {
-    return y;
-  }
-
-  /** Along the z axis [m]; altitude above mean sea level in GLOBAL. */
-  public double z() {
-    return z;
   }
 
   /** Angle from +x towards +y [rad, -π…π]; 0 at the origin. */
@@ -97,19 +84,6 @@ public final class Point {
   /** This point moved by {@code other}. */
   public Point plus(Point other) {
     return of(x + other.x, y + other.y, z + other.z);
-  }
-
-  @Override
-  public boolean equals(Object other) {
-    return other instanceof Point that
-        && Double.compare(x, that.x) == 0
-        && Double.compare(y, that.y) == 0
-        && Double.compare(z, that.z) == 0;
-  }
-
-  @Override
-  public int hashCode() {
-    return 31 * (31 * Double.hashCode(x) + Double.hashCode(y)) + Double.hashCode(z);
   }
 
   /** "(x, y, z)". */

@@ -99,10 +99,9 @@ public final class ReferenceFrame {
       return utm(Integer.parseInt(utm.group(1)), "N".equals(utm.group(2)));
     }
     throw new IllegalArgumentException(
-        "\""
-            + text
-            + "\" is not a reference frame; expected GLOBAL, LOCAL_ENU, LOCAL_NED, BODY, BODY_FRD, BODY_FLU or"
-            + " UTM <zone><N|S>");
+        String.format(
+            "\"%s\" is not a reference frame; expected GLOBAL, LOCAL_ENU, LOCAL_NED, BODY, BODY_FRD, BODY_FLU or UTM <zone><N|S>",
+            text));
   }
 
   /** As on the wire: "GLOBAL", "LOCAL_ENU", …, "UTM 4N". */

@@ -88,12 +88,9 @@ public final class UtmGrid {
     projection.project(new ProjCoordinate(longitudeDeg, latitudeDeg), grid);
     if (!Double.isFinite(grid.x) || !Double.isFinite(grid.y)) {
       throw new IllegalArgumentException(
-          "longitude "
-              + longitudeDeg
-              + " deg, latitude "
-              + latitudeDeg
-              + " deg cannot be put on the grid of "
-              + frame);
+          String.format(
+              "longitude %s deg, latitude %s deg cannot be put on the grid of %s",
+              longitudeDeg, latitudeDeg, frame));
     }
     return grid;
   }

@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
@@ -39,28 +40,28 @@ final class AnyValue {
     }
   }
 
-  static void write(CborWriter out, Object value) throws IOException {
+  static void write(CBORGenerator out, Object value) throws IOException {
     if (value instanceof Double number) {
-      out.number(number);
+      out.writeNumber(number);
     } else if (value instanceof Long count) {
-      out.count(count);
+      out.writeNumber(count);
     } else if (value instanceof Boolean flag) {
-      out.flag(flag);
+      out.writeBoolean(flag);
     } else if (value instanceof List<?> list) {
-      out.beginList(list.size());
+      out.writeStartArray(null, list.size());
       for (Object element : list) {
         write(out, element);
       }
-      out.endList();
+      out.writeEndArray();
     } else if (value instanceof Map<?, ?> map) {
-      out.beginMap(map.size());
+      out.writeStartObject(null, map.size());
       for (Map.Entry<?, ?> entry : map.entrySet()) {
-        out.key((String) entry.getKey());
+        out.writeFieldName((String) entry.getKey());
         write(out, entry.getValue());
       }
-      out.endMap();
+      out.writeEndObject();
     } else {
-      out.text((String) value);
+      out.writeString((String) value);
     }
   }
 }

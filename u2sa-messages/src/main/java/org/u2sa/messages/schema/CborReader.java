@@ -99,7 +99,7 @@ final class CborReader {
     fields(message, unknown);
     if (unknown != null) {
       message.keepUnknown(
-          new UnknownPart(List.copyOf(chain), Collections.unmodifiableMap(unknown)));
+          new U2SAData.UnknownPart(List.copyOf(chain), Collections.unmodifiableMap(unknown)));
     }
     requireComplete(message);
     return message;

@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -18,11 +19,11 @@ final class ListKinds {
           Double.class,
           "numbers",
           ",",
-          new SingleKind<>(
+          new ScalarKinds.SingleKind<>(
               Kind.DOUBLE,
               ListKinds::finite,
               ListKinds::parseNumber,
-              CborWriter::number,
+              (out, number) -> out.writeNumber(number.doubleValue()),
               CborReader::number));
   static final ValueKind<List<Boolean>> FLAGS =
       new ListKind<>(Kind.BOOLEAN_LIST, Boolean.class, "true or false", ",", ScalarKinds.FLAG);
@@ -90,12 +91,12 @@ final class ListKinds {
     }
 
     @Override
-    public void write(CborWriter out, List<V> values) throws IOException {
-      out.beginList(values.size());
+    public void write(CBORGenerator out, List<V> values) throws IOException {
+      out.writeStartArray(null, values.size());
       for (V value : values) {
         element.write(out, value);
       }
-      out.endList();
+      out.writeEndArray();
     }
 
     @Override
@@ -122,12 +123,12 @@ final class ListKinds {
     }
 
     @Override
-    public void write(CborWriter out, List<M> value) throws IOException {
-      out.beginList(value.size());
+    public void write(CBORGenerator out, List<M> value) throws IOException {
+      out.writeStartArray(null, value.size());
       for (M message : value) {
-        out.nested(message);
+        CborWriter.nested(out, message);
       }
-      out.endList();
+      out.writeEndArray();
     }
 
     @Override

@@ -2,6 +2,7 @@ package org.u2sa.messages.schema;
 
 import com.fasterxml.jackson.core.SerializableString;
 import com.fasterxml.jackson.core.io.SerializedString;
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -125,7 +126,7 @@ public abstract class MessageField<T extends U2SAData> {
   /** True if an encoder must write the field. */
   abstract boolean isWritten(T message);
 
-  abstract void write(CborWriter out, T message) throws IOException;
+  abstract void write(CBORGenerator out, T message) throws IOException;
 
   abstract void read(CborReader in, T message) throws IOException, MalformedMessageException;
 

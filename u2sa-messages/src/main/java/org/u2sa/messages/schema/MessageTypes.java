@@ -47,12 +47,9 @@ public final class MessageTypes {
       MessageType<?> other = all.put(type.name(), type);
       if (other != null && other != type) {
         throw new IllegalArgumentException(
-            "two message types are called "
-                + type.name()
-                + ": "
-                + other.messageClass().getName()
-                + " and "
-                + type.messageClass().getName());
+            String.format(
+                "two message types are called %s: %s and %s",
+                type.name(), other.messageClass().getName(), type.messageClass().getName()));
       }
     }
     return new MessageTypes(all);

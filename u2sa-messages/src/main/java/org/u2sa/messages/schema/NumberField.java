@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -107,8 +108,8 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   }
 
   @Override
-  void write(CborWriter out, T message) throws IOException {
-    out.number(message.storage().get(this));
+  void write(CBORGenerator out, T message) throws IOException {
+    out.writeNumber(message.storage().get(this));
   }
 
   @Override

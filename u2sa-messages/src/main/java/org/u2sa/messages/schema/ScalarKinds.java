@@ -1,10 +1,12 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
@@ -12,27 +14,31 @@ import org.u2sa.messages.frame.ReferenceFrame;
 final class ScalarKinds {
   static final ValueKind<String> TEXT =
       new SingleKind<>(
-          Kind.STRING, ScalarKinds::text, text -> text, CborWriter::text, CborReader::text);
+          Kind.STRING,
+          ScalarKinds::text,
+          text -> text,
+          CBORGenerator::writeString,
+          CborReader::text);
   static final ValueKind<Long> COUNT =
       new SingleKind<>(
           Kind.LONG,
           ScalarKinds::count,
           ScalarKinds::parseCount,
-          CborWriter::count,
+          (out, count) -> out.writeNumber(count.longValue()),
           CborReader::count);
   static final ValueKind<Boolean> FLAG =
       new SingleKind<>(
           Kind.BOOLEAN,
           value -> instance(value, Boolean.class, "true or false"),
           ScalarKinds::parseFlag,
-          CborWriter::flag,
+          (out, flag) -> out.writeBoolean(flag),
           CborReader::flag);
   static final ValueKind<ReferenceFrame> FRAME =
       new SingleKind<>(
           Kind.FRAME,
           value -> instance(value, ReferenceFrame.class, "a reference frame"),
           ReferenceFrame::parse,
-          (out, frame) -> out.text(frame.name()),
+          (out, frame) -> out.writeString(frame.name()),
           in -> ReferenceFrame.parse(in.text()));
   static final ValueKind<Point> POINT =
       new SingleKind<>(
@@ -152,8 +158,8 @@ final class ScalarKinds {
     }
 
     @Override
-    public void write(CborWriter out, E value) throws IOException {
-      out.text(value.name());
+    public void write(CBORGenerator out, E value) throws IOException {
+      out.writeString(value.name());
     }
 
     @Override
@@ -162,8 +168,44 @@ final class ScalarKinds {
       try {
         return named(name);
       } catch (IllegalArgumentException e) {
-        throw new UnknownConstantException(e.getMessage() + ", not \"" + name + "\"");
+        throw new ValueField.UnknownConstantException(e.getMessage() + ", not \"" + name + "\"");
       }
+    }
+  }
+
+  /** A kind of single values, given by its four functions. */
+  record SingleKind<V>(
+      Kind kind, Function<Object, V> check, Function<String, V> parse, Writer<V> out, Reader<V> in)
+      implements ValueKind<V> {
+
+    /** Writes one value. */
+    interface Writer<V> {
+      void write(CBORGenerator out, V value) throws IOException;
+    }
+
+    /** Reads one value. */
+    interface Reader<V> {
+      V read(CborReader in) throws IOException, MalformedMessageException;
+    }
+
+    @Override
+    public V checked(Object value) {
+      return check.apply(value);
+    }
+
+    @Override
+    public V parsed(List<String> texts) {
+      return parse.apply(ValueKind.only(texts));
+    }
+
+    @Override
+    public void write(CBORGenerator writer, V value) throws IOException {
+      out.write(writer, value);
+    }
+
+    @Override
+    public V read(CborReader reader) throws IOException, MalformedMessageException {
+      return in.read(reader);
     }
   }
 }

@@ -88,6 +88,12 @@ public final class Schema<T extends U2SAData> {
     return this;
   }
 
+  /** Declares a text that is required, and that a superclass gets and sets by its name. */
+  public Schema<T> requiring(String field) {
+    requiredText(field);
+    return this;
+  }
+
   /** Lets XML call a field by another name too, as the thesis's examples do. */
   public void alias(String alias, MessageField<T> field) {
     aliases.put(alias, field.name());

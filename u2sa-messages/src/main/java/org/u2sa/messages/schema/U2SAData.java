@@ -283,4 +283,12 @@ public abstract class U2SAData {
     List<String> chain = typeChain();
     return chain.get(chain.size() - 1) + "{" + String.join(", ", parts) + "}";
   }
+
+  /**
+   * What the reader's classes cannot hold of a message.
+   *
+   * @param chain the message's own type chain
+   * @param fields those beyond the known ancestor's, as read
+   */
+  record UnknownPart(List<String> chain, Map<String, Object> fields) {}
 }

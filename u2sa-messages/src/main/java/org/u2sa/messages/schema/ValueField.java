@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
@@ -75,7 +76,7 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
   }
 
   @Override
-  void write(CborWriter out, T message) throws IOException {
+  void write(CBORGenerator out, T message) throws IOException {
     values.write(out, message.storage().get(this));
   }
 
@@ -97,6 +98,15 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
   void copy(T from, T to) {
     if (isSet(from)) {
       to.storage().put(this, values.copied(from.storage().get(this)));
+    }
+  }
+
+  /** A constant of an enum that a later version of the data model has and this reader does not. */
+  static final class UnknownConstantException extends IllegalArgumentException {
+    private static final long serialVersionUID = 1L;
+
+    UnknownConstantException(String message) {
+      super(message);
     }
   }
 }

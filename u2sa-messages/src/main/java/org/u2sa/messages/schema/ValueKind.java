@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 import java.util.List;
 
@@ -15,7 +16,7 @@ interface ValueKind<V> {
 
   V parsed(List<String> texts);
 
-  void write(CborWriter out, V value) throws IOException;
+  void write(CBORGenerator out, V value) throws IOException;
 
   V read(CborReader in) throws IOException, MalformedMessageException;
 

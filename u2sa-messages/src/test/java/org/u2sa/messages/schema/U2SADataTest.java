@@ -32,10 +32,13 @@ class U2SADataTest {
   void presenceVector_namedSetters_setTheBitsOfFigure6() {
     assertThat(new StateInformation().presenceVector()).isZero();
     assertThat(new StateInformation().x(1).presenceVector()).isEqualTo(1L);
-    assertThat(new StateInformation().zDoubleDotSigma(1).presenceVector()).isEqualTo(1L << 17);
+    assertThat(new StateInformation().number(StateField.Z_DOUBLE_DOT_SIGMA, 1).presenceVector())
+        .isEqualTo(1L << 17);
     assertThat(new StateInformation().phi(1).presenceVector()).isEqualTo(1L << 18);
     assertThat(new StateInformation().fluidxDot(1).presenceVector()).isEqualTo(1L << 36);
-    assertThat(new StateInformation().fluidzDoubleDotSigma(1).presenceVector()).isEqualTo(1L << 47);
+    assertThat(
+            new StateInformation().number(StateField.FLUID_Z_DOUBLE_DOT_SIGMA, 1).presenceVector())
+        .isEqualTo(1L << 47);
     assertThat(StateField.values()).hasSize(48);
   }
 

@@ -1,12 +1,17 @@
 package org.u2sa.scenarios.report;
 
 import java.awt.Color;
+import java.awt.Paint;
+import org.jfree.chart.renderer.PaintScale;
 
 /**
  * Colours for a quantity, in {@link #STEPS} steps of the lower five sixths of matplotlib's viridis
  * (CC0): of even brightness, told apart with any colour vision, and dark enough on white.
+ *
+ * @param low where the first step begins
+ * @param high where the last one ends, more than {@code low}
  */
-final class ColourScale {
+record ColourScale(double low, double high) implements PaintScale {
 
   /** How many different colours there are. */
   static final int STEPS = 24;
@@ -15,7 +20,20 @@ final class ColourScale {
     0x440154, 0x482878, 0x3e4989, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6ece58, 0xa5db36
   };
 
-  private ColourScale() {}
+  @Override
+  public double getLowerBound() {
+    return low;
+  }
+
+  @Override
+  public double getUpperBound() {
+    return high;
+  }
+
+  @Override
+  public Paint getPaint(double value) {
+    return colour(step(value, low, high));
+  }
 
   /**
    * Step (0…STEPS−1) of {@code value} on a scale from {@code from} to {@code to}; values outside

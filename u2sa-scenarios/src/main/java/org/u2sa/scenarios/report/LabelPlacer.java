@@ -19,14 +19,14 @@ final class LabelPlacer {
   private static final double LINE_SPACING = 6.0; // of the points that stand for a line [px]
   private static final double DISTANCE_COST = 4.0; // per px from the point
 
-  private final Rectangle2D.Double frame;
+  private final Rectangle2D frame;
   private final List<Rectangle2D.Double> taken = new ArrayList<>();
   private final List<Point2D.Double> lines = new ArrayList<>();
 
   /**
    * @param frame where all labels must be
    */
-  LabelPlacer(Rectangle2D.Double frame) {
+  LabelPlacer(Rectangle2D frame) {
     this.frame = frame;
   }
 
@@ -36,13 +36,16 @@ final class LabelPlacer {
   }
 
   /** Keeps labels off a line where they can. */
-  void avoidLine(List<Point2D.Double> corners) {
+  void avoidLine(List<Point2D> corners) {
     for (int i = 0; i + 1 < corners.size(); i++) {
-      Point2D.Double a = corners.get(i);
-      Point2D.Double b = corners.get(i + 1);
+      Point2D a = corners.get(i);
+      Point2D b = corners.get(i + 1);
       int parts = 1 + (int) (a.distance(b) / LINE_SPACING);
       for (int k = 0; k < parts; k++) {
-        lines.add(new Point2D.Double(a.x + (b.x - a.x) * k / parts, a.y + (b.y - a.y) * k / parts));
+        lines.add(
+            new Point2D.Double(
+                a.getX() + (b.getX() - a.getX()) * k / parts,
+                a.getY() + (b.getY() - a.getY()) * k / parts));
       }
     }
   }

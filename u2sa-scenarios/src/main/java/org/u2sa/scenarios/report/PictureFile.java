@@ -20,7 +20,7 @@ import org.w3c.dom.bootstrap.DOMImplementationRegistry;
 import org.w3c.dom.ls.DOMImplementationLS;
 import org.w3c.dom.ls.LSOutput;
 
-/** Writes a {@link Drawing} as SVG or PNG, without a screen. */
+/** Writes what is drawn as SVG or PNG, without a screen. */
 final class PictureFile {
   private static final int SVG_DECIMALS = 2;
 
@@ -32,7 +32,7 @@ final class PictureFile {
    */
   static Optional<String> obstacle() {
     try {
-      image(1, 1, drawing -> drawing.text(0.0, 1.0, "x", Ink.TITLE));
+      image(1, 1, graphics -> graphics.drawString("x", 0, 1));
       return Optional.empty();
     } catch (RuntimeException | LinkageError | InternalError e) {
       return Optional.of(
@@ -42,7 +42,7 @@ final class PictureFile {
     }
   }
 
-  static void png(OutputStream out, int width, int height, Consumer<Drawing> content)
+  static void png(OutputStream out, int width, int height, Consumer<Graphics2D> content)
       throws IOException {
     // ImageIO's own cache file needs a shutdown hook, which an interrupted run cannot have.
     try (ImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
@@ -52,7 +52,7 @@ final class PictureFile {
     }
   }
 
-  private static BufferedImage image(int width, int height, Consumer<Drawing> content) {
+  private static BufferedImage image(int width, int height, Consumer<Graphics2D> content) {
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
     Graphics2D graphics = image.createGraphics();
     graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -61,7 +61,7 @@ final class PictureFile {
     graphics.setRenderingHint(
         RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
     graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-    content.accept(new Drawing(graphics));
+    content.accept(graphics);
     graphics.dispose();
     return image;
   }
@@ -69,14 +69,14 @@ final class PictureFile {
   /**
    * @param title what viewers and screen readers call the picture
    */
-  static void svg(Writer out, String title, int width, int height, Consumer<Drawing> content) {
+  static void svg(Writer out, String title, int width, int height, Consumer<Graphics2D> content) {
     Document document = document();
     SVGGeneratorContext context = SVGGeneratorContext.createDefault(document);
     context.setComment(null);
     context.setPrecision(SVG_DECIMALS);
     SVGGraphics2D graphics = new SVGGraphics2D(context, false);
     graphics.setSVGCanvasSize(new Dimension(width, height));
-    content.accept(new Drawing(graphics));
+    content.accept(graphics);
     Element root = graphics.getRoot();
     root.setAttribute("viewBox", "0 0 " + width + " " + height);
     Element name = document.createElementNS(SVGGraphics2D.SVG_NAMESPACE_URI, "title");

@@ -1,7 +1,6 @@
 package org.u2sa.scenarios.report;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
@@ -13,10 +12,8 @@ import java.util.stream.Stream;
  *
  * @param name what it is, e.g. {@code altitude above sea level}
  * @param unit e.g. {@code m}
- * @param decimals that it is written with
  * @param low the least that is to be seen
  * @param high the most, more than the least
- * @param base to which the area below its line reaches
  * @param of its value at a moment
  * @param plannedName what is planned of it, in words
  * @param planned its planned value on the way to a waypoint
@@ -24,10 +21,8 @@ import java.util.stream.Stream;
 record Quantity(
     String name,
     String unit,
-    int decimals,
     double low,
     double high,
-    double base,
     ToDoubleFunction<TrackSample> of,
     String plannedName,
     Function<RunPlan.Waypoint, OptionalDouble> planned) {
@@ -70,10 +65,8 @@ record Quantity(
     return new Quantity(
         "altitude above sea level",
         "m",
-        0,
         low,
         Math.max(high, low + LEAST_ALTITUDE_SPAN_M),
-        Double.NEGATIVE_INFINITY,
         TrackSample::altitudeM,
         "of the waypoint flown to",
         RunPlan.Waypoint::altitudeM);
@@ -84,10 +77,8 @@ record Quantity(
     return new Quantity(
         "speed over ground",
         "m/s",
-        1,
         0.0,
         Math.max(most, LEAST_SPEED_SPAN_MPS),
-        0.0,
         TrackSample::groundSpeedMps,
         "",
         waypoint -> OptionalDouble.empty());
@@ -99,17 +90,10 @@ record Quantity(
     return new Quantity(
         "to the right of the line",
         "m",
-        1,
         -bound,
         bound,
-        0.0,
         TrackSample::crossTrackM,
         "the line to the waypoint",
         waypoint -> OptionalDouble.of(0.0));
-  }
-
-  /** A value with its unit. */
-  String text(double value) {
-    return String.format(Locale.ROOT, "%." + decimals + "f %s", value, unit);
   }
 }

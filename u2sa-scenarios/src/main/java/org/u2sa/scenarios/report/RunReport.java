@@ -1,5 +1,6 @@
 package org.u2sa.scenarios.report;
 
+import java.awt.Graphics2D;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
@@ -87,8 +88,8 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
     return obstacle.map(reason -> "no track.svg and track.png: " + reason);
   }
 
-  private void draw(Drawing drawing) {
-    TrackPicture.draw(drawing, facts, plan, score, track);
+  private void draw(Graphics2D graphics) {
+    TrackPicture.draw(graphics, facts, plan, score, track);
   }
 
   /** Writes what {@code summary.json} holds, for {@code --json}; leaves {@code out} open. */

@@ -14,59 +14,64 @@ final class TrackKml {
 
   private static final int MOST_POINTS = 10_000; // viewers slow down beyond
 
+  private static final String END_OF_LINE =
+      "      </coordinates>\n    </LineString>\n  </Placemark>\n";
+
   private TrackKml() {}
 
   static void write(Writer out, String title, RunPlan plan, RunScore score, List<TrackSample> track)
       throws IOException {
-    out.write(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n");
-    out.write("  <name>" + EscapedXml.of(title) + "</name>\n");
-    // KML colours are alpha, blue, green, red
-    out.write(
-        "  <Style id=\"flown\"><LineStyle><color>ffb27200</color><width>3</width></LineStyle>");
-    out.write("<PolyStyle><color>40b27200</color></PolyStyle></Style>\n");
-    out.write(
-        "  <Style id=\"planned\"><LineStyle><color>ff888888</color><width>2</width></LineStyle></Style>\n");
-    track(out, plan.domain(), track);
-    planned(out, plan);
+    out.write( // KML colours are alpha, blue, green, red
+        """
+        <?xml version="1.0" encoding="UTF-8"?>
+        <kml xmlns="http://www.opengis.net/kml/2.2">
+        <Document>
+          <name>%s</name>
+          <Style id="flown"><LineStyle><color>ffb27200</color><width>3</width></LineStyle>\
+        <PolyStyle><color>40b27200</color></PolyStyle></Style>
+          <Style id="planned"><LineStyle><color>ff888888</color><width>2</width></LineStyle></Style>
+        """
+            .formatted(EscapedXml.of(title)));
+    boolean flies = plan.domain() == Domain.AIR;
+    if (!track.isEmpty()) {
+      beginLine(out, plan.domain().moved(), "flown", flies, flies ? "extrude" : "tessellate");
+      int step = 1 + track.size() / MOST_POINTS;
+      for (int i = 0; i < track.size(); i += step) {
+        TrackSample s = track.get(i);
+        coordinates(out, s.longitudeDeg(), s.latitudeDeg(), s.altitudeM());
+      }
+      out.write(END_OF_LINE);
+    }
+    if (!plan.waypoints().isEmpty()) {
+      beginLine(out, "planned", "planned", flies, "");
+      planned(out, plan);
+      out.write(END_OF_LINE);
+    }
     for (WaypointResult result : score.waypoints()) {
       waypoint(out, result);
     }
     out.write("</Document>\n</kml>\n");
   }
 
-  private static void track(Writer out, Domain domain, List<TrackSample> track) throws IOException {
-    if (track.isEmpty()) {
-      return;
-    }
+  /**
+   * @param joined how the line is joined to the ground, if it is
+   */
+  private static void beginLine(Writer out, String name, String style, boolean flies, String joined)
+      throws IOException {
     out.write(
-        "  <Placemark>\n    <name>"
-            + domain.moved()
-            + "</name>\n    <styleUrl>#flown</styleUrl>\n    <LineString>\n");
-    out.write(
-        domain == Domain.AIR
-            ? "      <extrude>1</extrude>\n      <altitudeMode>absolute</altitudeMode>\n"
-            : "      <tessellate>1</tessellate>\n      <altitudeMode>clampToGround</altitudeMode>\n");
-    out.write("      <coordinates>\n");
-    int step = 1 + track.size() / MOST_POINTS;
-    for (int i = 0; i < track.size(); i += step) {
-      TrackSample s = track.get(i);
-      coordinates(out, s.longitudeDeg(), s.latitudeDeg(), s.altitudeM());
-    }
-    out.write("      </coordinates>\n    </LineString>\n  </Placemark>\n");
+        """
+          <Placemark>
+            <name>%s</name>
+            <styleUrl>#%s</styleUrl>
+            <LineString>
+        """
+            .formatted(name, style));
+    out.write(joined.isEmpty() ? "" : "      <" + joined + ">1</" + joined + ">\n");
+    String mode = flies ? "absolute" : "clampToGround";
+    out.write("      <altitudeMode>" + mode + "</altitudeMode>\n      <coordinates>\n");
   }
 
   private static void planned(Writer out, RunPlan plan) throws IOException {
-    if (plan.waypoints().isEmpty()) {
-      return;
-    }
-    out.write(
-        "  <Placemark>\n    <name>planned</name>\n    <styleUrl>#planned</styleUrl>\n    <LineString>\n");
-    out.write(
-        plan.domain() == Domain.AIR
-            ? "      <altitudeMode>absolute</altitudeMode>\n"
-            : "      <altitudeMode>clampToGround</altitudeMode>\n");
-    out.write("      <coordinates>\n");
     double altitude = plan.home().map(RunPlan.Start::altitudeM).orElse(0.0);
     if (plan.home().isPresent()) {
       coordinates(out, plan.home().get().longitudeDeg(), plan.home().get().latitudeDeg(), altitude);
@@ -75,22 +80,25 @@ final class TrackKml {
       altitude = waypoint.altitudeM().orElse(altitude);
       coordinates(out, waypoint.longitudeDeg(), waypoint.latitudeDeg(), altitude);
     }
-    out.write("      </coordinates>\n    </LineString>\n  </Placemark>\n");
   }
 
   private static void waypoint(Writer out, WaypointResult result) throws IOException {
     RunPlan.Waypoint waypoint = result.waypoint();
     out.write(
-        "  <Placemark>\n    <name>"
-            + EscapedXml.of(waypoint.name())
-            + "</name>\n    <description>");
-    out.write(result.captured() ? "captured" : "not captured");
-    out.write(
-        number(", missed by %.1f m", result.missM())
-            + number(", altitude error %+.1f m", result.altitudeErrorM()));
-    out.write("</description>\n    <Point>\n      <altitudeMode>");
-    out.write(waypoint.altitudeM().isPresent() ? "absolute" : "clampToGround");
-    out.write("</altitudeMode>\n      <coordinates>\n");
+        """
+          <Placemark>
+            <name>%s</name>
+            <description>%s%s%s</description>
+            <Point>
+              <altitudeMode>%s</altitudeMode>
+              <coordinates>
+        """
+            .formatted(
+                EscapedXml.of(waypoint.name()),
+                result.captured() ? "captured" : "not captured",
+                number(", missed by %.1f m", result.missM()),
+                number(", altitude error %+.1f m", result.altitudeErrorM()),
+                waypoint.altitudeM().isPresent() ? "absolute" : "clampToGround"));
     coordinates(
         out, waypoint.longitudeDeg(), waypoint.latitudeDeg(), waypoint.altitudeM().orElse(0.0));
     out.write("      </coordinates>\n    </Point>\n  </Placemark>\n");

@@ -1,9 +1,7 @@
 package org.u2sa.scenarios.report;
 
-import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.scenarios.report.Drawing.Pen;
 
 /**
  * A waypoint on the map. Several at one place, as of a mission that goes round, are one: with the
@@ -14,9 +12,6 @@ import org.u2sa.scenarios.report.Drawing.Pen;
  * @param captured whether all were
  */
 record WaypointSign(int index, RunPlan.Waypoint waypoint, boolean captured) {
-
-  /** Half the size of the sign [px]. */
-  static final double MARK_RADIUS = 5.0;
 
   /** Of all waypoints of a run, in the order of the plan. */
   static List<WaypointSign> of(List<WaypointResult> results) {
@@ -53,19 +48,5 @@ record WaypointSign(int index, RunPlan.Waypoint waypoint, boolean captured) {
     }
     boolean hasNumber = waypoint.name().matches("(.*\\D)?0*" + number + "(\\D.*)?");
     return hasNumber ? waypoint.name() : number + " " + waypoint.name();
-  }
-
-  /** A dot if captured, a cross if not, so that form tells what colour tells. */
-  static void draw(Drawing drawing, Point2D.Double at, boolean captured) {
-    if (captured) {
-      drawing.circle(at.x, at.y, MARK_RADIUS, Ink.CAPTURED, Pen.solid(Ink.PAPER, 1.5));
-      return;
-    }
-    for (Pen stroke : List.of(Pen.solid(Ink.PAPER, 6.0), Pen.solid(Ink.MISSED, 3.0))) {
-      drawing.line(
-          at.x - MARK_RADIUS, at.y - MARK_RADIUS, at.x + MARK_RADIUS, at.y + MARK_RADIUS, stroke);
-      drawing.line(
-          at.x - MARK_RADIUS, at.y + MARK_RADIUS, at.x + MARK_RADIUS, at.y - MARK_RADIUS, stroke);
-    }
   }
 }

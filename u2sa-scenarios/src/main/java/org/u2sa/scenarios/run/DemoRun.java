@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
@@ -18,6 +19,8 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.RunReport;
+import org.u2sa.scenarios.report.TrackSample;
+import org.u2sa.scenarios.terminal.LiveStatus;
 import org.u2sa.service.U2SAService;
 
 /**
@@ -178,6 +181,45 @@ record DemoRun(
               + service.getServiceName()
               + " failed in the run; its log is "
               + directory.resolve("logs").resolve(service.getServiceName() + ".log"));
+    }
+  }
+
+  /**
+   * Shows a run on the terminal while it goes on. Belongs to the thread that calls {@link #accept}.
+   */
+  private static final class RunScreen implements Consumer<TrackSample>, AutoCloseable {
+    private final RunPlan plan;
+    private final LiveStatus live;
+    private final Clock stopwatch;
+    private final long startMicros;
+
+    /**
+     * @param stopwatch real time, also where the run is faster
+     */
+    RunScreen(RunPlan plan, Terminal terminal, Clock stopwatch) {
+      this.plan = plan;
+      live = new LiveStatus(terminal);
+      this.stopwatch = stopwatch;
+      startMicros = stopwatch.micros();
+    }
+
+    @Override
+    public void accept(TrackSample sample) {
+      int count = plan.waypoints().size();
+      boolean underWay = sample.leg() >= 0 && sample.leg() < count;
+      live.update(
+          new LiveStatus.Moment(
+              sample,
+              Math.min(sample.leg() + 1, count),
+              count,
+              underWay ? plan.waypoints().get(sample.leg()).name() : "",
+              plan.distanceM(sample.leg(), sample.longitudeDeg(), sample.latitudeDeg()),
+              Clock.seconds(stopwatch.micros() - startMicros)));
+    }
+
+    @Override
+    public void close() {
+      live.close();
     }
   }
 }

@@ -1,7 +1,6 @@
 package org.u2sa.scenarios.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.geom.Rectangle2D;
@@ -10,16 +9,6 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class DrawingTest {
-
-  @Test
-  void ticks_between_areRoundAndWithin() {
-    assertThat(Ticks.between(-130.0, 1040.0, 7).values())
-        .containsExactly(0.0, 200.0, 400.0, 600.0, 800.0, 1000.0);
-    Ticks small = Ticks.between(0.0, 0.5, 5);
-    assertThat(small.step()).isCloseTo(0.1, within(1e-12));
-    assertThat(small.label(0.30000000000000004)).isEqualTo("0.3");
-    assertThat(Ticks.between(0.0, 100.0, 5).label(-0.0)).isEqualTo("0");
-  }
 
   @Test
   void colours_scale_clampsItsEnds() {

@@ -108,9 +108,14 @@ public final class Cessna172 implements SimulatedVehicle {
     }
   }
 
+  /** Holds these inputs from now on. */
+  public void hold(ControlInputs inputs) {
+    held = Objects.requireNonNull(inputs, "inputs");
+  }
+
   /** Holds these inputs from now on, and steps. */
   public void step(ControlInputs inputs, double dtS) {
-    held = Objects.requireNonNull(inputs, "inputs");
+    hold(inputs);
     step(dtS);
   }
 

@@ -23,14 +23,14 @@ public final class MiniMolleBuilder {
   private static final double VOLTMETER_NOISE_V = 0.005;
 
   final World world;
-  MiniMolle.Wiring wiring = MiniMolle.Wiring.standard();
+  final MiniMolle.Wiring wiring = MiniMolle.Wiring.standard();
   GroundVehicle vehicle = new DifferentialVehicle(DifferentialParameters.miniMolle());
   Hazards hazards = Hazards.none();
   private GpsParameters gps = GpsParameters.survey();
   private UbloxSettings gpsSettings = UbloxSettings.binary(BAUD, AT_9600_HZ);
   private CompassParameters compass = CompassParameters.calibrated(0.0);
   private int compassBaud = BAUD;
-  private UtcTime utc = new UtcTime(Instant.parse("2026-06-01T12:00:00Z"));
+  private final UtcTime utc = new UtcTime(Instant.parse("2026-06-01T12:00:00Z"));
   private NoiseStreams streams = new NoiseStreams(1L);
 
   MiniMolleBuilder(World world) {
@@ -57,21 +57,9 @@ public final class MiniMolleBuilder {
     return this;
   }
 
-  /** Other pins. */
-  public MiniMolleBuilder wiring(MiniMolle.Wiring newWiring) {
-    wiring = Objects.requireNonNull(newWiring, "wiring");
-    return this;
-  }
-
   /** What goes wrong. */
   public MiniMolleBuilder hazards(Hazards newHazards) {
     hazards = Objects.requireNonNull(newHazards, "hazards");
-    return this;
-  }
-
-  /** When the run begins, as the satellites tell it. */
-  public MiniMolleBuilder begin(Instant begin) {
-    utc = new UtcTime(begin);
     return this;
   }
 

@@ -3,7 +3,7 @@ package org.u2sa.core.control.fixedwing;
 import java.util.Optional;
 import org.u2sa.service.HandOver;
 
-/** The phases in which the wings carry: climb-out, cruise, holding and going around. */
+/** The airborne phases: climb-out, cruise, holding and go-around. */
 final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
 
@@ -49,7 +49,7 @@ final class AirbornePhases {
     return state.altitudeM() - state.heightM() + tuning.takeOff().safeHeight();
   }
 
-  /** Begins to balance energy at a pitch, with the throttle where it is. */
+  /** Restarts the energy law at a pitch, with the present throttle. */
   void restartEnergy(FlightState state, double pitchRad) {
     energy.restart(state, pitchRad, loops.throttle());
   }
@@ -61,7 +61,7 @@ final class AirbornePhases {
         lateral.bankRad(state, steering.aheadNorthM(state, look), steering.aheadEastM(state, look));
     altitudeDemandM = safeAltitudeM(state);
     speedDemandMps = Tuning.KNOT_MPS * climb.climbOutSpeed();
-    // Near the ground the nose stays where it was raised to, whatever the airspeed asks for.
+    // Near the ground the nose keeps its take-off pitch, whatever the airspeed demands.
     double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
     double lower = Math.toRadians(climb.climbOutPitchLowerLimit());
     double least = lower + low * Math.max(0.0, rotation.pitchRad() - lower);
@@ -69,7 +69,7 @@ final class AirbornePhases {
   }
 
   /**
-   * @param circles whether to turn where there is nothing to follow
+   * @param circles whether to circle when there is no navigation
    */
   Surfaces fly(FlightState state, Optional<GuidanceTarget> target, boolean circles, double dtS) {
     double bank = circles ? Math.toRadians(tuning.hold().holdBank()) : 0.0;
@@ -93,7 +93,7 @@ final class AirbornePhases {
         dtS);
   }
 
-  /** Follows navigation sideways, and down to the safe height. */
+  /** Follows navigation laterally, and down to the safe height. */
   Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
     GuidanceTarget above =
         new GuidanceTarget(

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 
 /** An aeroplane's actuators by the names that commands address. */
-enum AircraftActuator {
+public enum AircraftActuator {
   AILERON("AILERON", Surfaces::aileron),
   ELEVATOR("ELEVATOR", Surfaces::elevator),
   RUDDER("RUDDER", Surfaces::rudder),
@@ -14,6 +14,12 @@ enum AircraftActuator {
   FLAPS("FLAPS", Surfaces::flaps),
   LEFT_BRAKE("LEFT BRAKE", Surfaces::brakes),
   RIGHT_BRAKE("RIGHT BRAKE", Surfaces::brakes);
+
+  /**
+   * Elevator at which the Cessna holds about 75 kt by itself, at cruise power as at idle [%],
+   * negative: nose up. Centred, it noses over: a silence of a few seconds would cost 100 m.
+   */
+  public static final double TRIMMED_ELEVATOR_PERCENT = -10.0;
 
   private final String actuatorName;
   private final ToDoubleFunction<Surfaces> share;
@@ -47,7 +53,7 @@ enum AircraftActuator {
     for (AircraftActuator actuator : values()) {
       neutral.put(actuator.actuatorName(), 0.0);
     }
-    neutral.put(ELEVATOR.actuatorName(), HandsOff.ELEVATOR_PERCENT);
+    neutral.put(ELEVATOR.actuatorName(), TRIMMED_ELEVATOR_PERCENT);
     neutral.put(MIXTURE.actuatorName(), 100.0);
     return neutral;
   }

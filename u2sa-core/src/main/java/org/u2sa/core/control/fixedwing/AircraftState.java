@@ -44,8 +44,7 @@ public class AircraftState extends StateInformation {
 
   /** Sets {@link #heightAboveGround()}. */
   public AircraftState heightAboveGround(double metres) {
-    put(HEIGHT_ABOVE_GROUND, metres);
-    return this;
+    return put(HEIGHT_ABOVE_GROUND, metres);
   }
 
   /** Calibrated airspeed, what an ideal airspeed indicator shows [m/s]; empty if unknown. */
@@ -55,8 +54,7 @@ public class AircraftState extends StateInformation {
 
   /** Sets {@link #calibratedAirspeed()}; not negative. */
   public AircraftState calibratedAirspeed(double metresPerSecond) {
-    put(CALIBRATED_AIRSPEED, metresPerSecond);
-    return this;
+    return put(CALIBRATED_AIRSPEED, metresPerSecond);
   }
 
   /** Revolutions of the engine [1/min]; empty if unknown. */
@@ -66,8 +64,7 @@ public class AircraftState extends StateInformation {
 
   /** Sets {@link #engineRpm()}; not negative. */
   public AircraftState engineRpm(double perMinute) {
-    put(ENGINE_RPM, perMinute);
-    return this;
+    return put(ENGINE_RPM, perMinute);
   }
 
   /** Whether a main wheel carries load; false until set. */
@@ -77,8 +74,7 @@ public class AircraftState extends StateInformation {
 
   /** Sets {@link #weightOnWheels()}. */
   public AircraftState weightOnWheels(boolean value) {
-    put(WEIGHT_ON_WHEELS, value);
-    return this;
+    return put(WEIGHT_ON_WHEELS, value);
   }
 
   /** Whether the engine is being primed: throttle must stay within 0.1…0.5; false until set. */
@@ -88,8 +84,7 @@ public class AircraftState extends StateInformation {
 
   /** Sets {@link #engineStarting()}. */
   public AircraftState engineStarting(boolean value) {
-    put(ENGINE_STARTING, value);
-    return this;
+    return put(ENGINE_STARTING, value);
   }
 
   /** Whether the aircraft is wrecked; false until set. */
@@ -99,8 +94,7 @@ public class AircraftState extends StateInformation {
 
   /** Sets {@link #crashed()}. */
   public AircraftState crashed(boolean value) {
-    put(CRASHED, value);
-    return this;
+    return put(CRASHED, value);
   }
 
   @Override

@@ -26,9 +26,9 @@ final class Autopilot {
   private final LandingRefusal refusal;
 
   private FlightPhase phase = FlightPhase.RUN_UP;
-  private boolean takenOver; // the throttle is another law's, and not to jump
+  private boolean takenOver; // from another law: the throttle must not jump
   private double lastTimeS = Double.NaN;
-  private double navigatedS; // when there was navigation last
+  private double navigatedS; // when navigation was last present
 
   Autopilot(Tuning tuning) {
     this.tuning = tuning;
@@ -126,7 +126,7 @@ final class Autopilot {
     }
   }
 
-  /** Writes down all that it remembers, for one that takes over. */
+  /** Saves its whole state for a successor. */
   void handOver(HandOver state) {
     state.number("LAST TIME", lastTimeS).number("NAVIGATED", navigatedS);
     sequence.handOver(state);
@@ -139,7 +139,7 @@ final class Autopilot {
     refusal.handOver(state);
   }
 
-  /** Goes on exactly where another one was. */
+  /** Continues exactly where its predecessor stopped. */
   void takeOver(HandOver state) {
     sequence.takeOver(state);
     phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(phase);
@@ -154,7 +154,9 @@ final class Autopilot {
     refusal.takeOver(state);
   }
 
-  /** Begins in the air from what another control law commanded, shares of full as in Surfaces. */
+  /**
+   * Starts in the air from another control law's commands, shares of full as in {@link Surfaces}.
+   */
   void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
     loops.takeOver(aileron, elevator, lastRudder, lastThrottle);
     takenOver = true;

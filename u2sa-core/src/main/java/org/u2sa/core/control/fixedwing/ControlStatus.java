@@ -40,8 +40,7 @@ public final class ControlStatus extends U2SAData {
 
   /** Sets {@link #phase()}. */
   public ControlStatus phase(FlightPhase value) {
-    put(PHASE, value);
-    return this;
+    return put(PHASE, value);
   }
 
   /** Whether navigation is there and fresh; false until set. */
@@ -51,8 +50,7 @@ public final class ControlStatus extends U2SAData {
 
   /** Sets {@link #navigating()}. */
   public ControlStatus navigating(boolean value) {
-    put(NAVIGATING, value);
-    return this;
+    return put(NAVIGATING, value);
   }
 
   /** Bank demanded [rad, right wing down positive]; empty on the ground. */
@@ -62,8 +60,7 @@ public final class ControlStatus extends U2SAData {
 
   /** Sets {@link #bank()}. */
   public ControlStatus bank(double rad) {
-    put(BANK, rad);
-    return this;
+    return put(BANK, rad);
   }
 
   /** Pitch demanded [rad, nose up positive]; empty on the ground. */
@@ -73,8 +70,7 @@ public final class ControlStatus extends U2SAData {
 
   /** Sets {@link #pitch()}. */
   public ControlStatus pitch(double rad) {
-    put(PITCH, rad);
-    return this;
+    return put(PITCH, rad);
   }
 
   /** Altitude demanded, above mean sea level [m, up]; empty on the ground. */
@@ -84,8 +80,7 @@ public final class ControlStatus extends U2SAData {
 
   /** Sets {@link #altitude()}. */
   public ControlStatus altitude(double metres) {
-    put(ALTITUDE, metres);
-    return this;
+    return put(ALTITUDE, metres);
   }
 
   /** Calibrated airspeed demanded [m/s]; empty on the ground. */
@@ -95,8 +90,7 @@ public final class ControlStatus extends U2SAData {
 
   /** Sets {@link #airspeed()}; not negative. */
   public ControlStatus airspeed(double metresPerSecond) {
-    put(AIRSPEED, metresPerSecond);
-    return this;
+    return put(AIRSPEED, metresPerSecond);
   }
 
   @Override

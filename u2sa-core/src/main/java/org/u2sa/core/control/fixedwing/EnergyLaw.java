@@ -4,21 +4,21 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.service.HandOver;
 
 /**
- * Altitude and airspeed together: the throttle answers for the total energy rate γ + V̇/g, the
- * pitch for how it is shared, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control
- * Autopilot Design Using Total Energy Principles, AIAA 83-2239). Short of speed, the pitch serves
- * the airspeed alone.
+ * Controls altitude and airspeed together: the throttle sets the total energy rate γ + V̇/g, the
+ * pitch its distribution, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control
+ * Autopilot Design Using Total Energy Principles, AIAA 83-2239). When airspeed is low, pitch
+ * controls airspeed alone.
  */
 final class EnergyLaw {
-  /** What the two levers shall do: pitch [rad] and throttle, 0…1. */
+  /** The law's output: pitch [rad] and throttle, 0…1. */
   record Command(double pitchRad, double throttle) {}
 
   /**
-   * What is wanted.
+   * The demand.
    *
    * @param altitudeM above mean sea level [m]
    * @param airspeedMps true airspeed [m/s]
-   * @param speedOnly whether pitch serves the airspeed alone, at full throttle: climb-out
+   * @param speedOnly whether pitch controls airspeed alone, at full throttle: climb-out
    * @param least pitch [rad]
    * @param most pitch [rad]
    */
@@ -37,7 +37,7 @@ final class EnergyLaw {
     this.parameters = parameters;
   }
 
-  /** Begins from a pitch and a throttle, without a bump. */
+  /** Starts bumplessly from a pitch and a throttle. */
   void restart(FlightState state, double newPitch, double newThrottle) {
     filteredAirspeed = state.trueAirspeedMps();
     climbDemand = state.climbMps();

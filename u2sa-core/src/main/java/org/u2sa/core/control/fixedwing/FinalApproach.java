@@ -3,8 +3,8 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.service.HandOver;
 
 /**
- * The line that navigation leads along: the points ahead that it gives lie on it, whatever the
- * aircraft does beside it. In the flare it is where the runway's centreline is taken to be.
+ * The line that navigation follows, estimated from its points ahead, wherever the aircraft is. In
+ * the flare it is taken as the runway's centreline.
  */
 final class FinalApproach {
   private static final double TIME_CONSTANT_S = 5.0; // at 38 m/s the direction is that of 190 m
@@ -16,7 +16,7 @@ final class FinalApproach {
   private double laggedEastM;
   private boolean seen;
 
-  /** Takes note of where navigation leads. */
+  /** Records where navigation leads. */
   void see(FlightState state, GuidanceTarget target, double dtS) {
     northM = state.northM() + target.northM();
     eastM = state.eastM() + target.eastM();

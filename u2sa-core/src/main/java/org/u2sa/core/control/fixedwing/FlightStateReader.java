@@ -18,8 +18,8 @@ import org.u2sa.service.HandOver;
 
 /**
  * Turns state messages in GLOBAL into {@link FlightState}s: Euler rates become body rates, geodetic
- * positions metres from the first one. Horizontal position and velocity that were there once and
- * are lost stay as they were: wings can be held level without them.
+ * positions metres from the first one. Horizontal position and velocity keep their last values when
+ * lost: the wings can be held level without them.
  */
 final class FlightStateReader {
   private static final List<StateField> NEEDED =
@@ -45,7 +45,7 @@ final class FlightStateReader {
   private Geodetic origin; // of north and east
   private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // the losable
 
-  /** Writes down where north and east are counted from. */
+  /** Saves the origin of north and east. */
   void handOver(HandOver state) {
     if (origin != null) {
       state
@@ -56,7 +56,7 @@ final class FlightStateReader {
     last.forEach((field, value) -> state.number("LAST " + field.fieldName(), value));
   }
 
-  /** Counts from where the reader before did. */
+  /** Takes over the predecessor's origin. */
   void takeOver(HandOver state) {
     if (state.number("ORIGIN LONGITUDE").isPresent()) {
       origin =

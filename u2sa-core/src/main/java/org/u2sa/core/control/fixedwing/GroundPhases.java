@@ -1,6 +1,6 @@
 package org.u2sa.core.control.fixedwing;
 
-/** The phases in which the wheels carry before the flight: the run-up and the take-off run. */
+/** The phases on the ground before the flight: run-up and take-off run. */
 final class GroundPhases {
   private final Tuning tuning;
   private final TakeOffSequence sequence;
@@ -37,7 +37,7 @@ final class GroundPhases {
   }
 
   /**
-   * @param rotating whether the nose is to come up
+   * @param rotating whether to raise the nose
    */
   Surfaces run(FlightState state, boolean rotating, double dtS) {
     loops.throttleTowards(1.0, dtS);

@@ -105,17 +105,13 @@ final class GroundSteering {
 
   /** Lays the centreline through the aircraft, along its heading. */
   void lineUp(FlightState state) {
-    northM = state.northM();
-    eastM = state.eastM();
-    headingRad = state.headingRad();
-    integral = 0.0;
-    lined = true;
+    lineUpAlong(state.northM(), state.eastM(), state.headingRad());
   }
 
   /** Lays the centreline through the aircraft, along its way over ground. */
   void lineUpAlongTrack(FlightState state) {
-    lineUp(state);
-    headingRad = StrictMath.atan2(state.eastMps(), state.northMps());
+    double courseRad = StrictMath.atan2(state.eastMps(), state.northMps());
+    lineUpAlong(state.northM(), state.eastM(), courseRad);
   }
 
   /** Lays the centreline through a point, along a course. */
@@ -127,7 +123,7 @@ final class GroundSteering {
     lined = true;
   }
 
-  /** Goes on from a rudder that something else has found. */
+  /** Continues from the rudder of another law. */
   void holds(double rudder) {
     integral = rudder;
   }
@@ -189,8 +185,8 @@ final class GroundSteering {
   }
 
   /**
-   * Rudder of a roll-out, −1…1, positive turns right: the faster it rolls the more gently it turns
-   * back to the line, as it comes from the air with some way sideways and light on its wheels.
+   * Rudder of a roll-out, −1…1, positive turns right: the faster it rolls, the more gently it
+   * returns to the line, because it lands with some drift and light on its wheels.
    *
    * @param noseDown whether the nose wheel steers
    */

@@ -3,8 +3,8 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.service.HandOver;
 
 /**
- * What is held at the moment, and the loops that hold it: a bank by the ailerons, a pitch by the
- * elevator, a coordinated turn by the rudder; and where rudder and throttle are.
+ * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by
+ * the rudder; and the present rudder and throttle.
  */
 final class InnerLoops {
   private static final double LEAST_SCALE = 0.6;
@@ -69,7 +69,7 @@ final class InnerLoops {
     throttle = newThrottle;
   }
 
-  /** Moves the throttle at the pace of a hand. */
+  /** Moves the throttle at a limited rate. */
   void throttleTowards(double wanted, double dtS) {
     throttle = Limit.approach(throttle, wanted, tuning.climbOut().throttleOpeningRate() * dtS);
   }
@@ -104,18 +104,18 @@ final class InnerLoops {
     rudder = Limit.approach(rudder, wanted, RUDDER_RATE * dtS);
   }
 
-  /** The loops of roll and pitch begin anew. */
+  /** Resets the roll and pitch loops. */
   void restart() {
     pitch.restart();
     roll.restart();
   }
 
-  /** The loop of yaw begins from where the rudder is. */
+  /** Restarts the yaw loop at the present rudder. */
   void restartYaw() {
     yaw.restart(rudder);
   }
 
-  /** Begins from what another control law commanded, shares of full as in Surfaces. */
+  /** Starts from another control law's commands, shares of full as in {@link Surfaces}. */
   void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
     roll.restart(aileron);
     pitch.restart(elevator);

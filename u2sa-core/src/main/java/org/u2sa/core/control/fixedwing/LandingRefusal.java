@@ -5,11 +5,11 @@ import java.util.Optional;
 import org.u2sa.service.HandOver;
 
 /**
- * Refuses to land across more wind than the configuration allows. Once refused, the aircraft stays
- * up until navigation leads up again: a new approach is somebody's decision.
+ * Refuses to land in more crosswind than the configuration allows. After a refusal the aircraft
+ * stays up until navigation leads up again: a new approach needs a decision.
  */
 final class LandingRefusal {
-  /** Who is led below this above ground is to land: nobody cruises so low [m]. */
+  /** Navigation below this height above ground means landing: nobody cruises so low [m]. */
   static final double LEADS_DOWN_M = 15.0;
 
   private final double maxCrosswindMps;
@@ -47,7 +47,7 @@ final class LandingRefusal {
     return refused;
   }
 
-  /** Why, and what is done instead. */
+  /** The reason, and what the aircraft does instead. */
   String words() {
     return String.format(
         Locale.ROOT,

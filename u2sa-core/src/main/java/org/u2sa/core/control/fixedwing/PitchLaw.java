@@ -7,7 +7,7 @@ import org.u2sa.service.HandOver;
 /**
  * Holds a pitch by the elevator: proportional pitch loop around a rate loop. In a turn the nose
  * must keep coming round, so the rate of the coordinated turn q = g/V · sin φ tan φ (McCormick,
- * Aerodynamics, Aeronautics, and Flight Mechanics, section 7) is demanded beside.
+ * Aerodynamics, Aeronautics, and Flight Mechanics, section 7) is added to the demand.
  */
 final class PitchLaw {
   /** Of the pitch loop and the pitch-rate loop inside it. */
@@ -77,7 +77,7 @@ final class PitchLaw {
     loop.restart(0.0);
   }
 
-  /** Starts with a surface held. */
+  /** Starts bumplessly at a surface position. */
   void restart(double surface) {
     loop.restart(-surface);
   }

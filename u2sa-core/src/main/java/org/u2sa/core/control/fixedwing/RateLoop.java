@@ -44,7 +44,7 @@ final class RateLoop {
     return integral;
   }
 
-  /** Starts again with an integral, for a take-over without a bump. */
+  /** Restarts with an integral, for a bumpless take-over. */
   void restart(double newIntegral) {
     integral = Limit.symmetric(newIntegral, gains.integralLimit());
   }

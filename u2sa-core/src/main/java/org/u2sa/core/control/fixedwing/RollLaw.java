@@ -57,7 +57,7 @@ final class RollLaw {
     loop.restart(0.0);
   }
 
-  /** Starts with a surface held. */
+  /** Starts bumplessly at a surface position. */
   void restart(double surface) {
     loop.restart(surface);
   }

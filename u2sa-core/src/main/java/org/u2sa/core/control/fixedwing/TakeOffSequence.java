@@ -3,7 +3,7 @@ package org.u2sa.core.control.fixedwing;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.HandOver;
 
-/** Knows which {@link FlightPhase} the aircraft is in. */
+/** The state machine of {@link FlightPhase}s. */
 final class TakeOffSequence {
   /** When one phase ends and the next begins. */
   record Parameters(
@@ -127,8 +127,8 @@ final class TakeOffSequence {
   }
 
   /**
-   * Where a control that is started anew near the ground finds the aircraft: brakes and an idling
-   * engine are right for one that stands, and for one too slow to fly.
+   * The phase for a control that starts near the ground: brakes and an idling engine suit an
+   * aircraft that stands, and one too slow to fly.
    */
   private FlightPhase first(FlightState state, boolean landing) {
     if (state.calibratedAirspeedMps() < rotationMps) {

@@ -3,6 +3,7 @@ package org.u2sa.core.control.fixedwing;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.core.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -47,5 +48,94 @@ public final class ThesisControl extends ControlSystem {
   @Override
   protected Map<String, Double> neutral() {
     return AircraftActuator.neutral();
+  }
+
+  /**
+   * The proportional controllers of thesis 4.5.2.4 and 4.5.2.5: the direction to go moves the
+   * aileron, the altitude differential the elevator. Two damping terms that the thesis does not
+   * have keep the bank from swinging and the nose from hunting; with their gains at 0 it is the
+   * thesis's own.
+   */
+  static final class ThesisLaw {
+    /** At 0, BANK GAIN and PITCH GAIN leave the thesis's own law. */
+    record Parameters(
+        @Variable(
+                min = 0,
+                max = 5,
+                ifAbsent = 1,
+                text = "Fraction of full aileron at a direction of 180 degrees; thesis: 1.")
+            double directionGain,
+        @Variable(
+                unit = "deg",
+                min = 1,
+                max = 180,
+                ifAbsent = 30,
+                text = "Direction beyond which the aileron moves no further; thesis: 180.")
+            double directionLimit,
+        @Variable(
+                unit = "1/rad",
+                min = 0,
+                max = 5,
+                ifAbsent = 0.4,
+                text = "Aileron against bank; thesis: 0.")
+            double bankGain,
+        @Variable(
+                min = 0,
+                max = 1,
+                ifAbsent = 0.3,
+                text = "Fraction of full elevator at an altitude difference of 1000 ft or more.")
+            double altitudeGain,
+        @Variable(
+                unit = "1/rad",
+                min = 0,
+                max = 5,
+                ifAbsent = 1.5,
+                text = "Elevator against pitch; thesis: 0.")
+            double pitchGain,
+        @Variable(unit = "deg", min = -5, max = 15, ifAbsent = 6, text = "Pitch in level flight.")
+            double levelPitch,
+        @Variable(min = 0.1, max = 1, ifAbsent = 0.6, text = "Throttle of level flight.")
+            double cruiseThrottle) {}
+
+    private static final double FULL_DIFFERENTIAL_M = 1_000.0 * 0.3048; // 4.5.2.4: full climb
+    private static final double LEAST_DIFFERENTIAL_M = 10.0 * 0.3048; // 4.5.2.4: hold altitude
+
+    private final Parameters parameters;
+
+    ThesisLaw(Parameters parameters) {
+      this.parameters = parameters;
+    }
+
+    Surfaces surfaces(FlightState state, GuidanceTarget target) {
+      double bearing = StrictMath.atan2(target.eastM(), target.northM());
+      double direction = Limit.angle(bearing - state.headingRad());
+      double climb = differential(target.altitudeM() - state.altitudeM());
+      double limit = Math.toRadians(parameters.directionLimit());
+      double limited = Limit.symmetric(direction, limit);
+      double aileron =
+          parameters.directionGain() * limited / Math.PI - parameters.bankGain() * state.rollRad();
+      double elevator =
+          -parameters.altitudeGain() * climb
+              + parameters.pitchGain()
+                  * (state.pitchRad() - Math.toRadians(parameters.levelPitch()));
+      double cruise = parameters.cruiseThrottle();
+      double throttle = cruise + climb * (climb > 0.0 ? 1.0 - cruise : cruise);
+      double rudder = state.onGround() ? limited / limit : 0.0;
+      return new Surfaces(
+          Limit.symmetric(aileron, 1.0),
+          Limit.symmetric(elevator, 1.0),
+          rudder,
+          Limit.within(0.0, throttle, 1.0),
+          1.0,
+          0.0,
+          0.0);
+    }
+
+    /** Scaled to −1…1: nothing below 10 ft, all from 1000 ft on (4.5.2.4). */
+    static double differential(double metres) {
+      double beyond = Math.abs(metres) - LEAST_DIFFERENTIAL_M;
+      double share = beyond / (FULL_DIFFERENTIAL_M - LEAST_DIFFERENTIAL_M);
+      return Math.copySign(Limit.within(0.0, share, 1.0), metres);
+    }
   }
 }

@@ -159,7 +159,7 @@ final class TouchDown {
     return Limit.symmetric(intoWind(state) + level, 1.0);
   }
 
-  /** What keeps the wind from lifting the wing that it comes from: full when it is abeam. */
+  /** Aileron against the wind lifting the upwind wing: full when the wind is abeam. */
   private double intoWind(FlightState state) {
     return Limit.symmetric(parameters.aileronPerSideslip() * StrictMath.sin(state.betaRad()), 1.0);
   }
@@ -167,7 +167,7 @@ final class TouchDown {
   private double steer(FlightState state, double dtS) {
     boolean steers = !isNoseUp(state);
     if (steers && !nosewheel) {
-      steering.holds(0.0); // the rudder that held the nose in the wind would steer off the runway
+      steering.holds(0.0); // the crab rudder would steer off the runway
     }
     nosewheel = steers;
     loops.rudder(steering.gentleRudder(state, steers, dtS));

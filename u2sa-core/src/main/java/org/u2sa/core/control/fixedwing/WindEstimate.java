@@ -16,7 +16,7 @@ final class WindEstimate {
   private double eastMps;
   private double knownS; // since when it has been averaged
 
-  /** Takes one more state into the average. */
+  /** Adds a state to the average. */
   void step(FlightState state, double dtS) {
     double cosBeta = StrictMath.cos(state.betaRad());
     Point air =

@@ -73,7 +73,7 @@ final class YawLaw {
     state.number("YAW INTEGRAL").ifPresent(this::restart);
   }
 
-  /** Starts with a rudder held. */
+  /** Starts bumplessly at a rudder position. */
   void restart(double rudder) {
     integral = Limit.symmetric(rudder, parameters.rudderTrimLimit());
   }

@@ -148,7 +148,7 @@ class CessnaControlTest {
     fly(flying(), Point.of(200.0, -200.0, 0.0), 20);
     control.kill();
     assertThat(kit.percent("AILERON")).isZero();
-    assertThat(kit.percent("ELEVATOR")).isEqualTo(HandsOff.ELEVATOR_PERCENT);
+    assertThat(kit.percent("ELEVATOR")).isEqualTo(AircraftActuator.TRIMMED_ELEVATOR_PERCENT);
     assertThat(kit.percent("THROTTLE")).isZero();
     assertThat(kit.percent("MIXTURE")).isEqualTo(100.0);
   }

@@ -19,15 +19,17 @@ class ThesisLawTest {
   private static final double LAT = 21.2;
   private static final double DT_S = 0.1; // 4.5.2.1: FlightGear sent at 10 Hz
 
-  private final ThesisLaw law =
-      new ThesisLaw(
-          XmlConfiguration.inMemory("none", Map.of()).settings(ThesisLaw.Parameters.class).get());
+  private final ThesisControl.ThesisLaw law =
+      new ThesisControl.ThesisLaw(
+          XmlConfiguration.inMemory("none", Map.of())
+              .settings(ThesisControl.ThesisLaw.Parameters.class)
+              .get());
 
   @Test
   void differential_isScaledBetween10And1000Feet() {
-    assertThat(ThesisLaw.differential(10.0 * FOOT_M)).isZero();
-    assertThat(ThesisLaw.differential(505.0 * FOOT_M)).isCloseTo(0.5, within(1e-9));
-    assertThat(ThesisLaw.differential(-2000.0 * FOOT_M)).isEqualTo(-1.0);
+    assertThat(ThesisControl.ThesisLaw.differential(10.0 * FOOT_M)).isZero();
+    assertThat(ThesisControl.ThesisLaw.differential(505.0 * FOOT_M)).isCloseTo(0.5, within(1e-9));
+    assertThat(ThesisControl.ThesisLaw.differential(-2000.0 * FOOT_M)).isEqualTo(-1.0);
   }
 
   @Test

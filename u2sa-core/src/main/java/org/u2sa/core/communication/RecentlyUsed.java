@@ -1,0 +1,23 @@
+package org.u2sa.core.communication;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * A map of bounded size that forgets what was used least recently. Not safe for several threads.
+ */
+final class RecentlyUsed<V> extends LinkedHashMap<String, V> {
+  private static final long serialVersionUID = 1L;
+
+  private final int most;
+
+  RecentlyUsed(int most) {
+    super(16, 0.75f, true);
+    this.most = most;
+  }
+
+  @Override
+  protected boolean removeEldestEntry(Map.Entry<String, V> eldest) {
+    return size() > most;
+  }
+}

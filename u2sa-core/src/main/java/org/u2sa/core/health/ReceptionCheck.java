@@ -1,0 +1,57 @@
+package org.u2sa.core.health;
+
+import org.u2sa.messages.contract.HealthReport;
+
+/**
+ * Checks that the monitor receives anything at all. Its own reports travel the same way as all
+ * others: if they do not come back, the connection is broken and silence of services means nothing.
+ */
+final class ReceptionCheck {
+  private static final double LOST_AFTER_INTERVALS = 4.0;
+  private static final double LOST_AFTER_AT_LEAST_S = 1.0;
+
+  /** Services reconnect after an attempt that may hang, and a back-off. */
+  private static final double OTHERS_RECONNECT_WITHIN_S = 6.0;
+
+  private double heardS;
+  private double lostAfterS = LOST_AFTER_AT_LEAST_S;
+  private boolean wasLost;
+
+  ReceptionCheck(double nowS) {
+    heardS = nowS;
+  }
+
+  /** Takes note of a report of the monitor itself. */
+  void hear(HealthReport own, double nowS) {
+    heardS = nowS;
+    lostAfterS = Math.max(LOST_AFTER_AT_LEAST_S, LOST_AFTER_INTERVALS * own.interval().orElse(0.0));
+  }
+
+  /** What has changed since the last check. */
+  enum Change {
+    /** Receives, as before. */
+    NONE,
+    /** Reception has just been lost. */
+    LOST,
+    /** Still lost. */
+    STILL_LOST,
+    /** Receives again: other services have until {@link #excusedUntilS} to report. */
+    RESTORED
+  }
+
+  /** Checks reception. */
+  Change look(double nowS) {
+    boolean lost = nowS - heardS > lostAfterS;
+    boolean before = wasLost;
+    wasLost = lost;
+    if (lost) {
+      return before ? Change.STILL_LOST : Change.LOST;
+    }
+    return before ? Change.RESTORED : Change.NONE;
+  }
+
+  /** Until when silence is not held against a service, after reception was restored. */
+  static double excusedUntilS(double nowS) {
+    return nowS + OTHERS_RECONNECT_WITHIN_S;
+  }
+}

@@ -1,0 +1,134 @@
+package org.u2sa.drivers.ioio;
+
+import ioio.lib.api.IOIOConnection;
+import ioio.lib.api.exception.ConnectionLostException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.Arrays;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.Port;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * A board at a serial port of the desktop (IOIO-OTG on USB), or over TCP: the firmware simulator,
+ * or a serial port on the network. The library's own socket connection waits for a board that
+ * calls, which none does today.
+ *
+ * <p>The board takes the serial signal DTR for the connection: with its rise it says who it is,
+ * with its fall, as when the port is closed or the process dies, it resets its pins.
+ */
+final class PortConnection implements IOIOConnection {
+  private final Port.Opener opener;
+  private Port port; // null before and after; guarded by this
+  private volatile boolean ended;
+
+  private PortConnection(Port.Opener opener) {
+    this.opener = opener;
+  }
+
+  private record Address(String address, Port.Opener opener) implements BoardConnection {
+    @Override
+    public IOIOConnection newConnection() {
+      return new PortConnection(opener);
+    }
+  }
+
+  /** See {@link BoardConnection#of}. */
+  static BoardConnection at(String address) {
+    try {
+      return new Address(address, ByteLinks.opener(address));
+    } catch (BadInputException e) {
+      throw new BadInputException(
+          "IOIO: \""
+              + address
+              + "\" is no address, serial:/dev/ttyACM0 or tcp:host:port expected: "
+              + e.getMessage(),
+          e);
+    }
+  }
+
+  @Override
+  public void waitForConnect() throws ConnectionLostException {
+    try {
+      Port opened = opener.open();
+      synchronized (this) {
+        port = opened;
+      }
+      if (ended) {
+        disconnect();
+        throw new ConnectionLostException();
+      }
+    } catch (IOException e) {
+      throw new ConnectionLostException(e);
+    }
+  }
+
+  @Override
+  public void disconnect() {
+    ended = true;
+    Port open;
+    synchronized (this) {
+      open = port;
+      port = null;
+    }
+    try {
+      if (open != null) {
+        open.close();
+      }
+    } catch (IOException e) {
+      throw new IllegalStateException("the connection to the IOIO does not close", e);
+    }
+  }
+
+  private synchronized Port port() throws ConnectionLostException {
+    if (port == null) {
+      throw new ConnectionLostException();
+    }
+    return port;
+  }
+
+  @Override
+  public InputStream getInputStream() throws ConnectionLostException {
+    Port source = port();
+    return new InputStream() {
+      @Override
+      public int read() throws IOException {
+        byte[] one = new byte[1];
+        return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+      }
+
+      @Override
+      public int read(byte[] target, int offset, int length) throws IOException {
+        byte[] buffer = new byte[length];
+        int count = 0;
+        while (count == 0 && !ended) {
+          count = source.read(buffer); // waits a moment at most
+        }
+        System.arraycopy(buffer, 0, target, offset, count);
+        return count == 0 ? -1 : count;
+      }
+    };
+  }
+
+  @Override
+  public OutputStream getOutputStream() throws ConnectionLostException {
+    Port target = port();
+    return new OutputStream() {
+      @Override
+      public void write(int octet) throws IOException {
+        target.write(new byte[] {(byte) octet});
+      }
+
+      @Override
+      public void write(byte[] bytes, int offset, int length) throws IOException {
+        target.write(Arrays.copyOfRange(bytes, offset, offset + length));
+      }
+    };
+  }
+
+  @Override
+  public boolean canClose() {
+    return true;
+  }
+}

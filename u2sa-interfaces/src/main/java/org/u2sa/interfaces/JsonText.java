@@ -1,0 +1,83 @@
+package org.u2sa.interfaces;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.PrettyPrinter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+
+/** An object of JSON, keys in the order in which they were put; what is not known is left out. */
+public final class JsonText {
+  private static final JsonFactory FACTORY = new JsonFactory();
+
+  private final Map<String, Object> fields = new LinkedHashMap<>();
+
+  /**
+   * Adds a field unless its value is an Optional that is empty.
+   *
+   * @param value text, number, boolean, another object, a collection or an Optional of such
+   */
+  public JsonText put(String name, Object value) {
+    Object known = value;
+    if (value instanceof Optional<?> optional) {
+      known = optional.orElse(null);
+    } else if (value instanceof OptionalDouble number) {
+      known = number.isPresent() ? number.getAsDouble() : null;
+    } else if (value instanceof OptionalLong number) {
+      known = number.isPresent() ? number.getAsLong() : null;
+    }
+    if (known != null) {
+      fields.put(name, known);
+    }
+    return this;
+  }
+
+  private static void write(JsonGenerator json, Object value) throws IOException {
+    if (value instanceof JsonText object) {
+      json.writeStartObject();
+      for (Map.Entry<String, Object> field : object.fields.entrySet()) {
+        json.writeFieldName(field.getKey());
+        write(json, field.getValue());
+      }
+      json.writeEndObject();
+    } else if (value instanceof Collection<?> list) {
+      json.writeStartArray();
+      for (Object element : list) {
+        write(json, element);
+      }
+      json.writeEndArray();
+    } else {
+      json.writeObject(value);
+    }
+  }
+
+  /** The text on one line. */
+  public String line() {
+    return text(null);
+  }
+
+  /** The text, indented. */
+  @Override
+  public String toString() {
+    return text(new DefaultPrettyPrinter());
+  }
+
+  private String text(PrettyPrinter printer) {
+    StringWriter text = new StringWriter();
+    try (JsonGenerator json = FACTORY.createGenerator(text)) {
+      json.setPrettyPrinter(printer);
+      write(json, this);
+    } catch (IOException e) {
+      throw new UncheckedIOException("writing into memory", e);
+    }
+    return text.toString();
+  }
+}
