@@ -73,7 +73,9 @@ public final class ErrorStateFilter {
   /** The estimate, carried ahead to that time [µs] if it is later than the newest measurement. */
   public Estimate at(long micros) {
     ahead.copyFrom(now);
-    process.predict(ahead, micros);
+    if (ahead.isStarted) {
+      process.predict(ahead, micros);
+    }
     return new Estimate(ahead, look, tuning);
   }
 

@@ -108,11 +108,11 @@ final class Fuser {
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
       shift(s, quantity, at);
     }
+    double nis = update.prepare(s, model, SourceTrust.factor(s, at));
     if (isFrozen(s, source, quantity, at)) {
       s.trust[at + SourceTrust.GATED]++;
       return;
     }
-    double nis = update.prepare(s, model, SourceTrust.factor(s, at));
     trust.learn(s, at, model, update.expected);
     SourceTrust.notedNis(s, at, nis, model.rows);
     if (nis > gates[model.rows]) {
@@ -343,9 +343,13 @@ final class Fuser {
       if (quantity == SensedQuantity.HEADING) {
         moved = Math.IEEEremainder(moved, 2.0 * Math.PI);
       }
-      double limit = quantity == SensedQuantity.PLACE ? 1.0 : 2.0;
-      if (t[own + SourceTrust.RUN] >= FROZEN_RUN
-          && moved * moved > limit * limit * model.variance[i]) {
+      // Positions never repeat on the move. Speeds and angles may, for a while: the estimate must
+      // have moved by more than it is unsure of.
+      double limit2 =
+          quantity == SensedQuantity.PLACE
+              ? model.variance[i]
+              : 4.0 * model.variance[i] + 16.0 * update.expected[i];
+      if (t[own + SourceTrust.RUN] >= FROZEN_RUN && moved * moved > limit2) {
         t[own + SourceTrust.IS_FROZEN] = 1.0;
       }
     }
