@@ -130,8 +130,7 @@ final class TrackFilter {
 
   /** Whether it moves, as far as one can tell. */
   boolean isMoving() {
-    return chance > 0.5
-        && velocity().distance() > Math.max(SURELY_MPS, MOVING_SIGMAS * velocitySigma());
+    return chance > 0.5 && velocity().distance() > Math.max(SURELY_MPS, velocitySigma());
   }
 
   /** Where it is [m]. */
