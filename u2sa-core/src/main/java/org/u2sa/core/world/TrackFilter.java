@@ -22,7 +22,8 @@ final class TrackFilter {
   record Assumptions(double maxSpeed, double acceleration, double drift) {}
 
   private static final int AXES = 3;
-  private static final double LEAST_CHANCE = 0.02; // so that what stood for hours may still start
+  private static final double LEAST_CHANCE = 0.001; // so that what stood for hours may still start
+  private static final double SURE = 0.95;
   private static final double MOVING_SIGMAS = 2.0;
   private static final double SURELY_MPS = 0.1;
 
@@ -121,7 +122,7 @@ final class TrackFilter {
         moving[i].updateSpeed(axis(velocity.get(), i), squared(velocitySigma.orElse(1.0)));
       }
     }
-    if (chance > 0.5) { // a later stop is where it is then, not where it once stood
+    if (chance > SURE) { // a later stop is where it is then, not where it once stood
       for (int i = 0; i < AXES; i++) {
         standing[i] = new AxisFilter(moving[i].place(), moving[i].placeVariance(), 0.0, 0.0);
       }
