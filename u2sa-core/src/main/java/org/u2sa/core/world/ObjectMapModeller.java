@@ -28,6 +28,7 @@ final class ObjectMapModeller implements Modeller {
   private MapFrame frame = MapFrame.BODY;
   private long sightings;
   private long unplaced;
+  private long misread;
 
   ObjectMapModeller(Configurator configuration) {
     settings = configuration.settings(ObjectMapSettings.class);
@@ -50,6 +51,10 @@ final class ObjectMapModeller implements Modeller {
     for (int i = 0; i < match.length; i++) {
       if (match[i] != SightingMatch.NONE) {
         Track track = tracks.get(match[i]);
+        if (track.isMisread(detections.get(i), tuning.gate(), tuning.assumptions())) {
+          misread++;
+          continue;
+        }
         track.hit(detections.get(i), sighting.micros(), tuning.detectionProbability());
         track.judge(tuning.confirmHits(), tuning.confirmWindow());
         hit.add(track);
@@ -231,8 +236,9 @@ final class ObjectMapModeller implements Modeller {
     long confirmed = tracks.stream().filter(Track::isConfirmed).count();
     long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
     return String.format(
-        "%d objects, %d confirmed, %d moving, %d of %d sightings without a way into %s",
-        tracks.size(), confirmed, moving, unplaced, sightings, frame.frame());
+        "%d objects, %d confirmed, %d moving, %d sightings, %d without a way into %s, %d of a name "
+            + "in the wrong place",
+        tracks.size(), confirmed, moving, sightings, unplaced, frame.frame(), misread);
   }
 
   @Override

@@ -79,6 +79,14 @@ record ObjectMapSettings(
                 "OBJECTS: how much less certain the place of a standing object is after one second, 1 sigma.")
         double drift,
     @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0.05,
+            text =
+                "OBJECTS: error that all sightings of a sensor have in common, as from how it is mounted, 1 sigma: no number of sightings makes a place more certain.")
+        double systematicSigma,
+    @Variable(
             unit = "s",
             min = 0,
             ifAbsent = 5,
@@ -134,7 +142,7 @@ record ObjectMapSettings(
   }
 
   TrackFilter.Assumptions assumptions() {
-    return new TrackFilter.Assumptions(usualSpeed, manoeuvres, drift);
+    return new TrackFilter.Assumptions(usualSpeed, manoeuvres, drift, systematicSigma);
   }
 
   /** Whether a scanner would see an object of that type. */

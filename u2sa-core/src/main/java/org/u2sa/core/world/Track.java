@@ -12,6 +12,7 @@ final class Track {
   private static final double NEW = 0.5;
   private static final double SUREST = 0.999;
   private static final double GONE = 0.05;
+  private static final int BELIEVED_AFTER = 4;
 
   private final String uid;
   private final boolean fromFile;
@@ -23,6 +24,7 @@ final class Track {
   private int seen; // bits of the last occasions, the newest is 1
   private int occasions;
   private boolean confirmed;
+  private int implausible; // sightings in a row
   private long filteredMicros;
   private long seenMicros;
 
@@ -65,6 +67,24 @@ final class Track {
             * detectionProbability
             / (existence * detectionProbability + (1.0 - existence) * FALSE_ALARM);
     existence = Math.min(SUREST, existence);
+  }
+
+  /**
+   * Whether a sighting of this very name is far from where the object can be: a misread name. If it
+   * comes repeatedly, the object is there.
+   */
+  boolean isMisread(Detection detection, double gate, TrackFilter.Assumptions assumed) {
+    if (fromFile || filter.distance(detection.place(), detection.sigma()) <= gate * gate) {
+      implausible = 0;
+      return false;
+    }
+    implausible++;
+    if (implausible < BELIEVED_AFTER) {
+      return true;
+    }
+    implausible = 0;
+    replace(detection, assumed);
+    return false;
   }
 
   private void see(Detection detection, long micros) {

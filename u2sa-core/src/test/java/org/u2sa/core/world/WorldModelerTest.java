@@ -124,10 +124,10 @@ class WorldModelerTest {
     assertThat(barrel.referenceFrame()).isEqualTo(ReferenceFrame.LOCAL_NED);
     assertThat(barrel.center().distanceTo(Point.of(5.0, -1.0, 0.0))).isLessThan(0.1);
     assertThat(barrel.motion().sigma().orElseThrow().x())
-        .isCloseTo(0.3 / Math.sqrt(3), within(0.01));
+        .isCloseTo(Math.hypot(0.3 / Math.sqrt(3), 0.05), within(0.01));
     assertThat(barrel.confidence().orElseThrow()).isGreaterThan(0.9);
     kit.advance(1.0);
-    assertThat(remarks()).contains("OBJECTS: 1 objects, 1 confirmed", "3 sightings");
+    assertThat(remarks()).contains("OBJECTS: 1 objects, 1 confirmed, 0 moving, 3 sightings");
   }
 
   @Test
