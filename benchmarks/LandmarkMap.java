@@ -72,7 +72,6 @@ final class LandmarkMap {
     Map<Integer, Point> landmarks = new LinkedHashMap<>();
     table(folder.resolve("Landmark_Groundtruth.dat"))
         .forEach(row -> landmarks.put((int) row[0], Point.of(row[1], row[2], 0.0)));
-    Map<Integer, Integer> groups = groups(landmarks, trusted ? 0.0 : 0.4);
     List<TreeMap<Double, double[]>> robots = new ArrayList<>();
     for (int each = 1; each <= ROBOTS; each++) {
       robots.add(poses(folder, each));
@@ -95,6 +94,7 @@ final class LandmarkMap {
                     "CONFIRM HITS", 2,
                     "CONFIRM WINDOW", 31,
                     "USUAL SPEED", 0.1,
+                    "MOVERS", "robot",
                     "MANOEUVRES", 0.1,
                     "MERGE WITHIN", trusted ? 0.0 : 0.1)));
     MapFrame frame = MapFrame.of(state(0.0, new double[] {0.0, 0.0, 0.0, 0.0}));
@@ -113,7 +113,7 @@ final class LandmarkMap {
           new Sighting(micros, frame, Optional.of(state(entry.getKey(), pose)));
       List<ObjectDescription> objects = new ArrayList<>();
       for (Seen seen : entry.getValue()) {
-        counts.merge(groups.getOrDefault(seen.subject(), seen.subject()), 1, Integer::sum);
+        counts.merge(seen.subject(), 1, Integer::sum);
         objects.add(object(seen, trusted));
       }
       map.objects(objects, sighting);
@@ -129,36 +129,6 @@ final class LandmarkMap {
       }
     }
     report(folder, robot, trusted, landmarks, counts, map.objects(new Sighting(micros, frame, Optional.empty())), moving, robotSightings);
-  }
-
-  /**
-   * Without names, landmarks nearer to each other than what the camera tells apart are one place:
-   * the first landmark of each, by landmark. Moves that one to the middle.
-   */
-  private static Map<Integer, Integer> groups(Map<Integer, Point> landmarks, double within) {
-    Map<Integer, Integer> groups = new LinkedHashMap<>();
-    Map<Integer, List<Point>> members = new LinkedHashMap<>();
-    for (Map.Entry<Integer, Point> each : landmarks.entrySet()) {
-      int group = each.getKey();
-      for (Map.Entry<Integer, Integer> other : groups.entrySet()) {
-        if (landmarks.get(other.getKey()).distanceTo(each.getValue()) < within) {
-          group = other.getValue();
-          break;
-        }
-      }
-      groups.put(each.getKey(), group);
-      members.computeIfAbsent(group, number -> new ArrayList<>()).add(each.getValue());
-    }
-    landmarks.clear();
-    members.forEach(
-        (group, points) ->
-            landmarks.put(
-                group,
-                Point.of(
-                    points.stream().mapToDouble(Point::x).average().orElseThrow(),
-                    points.stream().mapToDouble(Point::y).average().orElseThrow(),
-                    0.0)));
-    return groups;
   }
 
   private static void report(
@@ -203,7 +173,7 @@ final class LandmarkMap {
         "| %s | robot %d | %s | %d of %d | %d | %.3f m | %.3f m | %.1f | %d of %d | %s |%n",
         folder.getFileName(),
         robot,
-        trusted ? "barcodes" : "none; places",
+        trusted ? "barcodes" : "none",
         found,
         seen,
         left.size(),

@@ -51,7 +51,7 @@ final class ObjectMapModeller implements Modeller {
     for (int i = 0; i < match.length; i++) {
       if (match[i] != SightingMatch.NONE) {
         Track track = tracks.get(match[i]);
-        if (track.isMisread(detections.get(i), tuning.gate(), tuning.assumptions())) {
+        if (track.isMisread(detections.get(i), tuning)) {
           misread++;
           continue;
         }
@@ -70,9 +70,7 @@ final class ObjectMapModeller implements Modeller {
   }
 
   private Track begin(Detection detection, long micros, ObjectMapSettings tuning) {
-    Track track =
-        new Track(
-            freeUid(detection.object().uid()), detection, micros, tuning.assumptions(), false);
+    Track track = new Track(freeUid(detection.object().uid()), detection, micros, tuning, false);
     track.occasion(1);
     track.judge(tuning.confirmHits(), tuning.confirmWindow());
     tracks.add(track);
@@ -182,12 +180,7 @@ final class ObjectMapModeller implements Modeller {
       if (placed.isPresent()) {
         tracks.add(
             at++,
-            new Track(
-                freeUid(object.uid()),
-                placed.get(),
-                knownMicros,
-                settings.get().assumptions(),
-                true));
+            new Track(freeUid(object.uid()), placed.get(), knownMicros, settings.get(), true));
       }
     }
   }
@@ -203,7 +196,7 @@ final class ObjectMapModeller implements Modeller {
         Optional<Detection> placed = Detection.of(object, there, settings.get().defaultSigma());
         placed.ifPresent(
             detection -> {
-              track.replace(detection, settings.get().assumptions());
+              track.replace(detection, settings.get());
               tracks.add(track);
             });
       }

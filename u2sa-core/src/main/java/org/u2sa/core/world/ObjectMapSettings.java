@@ -64,6 +64,11 @@ record ObjectMapSettings(
             text = "OBJECTS: usual speed of what moves, 1 sigma; 0: nothing does.")
         double usualSpeed,
     @Variable(
+            ifAbsentText = "*",
+            text =
+                "OBJECTS: types of objects that can move, separated by commas; * for all. What is of no known type always can.")
+        String movers,
+    @Variable(
             unit = "m/s^2",
             min = 0,
             max = 100,
@@ -141,13 +146,20 @@ record ObjectMapSettings(
     FieldOfView.parse(fieldsOfView);
   }
 
-  TrackFilter.Assumptions assumptions() {
-    return new TrackFilter.Assumptions(usualSpeed, manoeuvres, drift, systematicSigma);
+  /** What is assumed of an object of that type. */
+  TrackFilter.Assumptions assumptions(String type) {
+    boolean moves = type.isEmpty() || names(movers, type);
+    return new TrackFilter.Assumptions(
+        moves ? usualSpeed : 0.0, manoeuvres, drift, systematicSigma);
   }
 
   /** Whether a scanner would see an object of that type. */
   boolean scannerSees(String type) {
-    Set<String> types = new TreeSet<>(Arrays.asList(scannersSee.trim().split("\\s*,\\s*")));
+    return names(scannersSee, type);
+  }
+
+  private static boolean names(String list, String type) {
+    Set<String> types = new TreeSet<>(Arrays.asList(list.trim().split("\\s*,\\s*")));
     return types.contains("*") || !type.isEmpty() && types.contains(type);
   }
 }

@@ -28,17 +28,23 @@ final class Track {
   private long filteredMicros;
   private long seenMicros;
 
-  Track(
-      String uid, Detection first, long micros, TrackFilter.Assumptions assumed, boolean fromFile) {
+  Track(String uid, Detection first, long micros, ObjectMapSettings settings, boolean fromFile) {
     this.uid = uid;
     this.fromFile = fromFile;
-    filter =
-        new TrackFilter(
-            first.place(), first.sigma(), first.velocity(), first.velocitySigma(), assumed);
+    filter = filter(first, settings);
     filteredMicros = micros;
     see(first, micros);
     confirmed = fromFile;
     existence = fromFile ? SUREST : NEW;
+  }
+
+  private static TrackFilter filter(Detection at, ObjectMapSettings settings) {
+    return new TrackFilter(
+        at.place(),
+        at.sigma(),
+        at.velocity(),
+        at.velocitySigma(),
+        settings.assumptions(at.object().objectType()));
   }
 
   /** Carries the estimate on to a time; an earlier one changes nothing. */
@@ -73,7 +79,8 @@ final class Track {
    * Whether a sighting of this very name is far from where the object can be: a misread name. If it
    * comes repeatedly, the object is there.
    */
-  boolean isMisread(Detection detection, double gate, TrackFilter.Assumptions assumed) {
+  boolean isMisread(Detection detection, ObjectMapSettings settings) {
+    double gate = settings.gate();
     if (fromFile || filter.distance(detection.place(), detection.sigma()) <= gate * gate) {
       implausible = 0;
       return false;
@@ -83,7 +90,7 @@ final class Track {
       return true;
     }
     implausible = 0;
-    replace(detection, assumed);
+    replace(detection, settings);
     return false;
   }
 
@@ -154,10 +161,8 @@ final class Track {
   }
 
   /** Goes on in another map, where it is as said. */
-  void replace(Detection placed, TrackFilter.Assumptions assumed) {
-    filter =
-        new TrackFilter(
-            placed.place(), placed.sigma(), placed.velocity(), placed.velocitySigma(), assumed);
+  void replace(Detection placed, ObjectMapSettings settings) {
+    filter = filter(placed, settings);
     template = placed.object();
   }
 
