@@ -28,6 +28,7 @@ final class ObjectMapModeller implements Modeller {
   private MapFrame frame = MapFrame.BODY;
   private long sightings;
   private long unplaced;
+  private long misread;
 
   ObjectMapModeller(Configurator configuration) {
     settings = configuration.settings(ObjectMapSettings.class);
@@ -50,6 +51,10 @@ final class ObjectMapModeller implements Modeller {
     for (int i = 0; i < match.length; i++) {
       if (match[i] != SightingMatch.NONE) {
         Track track = tracks.get(match[i]);
+        if (track.isMisread(detections.get(i), tuning)) {
+          misread++;
+          continue;
+        }
         track.hit(detections.get(i), sighting.micros(), tuning.detectionProbability());
         track.judge(tuning.confirmHits(), tuning.confirmWindow());
         hit.add(track);
@@ -65,9 +70,7 @@ final class ObjectMapModeller implements Modeller {
   }
 
   private Track begin(Detection detection, long micros, ObjectMapSettings tuning) {
-    Track track =
-        new Track(
-            freeUid(detection.object().uid()), detection, micros, tuning.assumptions(), false);
+    Track track = new Track(freeUid(detection.object().uid()), detection, micros, tuning, false);
     track.occasion(1);
     track.judge(tuning.confirmHits(), tuning.confirmWindow());
     tracks.add(track);
@@ -177,12 +180,7 @@ final class ObjectMapModeller implements Modeller {
       if (placed.isPresent()) {
         tracks.add(
             at++,
-            new Track(
-                freeUid(object.uid()),
-                placed.get(),
-                knownMicros,
-                settings.get().assumptions(),
-                true));
+            new Track(freeUid(object.uid()), placed.get(), knownMicros, settings.get(), true));
       }
     }
   }
@@ -198,7 +196,7 @@ final class ObjectMapModeller implements Modeller {
         Optional<Detection> placed = Detection.of(object, there, settings.get().defaultSigma());
         placed.ifPresent(
             detection -> {
-              track.replace(detection, settings.get().assumptions());
+              track.replace(detection, settings.get());
               tracks.add(track);
             });
       }
@@ -231,8 +229,9 @@ final class ObjectMapModeller implements Modeller {
     long confirmed = tracks.stream().filter(Track::isConfirmed).count();
     long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
     return String.format(
-        "%d objects, %d confirmed, %d moving, %d of %d sightings without a way into %s",
-        tracks.size(), confirmed, moving, unplaced, sightings, frame.frame());
+        "%d objects, %d confirmed, %d moving, %d sightings, %d without a way into %s, %d of a name "
+            + "in the wrong place",
+        tracks.size(), confirmed, moving, sightings, unplaced, frame.frame(), misread);
   }
 
   @Override

@@ -64,6 +64,11 @@ record ObjectMapSettings(
             text = "OBJECTS: usual speed of what moves, 1 sigma; 0: nothing does.")
         double usualSpeed,
     @Variable(
+            ifAbsentText = "*",
+            text =
+                "OBJECTS: types of objects that can move, separated by commas; * for all. What is of no known type always can.")
+        String movers,
+    @Variable(
             unit = "m/s^2",
             min = 0,
             max = 100,
@@ -78,6 +83,14 @@ record ObjectMapSettings(
             text =
                 "OBJECTS: how much less certain the place of a standing object is after one second, 1 sigma.")
         double drift,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 100,
+            ifAbsent = 0.05,
+            text =
+                "OBJECTS: error that all sightings of a sensor have in common, as from how it is mounted, 1 sigma: no number of sightings makes a place more certain.")
+        double systematicSigma,
     @Variable(
             unit = "s",
             min = 0,
@@ -133,13 +146,20 @@ record ObjectMapSettings(
     FieldOfView.parse(fieldsOfView);
   }
 
-  TrackFilter.Assumptions assumptions() {
-    return new TrackFilter.Assumptions(usualSpeed, manoeuvres, drift);
+  /** What is assumed of an object of that type. */
+  TrackFilter.Assumptions assumptions(String type) {
+    boolean moves = type.isEmpty() || names(movers, type);
+    return new TrackFilter.Assumptions(
+        moves ? usualSpeed : 0.0, manoeuvres, drift, systematicSigma);
   }
 
   /** Whether a scanner would see an object of that type. */
   boolean scannerSees(String type) {
-    Set<String> types = new TreeSet<>(Arrays.asList(scannersSee.trim().split("\\s*,\\s*")));
+    return names(scannersSee, type);
+  }
+
+  private static boolean names(String list, String type) {
+    Set<String> types = new TreeSet<>(Arrays.asList(list.trim().split("\\s*,\\s*")));
     return types.contains("*") || !type.isEmpty() && types.contains(type);
   }
 }

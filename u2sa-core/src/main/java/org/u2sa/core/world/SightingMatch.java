@@ -58,7 +58,7 @@ final class SightingMatch {
     }
     boolean called = track.isCalled(detection.object());
     if (called && settings.trustUids()) {
-      return 0.0;
+      return 0.0; // what is said in the wrong place is refused later
     }
     if (track.isFromFile()) { // something large may be seen anywhere on its surface
       double sigma = Math.max(1e-6, detection.sigma().distance());

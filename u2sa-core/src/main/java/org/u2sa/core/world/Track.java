@@ -12,6 +12,7 @@ final class Track {
   private static final double NEW = 0.5;
   private static final double SUREST = 0.999;
   private static final double GONE = 0.05;
+  private static final int BELIEVED_AFTER = 4;
 
   private final String uid;
   private final boolean fromFile;
@@ -23,20 +24,27 @@ final class Track {
   private int seen; // bits of the last occasions, the newest is 1
   private int occasions;
   private boolean confirmed;
+  private int implausible; // sightings in a row
   private long filteredMicros;
   private long seenMicros;
 
-  Track(
-      String uid, Detection first, long micros, TrackFilter.Assumptions assumed, boolean fromFile) {
+  Track(String uid, Detection first, long micros, ObjectMapSettings settings, boolean fromFile) {
     this.uid = uid;
     this.fromFile = fromFile;
-    filter =
-        new TrackFilter(
-            first.place(), first.sigma(), first.velocity(), first.velocitySigma(), assumed);
+    filter = filter(first, settings);
     filteredMicros = micros;
     see(first, micros);
     confirmed = fromFile;
     existence = fromFile ? SUREST : NEW;
+  }
+
+  private static TrackFilter filter(Detection at, ObjectMapSettings settings) {
+    return new TrackFilter(
+        at.place(),
+        at.sigma(),
+        at.velocity(),
+        at.velocitySigma(),
+        settings.assumptions(at.object().objectType()));
   }
 
   /** Carries the estimate on to a time; an earlier one changes nothing. */
@@ -65,6 +73,25 @@ final class Track {
             * detectionProbability
             / (existence * detectionProbability + (1.0 - existence) * FALSE_ALARM);
     existence = Math.min(SUREST, existence);
+  }
+
+  /**
+   * Whether a sighting of this very name is far from where the object can be: a misread name. If it
+   * comes repeatedly, the object is there.
+   */
+  boolean isMisread(Detection detection, ObjectMapSettings settings) {
+    double gate = settings.gate();
+    if (fromFile || filter.distance(detection.place(), detection.sigma()) <= gate * gate) {
+      implausible = 0;
+      return false;
+    }
+    implausible++;
+    if (implausible < BELIEVED_AFTER) {
+      return true;
+    }
+    implausible = 0;
+    replace(detection, settings);
+    return false;
   }
 
   private void see(Detection detection, long micros) {
@@ -134,10 +161,8 @@ final class Track {
   }
 
   /** Goes on in another map, where it is as said. */
-  void replace(Detection placed, TrackFilter.Assumptions assumed) {
-    filter =
-        new TrackFilter(
-            placed.place(), placed.sigma(), placed.velocity(), placed.velocitySigma(), assumed);
+  void replace(Detection placed, ObjectMapSettings settings) {
+    filter = filter(placed, settings);
     template = placed.object();
   }
 

@@ -18,11 +18,14 @@ final class TrackFilter {
    * @param acceleration standard deviation of how a moving object speeds up or turns [m/s²]
    * @param drift standard deviation by which a standing object's place is less certain after a
    *     second [m]
+   * @param systematic standard deviation of what all sightings of a sensor have in common, and no
+   *     number of them averages out [m]
    */
-  record Assumptions(double maxSpeed, double acceleration, double drift) {}
+  record Assumptions(double maxSpeed, double acceleration, double drift, double systematic) {}
 
   private static final int AXES = 3;
-  private static final double LEAST_CHANCE = 0.02; // so that what stood for hours may still start
+  private static final double LEAST_CHANCE = 0.001; // so that what stood for hours may still start
+  private static final double SURE = 0.95;
   private static final double MOVING_SIGMAS = 2.0;
   private static final double SURELY_MPS = 0.1;
 
@@ -75,14 +78,17 @@ final class TrackFilter {
    * both (Mahalanobis); by the filter that explains it better.
    */
   double distance(Point place, Point sigma) {
-    double stands = distance(standing, place, sigma);
-    return assumed.maxSpeed() == 0.0 ? stands : Math.min(stands, distance(moving, place, sigma));
+    double common = squared(assumed.systematic());
+    double stands = distance(standing, place, sigma, common);
+    return assumed.maxSpeed() == 0.0
+        ? stands
+        : Math.min(stands, distance(moving, place, sigma, common));
   }
 
-  private static double distance(AxisFilter[] filter, Point place, Point sigma) {
+  private static double distance(AxisFilter[] filter, Point place, Point sigma, double variance) {
     double sum = 0.0;
     for (int i = 0; i < AXES; i++) {
-      double total = filter[i].placeVariance() + squared(axis(sigma, i));
+      double total = filter[i].placeVariance() + squared(axis(sigma, i)) + variance;
       sum += total == 0.0 ? 0.0 : squared(axis(place, i) - filter[i].place()) / total;
     }
     return sum;
@@ -90,7 +96,7 @@ final class TrackFilter {
 
   /** Logarithm of a measurement's likelihood, less a constant. */
   private static double likelihood(AxisFilter[] filter, Point place, Point sigma) {
-    double log = -0.5 * distance(filter, place, sigma);
+    double log = -0.5 * distance(filter, place, sigma, 0.0);
     for (int i = 0; i < AXES; i++) {
       double total = filter[i].placeVariance() + squared(axis(sigma, i));
       log -= total == 0.0 ? 0.0 : 0.5 * Math.log(total);
@@ -121,7 +127,7 @@ final class TrackFilter {
         moving[i].updateSpeed(axis(velocity.get(), i), squared(velocitySigma.orElse(1.0)));
       }
     }
-    if (chance > 0.5) { // a later stop is where it is then, not where it once stood
+    if (chance > SURE) { // a later stop is where it is then, not where it once stood
       for (int i = 0; i < AXES; i++) {
         standing[i] = new AxisFilter(moving[i].place(), moving[i].placeVariance(), 0.0, 0.0);
       }
@@ -130,8 +136,7 @@ final class TrackFilter {
 
   /** Whether it moves, as far as one can tell. */
   boolean isMoving() {
-    return chance > 0.5
-        && velocity().distance() > Math.max(SURELY_MPS, MOVING_SIGMAS * velocitySigma());
+    return chance > 0.5 && velocity().distance() > Math.max(SURELY_MPS, velocitySigma());
   }
 
   /** Where it is [m]. */
@@ -143,10 +148,11 @@ final class TrackFilter {
   /** Standard deviations of {@link #place} [m]. */
   Point sigma() {
     AxisFilter[] believed = believed();
+    double common = squared(assumed.systematic());
     return Point.of(
-        Math.sqrt(Math.max(0.0, believed[0].placeVariance())),
-        Math.sqrt(Math.max(0.0, believed[1].placeVariance())),
-        Math.sqrt(Math.max(0.0, believed[2].placeVariance())));
+        Math.sqrt(common + Math.max(0.0, believed[0].placeVariance())),
+        Math.sqrt(common + Math.max(0.0, believed[1].placeVariance())),
+        Math.sqrt(common + Math.max(0.0, believed[2].placeVariance())));
   }
 
   /** Its velocity, if it moves [m/s]. */
