@@ -33,6 +33,7 @@ final class ServiceHealth {
   private Exception lastException;
   private boolean died;
   private List<String> emergencyStops; // null: heeds none
+  private List<String> remarks; // null: makes none
   private volatile long busySinceMicros = IDLE; // of the stopwatch; written by the service's thread
 
   /**
@@ -123,6 +124,10 @@ final class ServiceHealth {
     return changed;
   }
 
+  synchronized void remarks(List<String> lines) {
+    remarks = List.copyOf(lines);
+  }
+
   synchronized void error(String what) {
     lastError = what;
   }
@@ -162,6 +167,9 @@ final class ServiceHealth {
     }
     if (emergencyStops != null) {
       report.emergencyStops(emergencyStops);
+    }
+    if (remarks != null) {
+      report.remarks(remarks);
     }
     return report
         .overruns(overruns)

@@ -16,6 +16,7 @@ import static org.u2sa.interfaces.communication.Channels.GOAL_REPORTS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_UPDATES;
 import static org.u2sa.interfaces.communication.Channels.GRID;
 import static org.u2sa.interfaces.communication.Channels.HEALTH;
+import static org.u2sa.interfaces.communication.Channels.LOCAL_STATE;
 import static org.u2sa.interfaces.communication.Channels.NAVIGATION;
 import static org.u2sa.interfaces.communication.Channels.OBJECTS;
 import static org.u2sa.interfaces.communication.Channels.OPERATOR;
@@ -42,7 +43,7 @@ public enum ServiceRole {
   /** Measures the environment (3.2.2.3). */
   EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS, SCANS), List.of(STATE)),
   /** Publishes the best estimate of the state that it has (3.2.3.1). */
-  STATE_ESTIMATOR(List.of(STATE), List.of(SENSED_STATE)),
+  STATE_ESTIMATOR(List.of(STATE, LOCAL_STATE), List.of(SENSED_STATE)),
   /** Keeps the goals (3.2.3.2). */
   MISSION_MANAGER(List.of(GOALS), List.of(GOAL_REPORTS, GOAL_COMMANDS, STATE)),
   /** Keeps the map of objects (3.2.3.3). */
@@ -95,7 +96,8 @@ public enum ServiceRole {
           EMERGENCY_STOP,
           FAILSAFE,
           ARMING_STATE,
-          POWER));
+          POWER,
+          LOCAL_STATE));
 
   private final List<Channel<?>> published;
   private final List<Channel<?>> subscribed;

@@ -186,6 +186,14 @@ public abstract class U2SAService extends Thread
     log(LogLevelEnum.WARN, what);
   }
 
+  /**
+   * Says in the health reports from now on what else there is to say of the service's work, a line
+   * each; replaces what was said before. From any thread.
+   */
+  protected final void remarks(List<String> lines) {
+    health.remarks(lines);
+  }
+
   // Messages (thesis 3.2.1.2–3.2.1.4)
 
   @Override

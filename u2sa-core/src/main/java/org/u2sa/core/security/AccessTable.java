@@ -51,6 +51,7 @@ public final class AccessTable {
       List.of(
           row(Channels.SENSED_STATE, REPORT, SERVICES),
           row(Channels.STATE, REPORT, SERVICES),
+          row(Channels.LOCAL_STATE, REPORT, SERVICES),
           row(Channels.SENSED_OBJECTS, REPORT, SERVICES),
           row(Channels.SCANS, REPORT, SERVICES),
           row(Channels.OBJECTS, REPORT, SERVICES),

@@ -52,6 +52,13 @@ public final class Channels {
   public static final Channel<StateInformation> STATE =
       Channel.latest("state", StateInformation.TYPE, StateInformation::sensorName);
 
+  /**
+   * The State Estimator's dead reckoning in a local frame that never jumps, beside {@link #STATE};
+   * to maps of the surroundings and to control.
+   */
+  public static final Channel<StateInformation> LOCAL_STATE =
+      Channel.latest("local-state", StateInformation.TYPE, StateInformation::sensorName);
+
   /** What exteroceptive sensors saw; to the World Modeler. */
   public static final Channel<ObjectDescription> SENSED_OBJECTS =
       Channel.every("sensed-objects", ObjectDescription.TYPE);
@@ -168,6 +175,7 @@ public final class Channels {
       List.of(
           SENSED_STATE,
           STATE,
+          LOCAL_STATE,
           SENSED_OBJECTS,
           SCANS,
           OBJECTS,

@@ -53,6 +53,8 @@ public class HealthReport extends U2SAData {
       SCHEMA.optionalText("refusedSubscriptions");
   private static final ValueField<HealthReport, List<String>> EMERGENCY_STOPS =
       SCHEMA.since(3).optionalTexts("emergencyStops");
+  private static final ValueField<HealthReport, List<String>> REMARKS =
+      SCHEMA.optionalTexts("remarks");
 
   /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
@@ -90,6 +92,19 @@ public class HealthReport extends U2SAData {
   /** Sets {@link #lastError()}. */
   public HealthReport lastError(String value) {
     return put(LAST_ERROR, value);
+  }
+
+  /**
+   * What else the service says of its present work, a line each: a State Estimator of its sources.
+   * Empty if it makes no remarks.
+   */
+  public Optional<List<String>> remarks() {
+    return Optional.ofNullable(get(REMARKS));
+  }
+
+  /** Sets {@link #remarks()}. */
+  public HealthReport remarks(List<String> value) {
+    return put(REMARKS, value);
   }
 
   /** Messages that wait now. */

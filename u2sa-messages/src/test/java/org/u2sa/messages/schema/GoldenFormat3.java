@@ -46,6 +46,12 @@ final class GoldenFormat3 {
                     new RangeScan.Beam(0.0, OptionalDouble.empty()),
                     new RangeScan.Beam(-0.015625, OptionalDouble.of(2.5)))));
     golden.add("RangeScan-empty", new RangeScan().sensorName("Laser").maxRange(12.0));
+    golden.add(
+        "HealthReport-remarks",
+        new HealthReport()
+            .serviceName("StateEstimator")
+            .status(ServiceStatus.RUNNING)
+            .remarks(List.of("Compass used: used 40, gated 1, sigma x1.0")));
     golden.add("InertialMeasurement", inertial());
     golden.add(
         "EmergencyStop-named",

@@ -44,6 +44,14 @@ final class UgvDemo implements Callable<Integer>, Demo {
     PROPORTIONAL
   }
 
+  /** Which State Estimator says where the vehicle is. */
+  enum EstimatorKind {
+    /** What GPS and compass measured. */
+    PASS_THROUGH,
+    /** An error-state Kalman filter of all that is measured. */
+    FUSING
+  }
+
   private static final int LAPS = 4;
 
   @Mixin private DemoFrame frame;
@@ -64,6 +72,12 @@ final class UgvDemo implements Callable<Integer>, Demo {
       names = "--control",
       description = "One of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
   private ControlKind control = ControlKind.PURSUIT;
+
+  @Option(
+      names = "--estimator",
+      description =
+          "One of ${COMPLETION-CANDIDATES}; fusing with --control pursuit. Default: ${DEFAULT-VALUE}.")
+  private EstimatorKind estimator = EstimatorKind.PASS_THROUGH;
 
   private Integer laps; // null: not given
 
@@ -91,6 +105,14 @@ final class UgvDemo implements Callable<Integer>, Demo {
 
   @Override
   public String systemFile() {
+    if (estimator == EstimatorKind.FUSING) {
+      if (vehicle == VehicleKind.ACKERMANN || control == ControlKind.PROPORTIONAL) {
+        throw new ParameterException(
+            command.commandLine(),
+            "--estimator fusing: expected --vehicle differential and --control pursuit");
+      }
+      return "system-fused.xml";
+    }
     if (vehicle == VehicleKind.ACKERMANN) {
       if (control == ControlKind.PROPORTIONAL) {
         throw new ParameterException(
@@ -134,6 +156,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   private void configure(LaunchOptions launch) {
     launch
         .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
+        .override("FusingStateEstimator", "POSITION CORRELATION", receiver.correlationS())
         .override("SafetyManager", "ARM AT START", true); // the demo is its own operator
   }
 

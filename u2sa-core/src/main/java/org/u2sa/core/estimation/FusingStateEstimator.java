@@ -1,0 +1,175 @@
+package org.u2sa.core.estimation;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.u2sa.core.estimation.fusion.ErrorStateFilter;
+import org.u2sa.core.estimation.fusion.Estimate;
+import org.u2sa.core.estimation.fusion.EstimateWriter;
+import org.u2sa.core.estimation.fusion.FilterMemory;
+import org.u2sa.core.estimation.fusion.LocalOdometry;
+import org.u2sa.core.estimation.fusion.Measurement;
+import org.u2sa.core.estimation.fusion.MeasurementReader;
+import org.u2sa.core.estimation.fusion.SourceReports.Report;
+import org.u2sa.core.estimation.fusion.SourceReports.Standing;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Fuses whatever proprioceptive sources there are into one state with honest standard deviations
+ * (thesis 3.2.3.1, 5.1), by an {@link ErrorStateFilter}. A source is known by its messages alone
+ * and registered at the first. In: sensed-state. Out: state, carried ahead to now; local-state, a
+ * dead reckoning that never jumps.
+ *
+ * <p>Health remarks say of each source whether it is used, gated, biased, frozen or silent.
+ */
+public final class FusingStateEstimator extends StateEstimator {
+  private static final String LOCAL = "LOCAL STATE";
+  private static final String STATE = "STATE";
+  private static final long REPORT_MICROS = 500_000L;
+  private static final int REPORTS_REMEMBERED = 10;
+  private static final double FUTURE_S = 0.5; // clocks of sensors may differ by so much
+  private static final int WARN_OF_LATE = 100;
+
+  private final FusionVariables variables;
+  private final ErrorStateFilter filter;
+  private final MeasurementReader reader;
+  private final Measurement measurement = new Measurement();
+  private final LocalOdometry odometry = new LocalOdometry();
+  private final Completeness completeness;
+  private final Map<String, Standing> standings = new TreeMap<>();
+  private final Map<String, StateInformation> newest = new TreeMap<>();
+  private long publishedMicros = Long.MIN_VALUE;
+  private long reportedMicros = Long.MIN_VALUE;
+  private long reports;
+  private long resets;
+  private long ignored;
+
+  /** Called by the launcher. */
+  public FusingStateEstimator(ServiceContext context) {
+    super(context, "StateEstimator");
+    variables = settings(FusionVariables.class).get(); // another one counts from the next start
+    filter = new ErrorStateFilter(variables.tuning());
+    reader = new MeasurementReader(variables.sigmas());
+    completeness =
+        new Completeness(
+            this,
+            Completeness.fields(variables.needed()),
+            Clock.micros(variables.completeWithin()));
+    registerPublisher(Channels.LOCAL_STATE);
+  }
+
+  @Override
+  protected Optional<StateInformation> estimate(StateInformation sensed) {
+    long now = clock().micros();
+    long micros = sensed.timestamp().orElseThrow();
+    if (Clock.seconds(micros - now) > FUTURE_S) {
+      ignore(sensed, "is from the future");
+      return Optional.empty();
+    }
+    try {
+      reader.read(sensed, measurement);
+    } catch (IllegalArgumentException e) {
+      ignore(sensed, e.getMessage());
+      return Optional.empty();
+    }
+    newest.put(sensed.sensorName(), sensed);
+    if (filter.add(measurement) == ErrorStateFilter.Outcome.TOO_LATE) {
+      if (filter.late() % WARN_OF_LATE == 1) {
+        log(LogLevelEnum.WARN, sensed.sensorName() + " is later than HORIZON: " + filter.late());
+      }
+      return Optional.empty();
+    }
+    report(Math.max(now, filter.micros()));
+    long at = Math.max(now, filter.micros());
+    boolean isDue = at - publishedMicros >= Clock.micros(1.0 / variables.outputRate());
+    return publishedMicros == Long.MIN_VALUE || isDue ? Optional.of(state(at)) : Optional.empty();
+  }
+
+  private void ignore(StateInformation sensed, String why) {
+    if (ignored++ % WARN_OF_LATE == 0) {
+      trouble("ignored a measurement of " + sensed.sensorName() + ", which " + why);
+    }
+  }
+
+  private StateInformation state(long micros) {
+    publishedMicros = micros;
+    Estimate estimate = filter.at(micros);
+    odometry.moveTo(estimate);
+    if (estimate.hasHeading()) {
+      StateInformation local = odometry.write(estimate);
+      publish(Channels.LOCAL_STATE, local.sensorName(getServiceName()));
+    }
+    StateInformation state = EstimateWriter.write(estimate);
+    completeness.look(state, newest.values());
+    return state;
+  }
+
+  private void report(long now) {
+    if (reportedMicros != Long.MIN_VALUE && now - reportedMicros < REPORT_MICROS) {
+      return;
+    }
+    reportedMicros = now;
+    if (++reports % REPORTS_REMEMBERED == 0) {
+      remember();
+    }
+    List<String> lines = new ArrayList<>();
+    for (Report report : filter.sources().at(now)) {
+      lines.add(report.text());
+      Standing before = standings.put(report.source(), report.standing());
+      if (before != report.standing()) {
+        say(report, before);
+      }
+    }
+    lines.add(
+        "late "
+            + filter.late()
+            + ", replayed "
+            + filter.replayed()
+            + ", begun anew "
+            + filter.resets());
+    remarks(lines);
+    if (filter.resets() > resets) {
+      trouble("all sources of a quantity contradicted the estimate: it began anew from them");
+    }
+    resets = filter.resets();
+  }
+
+  private void say(Report report, Standing before) {
+    boolean isFine = report.standing() == Standing.USED || report.standing() == Standing.UNUSED;
+    if (!isFine) {
+      trouble(report.text());
+    } else if (before != Standing.UNUSED || report.standing() == Standing.USED) {
+      log(report.text());
+    }
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    state.messages("MEASUREMENTS", newest.values());
+    FilterMemory.write(filter, state::text);
+    if (publishedMicros != Long.MIN_VALUE) {
+      Estimate estimate = filter.at(publishedMicros);
+      state.message(STATE, EstimateWriter.write(estimate).sensorName(getServiceName()));
+      if (estimate.hasHeading()) {
+        state.message(LOCAL, odometry.write(estimate));
+      }
+    }
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    state.message(LOCAL, StateInformation.class).ifPresent(odometry::resume);
+    if (!FilterMemory.read(filter, state::text)) {
+      for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
+        filter.add(reader.read(each, measurement)); // of another estimator: a start at least
+      }
+    }
+  }
+}

@@ -1,0 +1,86 @@
+package org.u2sa.core.estimation.fusion;
+
+/**
+ * The last measurements in the order of their times, each with the state after it. Made once: what
+ * falls out at the old end is filled again at the new one.
+ */
+final class History {
+  /** A measurement, and what it led to. */
+  static final class Entry {
+    final Measurement measurement = new Measurement();
+    final FilterState after = new FilterState();
+    int source;
+  }
+
+  private final Entry[] ring;
+  private final FilterState base = new FilterState(); // before the oldest entry
+  private int first;
+  private int count;
+
+  History(int capacity) {
+    ring = new Entry[capacity];
+    for (int i = 0; i < capacity; i++) {
+      ring[i] = new Entry();
+    }
+  }
+
+  int count() {
+    return count;
+  }
+
+  Entry at(int index) {
+    return ring[(first + index) % ring.length];
+  }
+
+  /** The state before an entry. */
+  FilterState before(int index) {
+    return index == 0 ? base : at(index - 1).after;
+  }
+
+  /** Begins anew from a state. */
+  void restart(FilterState from) {
+    base.copyFrom(from);
+    first = 0;
+    count = 0;
+  }
+
+  /** Whether a measurement of that time would come before all that is known to have led here. */
+  boolean isBefore(long micros) {
+    return base.isStarted && micros < base.micros;
+  }
+
+  /**
+   * Puts a measurement into its place: by time, at the same time by the source's name.
+   *
+   * @return its index, and all after it have to be fused again; -1 if it is older than what is kept
+   */
+  int insert(Measurement m, int source) {
+    if (isBefore(m.micros())) {
+      return -1;
+    }
+    if (count == ring.length) {
+      if (comesBefore(m, at(0).measurement)) {
+        return -1;
+      }
+      base.copyFrom(at(0).after);
+      first = (first + 1) % ring.length;
+      count--;
+    }
+    int index = count;
+    Entry entry = at(index);
+    while (index > 0 && comesBefore(m, at(index - 1).measurement)) {
+      ring[(first + index) % ring.length] = at(index - 1);
+      index--;
+    }
+    ring[(first + index) % ring.length] = entry;
+    entry.measurement.copyFrom(m);
+    entry.source = source;
+    count++;
+    return index;
+  }
+
+  private static boolean comesBefore(Measurement a, Measurement b) {
+    return a.micros() < b.micros()
+        || a.micros() == b.micros() && a.source().compareTo(b.source()) < 0;
+  }
+}

@@ -1,0 +1,108 @@
+package org.u2sa.core.estimation.fusion;
+
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+
+/**
+ * Corrects state and covariance by one measurement vector. The covariance is updated in Joseph's
+ * form, written out for a gain K and G = P Hᵀ: P - K Gᵀ - G Kᵀ + K S Kᵀ, which stays positive
+ * whatever the rounding of K (Bucy and Joseph 1968).
+ */
+final class KalmanUpdate {
+  private static final int N = FilterState.N;
+
+  private final DMatrixRMaj g = new DMatrixRMaj(N, 3);
+  private final DMatrixRMaj k = new DMatrixRMaj(N, 3);
+  private final DMatrixRMaj ks = new DMatrixRMaj(N, 3);
+  private final DMatrixRMaj s = new DMatrixRMaj(3, 3);
+  private final DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
+  private final double[] dx = new double[N];
+  private int rows;
+
+  /** Variance of each component by the state's own uncertainty: diagonal of H P Hᵀ. */
+  final double[] expected = new double[3];
+
+  /**
+   * Prepares for a measurement.
+   *
+   * @param factor by which the claimed variances are multiplied
+   * @return normalised innovation squared, χ² distributed with as many degrees of freedom as rows
+   */
+  double prepare(FilterState state, MeasurementModel m, double factor) {
+    rows = m.rows;
+    m.h.reshape(rows, N);
+    g.reshape(N, rows);
+    s.reshape(rows, rows);
+    inverse.reshape(rows, rows);
+    CommonOps_DDRM.multTransB(state.p, m.h, g);
+    CommonOps_DDRM.mult(m.h, g, s);
+    for (int i = 0; i < rows; i++) {
+      expected[i] = s.data[i * rows + i];
+    }
+    return weigh(m, factor);
+  }
+
+  /** {@link #prepare} with another factor, for the same measurement. */
+  double weigh(MeasurementModel m, double factor) {
+    for (int i = 0; i < rows; i++) {
+      s.data[i * rows + i] = expected[i] + factor * m.variance[i];
+    }
+    CommonOps_DDRM.invert(s, inverse);
+    double nis = 0.0;
+    for (int i = 0; i < rows; i++) {
+      for (int j = 0; j < rows; j++) {
+        nis += m.innovation[i] * inverse.data[i * rows + j] * m.innovation[j];
+      }
+    }
+    return nis;
+  }
+
+  /** Corrects the state by what was prepared. */
+  void apply(FilterState state, MeasurementModel m) {
+    k.reshape(N, rows);
+    ks.reshape(N, rows);
+    CommonOps_DDRM.mult(g, inverse, k);
+    CommonOps_DDRM.mult(k, s, ks);
+    double[] p = state.p.data;
+    for (int i = 0; i < N; i++) {
+      for (int j = 0; j < N; j++) {
+        double sum = 0.0;
+        for (int c = 0; c < rows; c++) {
+          double ki = k.data[i * rows + c];
+          double kj = k.data[j * rows + c];
+          sum += ks.data[i * rows + c] * kj - ki * g.data[j * rows + c] - g.data[i * rows + c] * kj;
+        }
+        p[i * N + j] += sum;
+      }
+      dx[i] = 0.0;
+      for (int c = 0; c < rows; c++) {
+        dx[i] += k.data[i * rows + c] * m.innovation[c];
+      }
+    }
+    ProcessModel.symmetrise(state.p);
+    correct(state);
+  }
+
+  private void correct(FilterState state) {
+    double[] x = state.x;
+    state.move(dx[0], dx[1], dx[2]);
+    for (int i = 0; i < 3; i++) {
+      x[FilterState.V + i] += dx[FilterState.VELOCITY + i];
+      x[FilterState.BG + i] += dx[FilterState.GYRO_BIAS + i];
+      x[FilterState.BF + i] += dx[FilterState.FORCE_BIAS + i];
+      x[FilterState.W + i] += dx[FilterState.RATE + i];
+      if (state.isInertial) {
+        x[FilterState.W + i] -= dx[FilterState.GYRO_BIAS + i];
+      }
+    }
+    Quaternions.turnEarth(
+        x,
+        FilterState.Q,
+        dx[FilterState.ATTITUDE],
+        dx[FilterState.ATTITUDE + 1],
+        dx[FilterState.ATTITUDE + 2]);
+    x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
+    x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
+    x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
+  }
+}

@@ -1,0 +1,136 @@
+package org.u2sa.core.estimation.fusion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.mult.VectorVectorMult_DDRM;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Whether the errors are as large as the filter says, over many seeded runs: the normalised squared
+ * error of state and innovation must lie within the 95 % bounds of its χ² distribution (Bar-Shalom,
+ * Li, Kirubarajan 2001, section 5.4).
+ */
+class ConsistencyTest {
+  private static final int[] OBSERVED = {0, 1, 3, 4, 8};
+
+  private record Outcome(double nees, double nis, double headingNees) {}
+
+  private interface Run {
+    Outcome of(long seed);
+  }
+
+  private static Outcome outcome(ErrorStateFilter filter, SimulatedMotion truth) {
+    Estimate e = filter.at(truth.micros);
+    double[] errors = truth.errors(e);
+    DMatrixRMaj p = new DMatrixRMaj(4, 4);
+    for (int i = 0; i < 4; i++) {
+      for (int k = 0; k < 4; k++) {
+        p.set(i, k, e.covariance(OBSERVED[i], OBSERVED[k]));
+      }
+    }
+    DMatrixRMaj error = new DMatrixRMaj(4, 1, true, errors[0], errors[1], errors[2], errors[3]);
+    DMatrixRMaj inverse = new DMatrixRMaj(4, 4);
+    assertThat(CommonOps_DDRM.invert(p, inverse)).isTrue();
+    double nees = VectorVectorMult_DDRM.innerProdA(error, inverse, error);
+    FilterState s = filter.state();
+    SourceTrust trust = filter.trust();
+    int at = trust.of(s, trust.source("GPS"), SensedQuantity.PLACE);
+    double heading = errors[4] * errors[4] / (e.attitudeSigma(2) * e.attitudeSigma(2));
+    return new Outcome(nees, s.trust[at + SourceTrust.NIS], heading);
+  }
+
+  private static Outcome planar(long seed, double lies) {
+    FilterTuning tuning = Tunings.withoutConstraint(MotionDomain.GROUND);
+    SimulatedMotion truth = new SimulatedMotion(seed);
+    ErrorStateFilter filter = new ErrorStateFilter(tuning);
+    Measurement m = new Measurement();
+    for (int i = 1; i <= 6000; i++) {
+      truth.wander(tuning.accelerationNoise(), tuning.turnSigma());
+      if (i % 20 == 0) {
+        filter.add(truth.fix(m, "GPS", 0.5, 0.2, lies));
+      }
+      if (i % 10 == 0) {
+        filter.add(truth.compass(m, "Compass", 0.03));
+      }
+    }
+    return outcome(filter, truth);
+  }
+
+  private static Outcome strapdown(long seed, double lies) {
+    FilterTuning tuning = Tunings.withoutConstraint(MotionDomain.AIR);
+    SimulatedMotion truth = new SimulatedMotion(seed);
+    double[] bias = truth.biases(tuning.gyroBiasSigma() / 2, tuning.forceBiasSigma());
+    ErrorStateFilter filter = new ErrorStateFilter(tuning);
+    Measurement m = new Measurement();
+    for (int i = 1; i <= 6000; i++) {
+      truth.fly(i < 200 ? 0.0 : 1.0, i < 200 ? 0.0 : 0.2);
+      filter.add(truth.imu(m, "IMU", bias, 0.01, 0.2));
+      if (i % 20 == 0) {
+        filter.add(truth.fix(m, "GPS", 0.5, 0.2, lies));
+      }
+      if (i % 10 == 0) {
+        filter.add(truth.compass(m, "Compass", 0.03));
+      }
+    }
+    return outcome(filter, truth);
+  }
+
+  private static void assertConsistent(int runs, Run run) {
+    double nees = 0.0;
+    double nis = 0.0;
+    double heading = 0.0;
+    for (int seed = 1; seed <= runs; seed++) {
+      Outcome outcome = run.of(seed);
+      nees += outcome.nees() / runs;
+      nis += outcome.nis() / runs;
+      heading += outcome.headingNees() / runs;
+    }
+    System.out.printf("NEES %.2f heading %.2f NIS %.3f%n", nees, heading, nis);
+    assertThat(nees)
+        .as("NEES")
+        .isBetween(bound(4 * runs, -1.96) / runs, bound(4 * runs, 1.96) / runs);
+    assertThat(heading)
+        .as("heading")
+        .isBetween(bound(runs, -1.96) / runs, bound(runs, 1.96) / runs);
+    int samples = 39 * runs; // the filter keeps an exponential mean: 39 innovations' worth
+    assertThat(nis)
+        .as("NIS")
+        .isBetween(bound(2 * samples, -1.96) / 2 / samples, bound(2 * samples, 1.96) / 2 / samples);
+  }
+
+  private static double bound(int degrees, double z) {
+    return Fuser.threshold(degrees, z);
+  }
+
+  @Test
+  void estimate_gpsAndCompass_errorsAreAsItSays() {
+    assertConsistent(20, seed -> planar(seed, 1.0));
+  }
+
+  @Test
+  void estimate_receiverThreeTimesWorseThanItsClaim_errorsAreAsItSays() {
+    assertConsistent(20, seed -> planar(seed, 3.0));
+  }
+
+  @Test
+  void estimate_inertialSensorGpsAndCompass_errorsAreAsItSays() {
+    assertConsistent(20, seed -> strapdown(seed, 1.0));
+  }
+
+  @Test
+  @Tag("long")
+  void estimate_hundredRunsOfEach_errorsAreAsItSays() {
+    assertConsistent(100, seed -> planar(seed, 1.0));
+    assertConsistent(100, seed -> strapdown(seed, 1.0));
+  }
+
+  @Test
+  @Tag("long")
+  void estimate_hundredRunsWithAReceiverThreeTimesWorse_errorsAreAsItSays() {
+    assertConsistent(100, seed -> planar(seed, 3.0));
+    assertConsistent(100, seed -> strapdown(seed, 3.0));
+  }
+}
