@@ -20,7 +20,7 @@ public final class WaterSpeedSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
 
   private static final Devices.Usual USUAL =
-      new Devices.Usual("velocity log", "LOG", "PD6", "serial:/dev/ttyUSB0?baud=115200");
+      new Devices.Usual("velocity log", "LOG", "WATER LINKED", "serial:/dev/ttyUSB0?baud=115200");
 
   private record Tuning(
       @Variable(

@@ -8,12 +8,20 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.sim.device.SimulatedCamera;
 import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.World;
 import org.u2sa.testkit.DeviceContract;
 
 /** Every camera before a scene that is dark on its left half and bright on its right half. */
@@ -43,6 +51,35 @@ class CameraPortTest extends DeviceContract<CameraFrame> {
                 new SimulatedCamera.Lens(10.0, WIDTH, HEIGHT, 1.0, 0.01),
                 new NoiseStreams(1),
                 () -> direction -> direction.y() < 0.0 ? 0.1 : 0.9)));
+  }
+
+  @Test
+  void ahead_obstacleToTheRightOfNorth_isDarkOnTheRightBetweenSkyAndGround() {
+    World world =
+        World.at(new Geodetic(0.0, 0.0, 0.0))
+            .with(
+                List.of(
+                    new Cylinder()
+                        .radius(2.0)
+                        .height(20.0)
+                        .uid("mast")
+                        .referenceFrame(ReferenceFrame.LOCAL_ENU)
+                        .x(4.0)
+                        .y(10.0)
+                        .z(10.0)));
+    VehicleTruth truth =
+        new VehicleTruth(
+            0.0,
+            Point.of(0.0, 0.0, 1.0),
+            new Attitude(0.0, 0.0, 0.0),
+            Point.ORIGIN,
+            Point.ORIGIN,
+            Point.ORIGIN);
+    SimulatedCamera.Scene scene = SimulatedCamera.ahead(world, truth, 100.0);
+    double slant = Math.hypot(10.0, 4.0);
+    assertThat(scene.brightness(Point.of(10.0 / slant, 4.0 / slant, 0.0))).isLessThan(0.2);
+    assertThat(scene.brightness(Point.of(10.0 / slant, -4.0 / slant, 0.0))).isGreaterThan(0.8);
+    assertThat(scene.brightness(Point.of(0.8, -0.0, 0.6))).isBetween(0.4, 0.6);
   }
 
   @Override

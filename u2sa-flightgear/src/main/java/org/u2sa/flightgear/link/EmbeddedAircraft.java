@@ -26,6 +26,11 @@ public final class EmbeddedAircraft implements AircraftLink {
     run = new VehicleRun(aircraft);
   }
 
+  /** The aircraft, to be looked at only. */
+  Cessna172 aircraft() {
+    return aircraft;
+  }
+
   @Override
   public AircraftReading read(long nowMicros) {
     VehicleTruth truth = run.at(nowMicros);

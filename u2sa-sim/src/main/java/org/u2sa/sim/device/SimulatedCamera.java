@@ -84,7 +84,7 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
    */
   public static Scene ahead(World world, VehicleTruth truth, double rangeM) {
     return direction -> {
-      Point ned = truth.attitude().nedOf(direction);
+      Point ned = truth.attitude().nedFromFrd().times(direction);
       double length = ned.distance();
       Ray ray =
           new Ray(

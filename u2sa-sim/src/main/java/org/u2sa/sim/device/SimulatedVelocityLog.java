@@ -57,9 +57,8 @@ public final class SimulatedVelocityLog extends NoisyDevice<VelocityLog.Speeds>
         OptionalDouble.of(water.z()));
   }
 
-  /** From forward, right, down to forward, left, down, with errors. */
-  private Point measured(Point frd) {
+  private Point measured(Point exact) {
     return Point.of(
-        noisy(frd.x() + bias.x()), noisy(-frd.y() + bias.y()), noisy(frd.z() + bias.z()));
+        noisy(exact.x() + bias.x()), noisy(exact.y() + bias.y()), noisy(exact.z() + bias.z()));
   }
 }

@@ -7,7 +7,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 final class VehicleAxes {
   private VehicleAxes() {}
 
-  /** East, north, up as forward, right, down. */
+  /** East, north, up as forward, left, down. */
   static Point of(VehicleTruth truth, Point enu) {
     return truth.attitude().bodyOf(Point.of(enu.y(), enu.x(), -enu.z()));
   }
