@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
+import org.u2sa.gcs.describe.DescribeCommand;
 import org.u2sa.gcs.mission.MissionCommand;
 import org.u2sa.gcs.safety.ArmVehicleCommand;
 import org.u2sa.gcs.safety.DisarmVehicleCommand;
@@ -37,6 +38,7 @@ public final class SystemCommands implements CommandProvider {
             new DisarmVehicleCommand(),
             new OperatorCommand(),
             new MissionCommand(),
+            new DescribeCommand(),
             new DependenciesCommand(),
             new NewCommand(Path.of("")))
         .map(command -> new Contribution(Group.TOP_LEVEL, command))
