@@ -69,7 +69,7 @@ public record AutonomyLevels(Perception perception, Decision decision, Independe
   /** What a system does without people (thesis 2.3.3). */
   public enum Independence implements Level {
     /** Nothing: it is remotely controlled. */
-    TELE_OPERATION,
+    TELEOPERATION,
     /** Simple tasks, such as straight and level flight. */
     STABILIZED,
     /** Its task, once people have started it. */

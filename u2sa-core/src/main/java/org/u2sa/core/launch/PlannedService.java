@@ -26,7 +26,7 @@ import org.u2sa.service.U2SAService;
  *     be made
  * @param publishes the channels on which it would publish
  * @param subscribes the channels that it would hear
- * @param refusal why it could not be made here, as for want of a device; empty if it was
+ * @param refusal why it could not be made here, as for want of a device or jar; empty if it was
  */
 public record PlannedService(
     SystemFile.Entry entry,
@@ -64,8 +64,7 @@ public record PlannedService(
   }
 
   private static PlannedService planned(ServiceMaker maker, SystemFile.Entry entry) {
-    XmlConfiguration configuration = maker.configuration(entry);
-    ServiceFactory.constructor(entry); // whose class is missing, is wrong in any place
+    XmlConfiguration configuration = maker.configuration(entry); // wrong on any machine, if wrong
     try {
       U2SAService service = maker.make(entry, configuration);
       PlannedService planned =
@@ -78,7 +77,7 @@ public record PlannedService(
               Optional.empty());
       service.kill();
       return planned;
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | LinkageError e) { // a device, a jar that is not here
       return new PlannedService(
           entry,
           entry.simpleName(),

@@ -101,7 +101,7 @@ final class AutonomyEvidence {
         !vehicle.ofRole("MISSION_MANAGER").isEmpty() && !vehicle.ofRole("PATH_PLANNER").isEmpty();
     if (control.isEmpty() || vehicle.publishersOf(Channels.STATE.name()).isEmpty()) {
       return new Finding(
-          "independence", stated, Independence.TELE_OPERATION, "nobody controls by a state");
+          "independence", stated, Independence.TELEOPERATION, "nobody controls by a state");
     }
     if (!tasks) {
       return new Finding(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import org.u2sa.core.launch.AutonomyLevels.Level;
 import org.u2sa.gcs.describe.VehicleComposition.AnnouncedActuator;
 import org.u2sa.gcs.describe.VehicleComposition.ComposedService;
@@ -58,6 +59,9 @@ final class DescriptionText {
           finding.because());
     }
     lines.addAll(table.lines());
+    if (vehicle.services().stream().anyMatch(service -> service.role().isEmpty())) {
+      lines.add(terminal.bad("Not all services could be asked; what these show is missing."));
+    }
     for (AutonomyEvidence.Finding finding : findings) {
       if (finding.isUnproven()) {
         lines.add(
@@ -86,16 +90,8 @@ final class DescriptionText {
       if (variables) {
         service.variables().forEach((name, value) -> lines.add("      " + name + " = " + value));
       }
-      List<String> hears = new ArrayList<>();
-      service
-          .subscribes()
-          .forEach(channel -> hears.add(channel + from(vehicle.publishersOf(channel))));
-      line("hears", String.join(", ", hears));
-      List<String> says = new ArrayList<>();
-      service
-          .publishes()
-          .forEach(channel -> says.add(channel + to(vehicle.subscribersOf(channel), service)));
-      line("publishes", String.join(", ", says));
+      channels("hears", "from", service.subscribes(), vehicle::publishersOf, service);
+      channels("publishes", "to", service.publishes(), vehicle::subscribersOf, service);
       if (!service.note().isEmpty()) {
         lines.add(terminal.bad("  " + service.note()));
       }
@@ -104,18 +100,34 @@ final class DescriptionText {
 
   private void line(String what, String text) {
     if (!text.isEmpty()) {
-      lines.add(String.format(Locale.ROOT, "  %-14s%s", what, text));
+      lines.add(String.format(Locale.ROOT, "  %-15s%s", what, text));
     }
   }
 
-  private static String from(List<String> names) {
-    return names.isEmpty() ? " (from nobody here)" : " (from " + String.join(", ", names) + ")";
-  }
-
-  private static String to(List<String> names, ComposedService self) {
-    List<String> others = new ArrayList<>(names);
-    others.remove(self.name());
-    return others.isEmpty() ? " (to nobody here)" : " (to " + String.join(", ", others) + ")";
+  /** Channels with those at their other ends; those without any on a line of their own. */
+  private void channels(
+      String what,
+      String direction,
+      List<String> channels,
+      Function<String, List<String>> ends,
+      ComposedService self) {
+    List<String> joined = new ArrayList<>();
+    List<String> loose = new ArrayList<>();
+    for (String channel : channels) {
+      List<String> others = new ArrayList<>(ends.apply(channel));
+      others.remove(self.name());
+      if (others.isEmpty()) {
+        loose.add(channel);
+      } else {
+        joined.add(channel + " " + direction + " " + String.join(", ", others));
+      }
+    }
+    line(what, String.join("; ", joined));
+    if (!loose.isEmpty()) {
+      line(
+          joined.isEmpty() ? what : "",
+          String.join(", ", loose) + ": " + direction + " nobody in here");
+    }
   }
 
   private void sources() {

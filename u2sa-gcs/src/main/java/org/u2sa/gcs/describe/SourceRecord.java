@@ -1,9 +1,10 @@
 package org.u2sa.gcs.describe;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Predicate;
 import org.u2sa.gcs.describe.VehicleComposition.HeardSource;
@@ -17,6 +18,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class SourceRecord {
   private static final List<String> ABOUT_THE_MESSAGE =
       List.of("systemId", "timestamp", "sensorName", "referenceFrame", "uid");
+  private static final MathContext FOUR_DIGITS = new MathContext(4);
   private static final String SIGMA = "Sigma";
 
   private final String channel;
@@ -99,7 +101,7 @@ final class SourceRecord {
     if (value instanceof Double number) {
       return number == Math.rint(number) && Math.abs(number) < 1e9
           ? String.valueOf(number.longValue())
-          : String.format(Locale.ROOT, "%.4g", number);
+          : new BigDecimal(number, FOUR_DIGITS).stripTrailingZeros().toPlainString();
     }
     return String.valueOf(value);
   }

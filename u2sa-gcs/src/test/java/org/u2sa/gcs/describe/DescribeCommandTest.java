@@ -46,25 +46,55 @@ class DescribeCommandTest {
     return Main.run(new PrintWriter(out), new PrintWriter(err), arguments);
   }
 
+  /** A vehicle of core services with a mission. */
+  private static String rover() throws IOException {
+    Files.writeString(
+        directory.resolve("mission.xml"), "<mission><waypoint><x>1</x></waypoint></mission>");
+    Files.writeString(
+        directory.resolve("MissionManager.xml"),
+        "<configuration><variable name=\"MISSION\" type=\"string\" value=\"mission.xml\"/>"
+            + "<variable name=\"DEFAULT THRESHOLD\" type=\"double\" value=\"0.5\" unit=\"m\"/></configuration>");
+    Path file = directory.resolve("rover.xml");
+    Files.writeString(
+        file,
+        "<system id=\"rover\">"
+            + "<autonomy perception=\"discrete\" decision=\"2\" independence=\"Problem detection\"/>"
+            + service(Flashlight.class.getName(), "")
+            + service("org.u2sa.core.estimation.PassThroughStateEstimator", "")
+            + service(
+                "org.u2sa.core.mission.MissionManager", " configuration=\"MissionManager.xml\"")
+            + service("org.u2sa.core.planning.PathPlanner", "")
+            + service("org.u2sa.core.control.ground.DifferentialPursuitControl", "")
+            + service("org.u2sa.core.safety.SafetyManager", "")
+            + service("org.u2sa.core.health.HealthMonitor", "")
+            + "</system>");
+    return file.toString();
+  }
+
+  private static String service(String className, String more) {
+    return "<service class=\"" + className + "\"" + more + "/>";
+  }
+
   @Test
-  void describe_systemOfTheRepository_tellsLevelsServicesAndChannels() {
-    assertThat(run("describe", "../config/ugv/system.xml")).isEqualTo(ExitCode.DONE);
+  void describe_systemFile_tellsLevelsServicesAndChannels() throws IOException {
+    String file = rover();
+    assertThat(run("describe", file)).as(err.toString()).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
-        .contains("System ugv by ../config/ugv/system.xml")
-        .containsPattern("perception +2 discrete +2 discrete +IoioService measures the vehicle")
+        .contains("System rover by " + file)
+        .containsPattern("perception +2 discrete +2 discrete +Flashlight measures the vehicle")
         .containsPattern("decision +2 static response +2 static response +MissionManager chooses")
         .containsPattern("independence +5 problem detection +5 problem detection +SafetyManager")
-        .containsPattern("PathPlanner, path planner, org\\.u2sa\\.core\\.planning\\.PathPlanner")
-        .containsPattern("configuration +../config/ugv/PathPlanner.xml")
-        .containsPattern("hears .*goals \\(from MissionManager\\)")
-        .containsPattern("publishes .*navigation \\(to ")
-        .doesNotContain("CRUISE SPEED");
+        .contains("PathPlanner, path planner, org.u2sa.core.planning.PathPlanner")
+        .containsPattern("configuration +.*MissionManager.xml")
+        .containsPattern("hears .*goals from MissionManager")
+        .containsPattern("publishes .*navigation to ")
+        .doesNotContain("DEFAULT THRESHOLD");
     assertThat(err.toString()).isEmpty();
   }
 
   @Test
-  void describe_variables_tellsWhatFilesSet() {
-    assertThat(run("describe", "../config/ugv/system.xml", "--variables")).isEqualTo(ExitCode.DONE);
+  void describe_variables_tellsWhatFilesSet() throws IOException {
+    assertThat(run("describe", rover(), "--variables")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("DEFAULT THRESHOLD = 0.5 m");
   }
 
@@ -90,8 +120,8 @@ class DescribeCommandTest {
         .contains("System rover as it runs at " + foreign.broker())
         .containsPattern("perception +- +2 discrete +Flashlight measures the vehicle")
         .containsPattern(
-            "sensed-state +flashlight +StateInformation +\\d+\\.\\d Hz +x y +x 1.5 m, y 2 m")
-        .contains("state (to nobody here)")
+            "sensed-state +flashlight +StateInformation +\\d+\\.\\d Hz +x y +x 1\\.5 m, y 2 m")
+        .contains("state: to nobody in here")
         .contains("LAMP: minimum 0 %, maximum 100 %, effect lights");
   }
 
