@@ -69,12 +69,15 @@ public final class AllocatingControl extends ControlSystem {
   private final CascadeSettings tuning = new CascadeSettings(this);
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Cascade cascade = new Cascade(tuning);
+  private final AxisTuner tuner = new AxisTuner(settings(AxisTuner.Order.class));
   private Allocator allocator = new Allocator(tuning.weights());
   private Authority sound = new Authority(Map.of());
+  private Authority left = new Authority(Map.of());
   private Set<DegreeOfFreedom> lost = Set.of();
   private long revision = -1;
   private String said = "";
   private boolean armed = true; // where nobody arms, actuators obey at once
+  private boolean isArmedBySomebody; // which tuning requires
   private boolean isBlind;
   private boolean takesOver;
   private OptionalDouble headingBefore = OptionalDouble.empty();
@@ -89,6 +92,7 @@ public final class AllocatingControl extends ControlSystem {
 
   private void heed(ArmingState state) {
     armed = state.armed();
+    isArmedBySomebody = armed;
   }
 
   @Override
@@ -113,6 +117,7 @@ public final class AllocatingControl extends ControlSystem {
     }
     if (isBlind || !armed || !lost.isEmpty() && essentialsLost()) {
       cascade.rest();
+      tuner.abort();
       neutral().forEach(this::command);
       return;
     }
@@ -124,14 +129,18 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   private void drive(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps) {
-    double[] wanted;
     if (takesOver) {
       cascade.takeOver(motion, way, speedMps, presentWrench(motion));
       takesOver = false;
     }
-    wanted = cascade.step(motion, way, speedMps, stepS());
+    double[] wanted = cascade.step(motion, way, speedMps, stepS());
+    double mass = tuning.of(tuner.axis()).mass();
+    tuner
+        .step(isArmedBySomebody, left, wanted, cascade.measured(), mass, stepS())
+        .ifPresent(words -> log(words));
     allocator.allocate(wanted, stepS(), motion.velocity().distance());
     cascade.attained(allocator, stepS());
+    tuner.tuned().ifPresent(cascade::rest);
     List<Effector> effectors = allocator.effectors();
     for (int i = 0; i < effectors.size(); i++) {
       String name = effectors.get(i).name();
@@ -169,7 +178,7 @@ public final class AllocatingControl extends ControlSystem {
     allocator.use(roster.present(now), each -> costs.getOrDefault(each.name(), 1.0));
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
-    Authority left = Authority.of(allocator.effectors(), controlled);
+    left = Authority.of(allocator.effectors(), controlled);
     lost = Set.copyOf(left.lost(sound));
     List<String> gone = roster.lost(now);
     gone.forEach(name -> command(name, 0.0));
