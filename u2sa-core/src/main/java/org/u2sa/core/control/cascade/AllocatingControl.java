@@ -17,6 +17,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.ForceCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmingState;
@@ -35,6 +36,12 @@ import org.u2sa.service.ServiceContext;
  * stops and keeps its heading.
  */
 public final class AllocatingControl extends ControlSystem {
+  /** What actuators are commanded by. */
+  private enum CommandKind {
+    PERCENT,
+    FORCE
+  }
+
   private record Choices(
       @Variable(
               ifAbsentText = "",
@@ -45,7 +52,12 @@ public final class AllocatingControl extends ControlSystem {
               ifAbsentText = "",
               text =
                   "Actuators that cost more effort, as \"NAME 4, OTHER NAME 2\"; others cost 1, and the dearer one does less.")
-          String costs) {
+          String costs,
+      @Variable(
+              ifAbsentText = "PERCENT",
+              text =
+                  "FORCE commands actuators that take forces by newtons, others by percent; PERCENT all by percent.")
+          CommandKind commands) {
     Choices {
       axes(essential);
       Costs.parse(costs);
@@ -144,7 +156,12 @@ public final class AllocatingControl extends ControlSystem {
     List<Effector> effectors = allocator.effectors();
     for (int i = 0; i < effectors.size(); i++) {
       String name = effectors.get(i).name();
-      command(name, allocator.percent(i));
+      if (choices.get().commands() == CommandKind.FORCE
+          && roster.commandTypes(name).contains(ForceCommand.TYPE.name())) {
+        command(ForceCommand.of(name, allocator.forceN(i)), allocator.percent(i));
+      } else {
+        command(name, allocator.percent(i));
+      }
       allocator.commanded(name, lastCommand(name).orElse(0.0));
     }
   }

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
@@ -44,7 +45,12 @@ public final class AckermannPursuitControl extends ControlSystem {
               ifAbsentText = "PURSUIT",
               text =
                   "PURSUIT steers to the navigation point, STANLEY along the path that navigation points describe.")
-          SteeringLaw steeringLaw) {
+          SteeringLaw steeringLaw,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether the steering is commanded by angles, which its actuator must announce to take, instead of percentages.")
+          boolean steersByAngle) {
     double angleRad() {
       return Math.toRadians(steeringAngle);
     }
@@ -61,6 +67,7 @@ public final class AckermannPursuitControl extends ControlSystem {
     STANLEY
   }
 
+  private static final double FULL_PERCENT = 100.0;
   private static final double SLOWEST_MPS = 0.1; // slower, the steering stays where it is
 
   private double misalignment; // curvature that the steering lacks [1/m]; kept while it stands
@@ -125,7 +132,12 @@ public final class AckermannPursuitControl extends ControlSystem {
     }
     double throttle = tuning.get().calibration().share(drive.speedMps() + demand.trimMps());
     commandShare(now.throttleActuator(), throttle);
-    commandShare(now.steeringActuator(), share);
+    if (now.steersByAngle()) {
+      double angle = share * now.angleRad();
+      command(AngleCommand.of(now.steeringActuator(), angle), FULL_PERCENT * share);
+    } else {
+      commandShare(now.steeringActuator(), share);
+    }
     return Math.abs(throttle);
   }
 
