@@ -142,6 +142,11 @@ public final class WheelMotors extends PeriodicService {
       controller.drive(0.0, 0.0);
       return;
     }
+    if (turn()) {
+      leftSlew.goOnFrom(left.getAsDouble());
+      rightSlew.goOnFrom(right.getAsDouble());
+      return;
+    }
     double leftDuty = leftSign * dutyPerPercent * leftSlew.towards(left.getAsDouble(), nowMicros);
     double rightDuty =
         rightSign * dutyPerPercent * rightSlew.towards(right.getAsDouble(), nowMicros);

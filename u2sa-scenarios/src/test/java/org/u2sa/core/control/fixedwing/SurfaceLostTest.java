@@ -24,18 +24,49 @@ class SurfaceLostTest {
     return flight.fly();
   }
 
+  /** Ailerons lost in cruise, and control hears of it: it flies all legs by the rudder. */
   @Test
-  void try_all() {
-    for (SurfaceMixing left :
-        new SurfaceMixing[] {
-          new SurfaceMixing(0.0, 1.0, 1.0),
-          new SurfaceMixing(0.5, 1.0, 1.0),
-          new SurfaceMixing(1.0, 1.0, 0.0)
-        }) {
-      for (boolean knows : new boolean[] {true, false}) {
-        System.out.println("DBG " + left + " " + knows + ": " + flown(left, knows));
-      }
-    }
-    assertThat(1).isOne();
+  void fly_aileronsLost_rudderRollsAndEveryWaypointIsCaptured() {
+    FlightScore score = flown(new SurfaceMixing(0.0, 1.0, 1.0), true);
+
+    assertThat(score.crashed).as("%s", score).isFalse();
+    assertThat(score.stalled).as("%s", score).isFalse();
+    assertThat(score.worstMissM()).as("%s", score).isLessThan(100.0);
+    assertThat(score.crossRmsM()).as("%s", score).isLessThan(20.0);
+    assertThat(score.worstBankDeg).as("%s", score).isLessThan(40.0);
+    assertThat(score.slowestMps).as("%s", score).isGreaterThan(28.5);
+  }
+
+  /** The same, and control does not hear of it: what the announcement is worth. */
+  @Test
+  void fly_aileronsLostUnheard_doesNotGetAround() {
+    assertThat(flown(new SurfaceMixing(0.0, 1.0, 1.0), false).worstMissM()).isGreaterThan(1000.0);
+  }
+
+  @Test
+  void fly_oneOfTwoAileronsLost_everyWaypointIsCaptured() {
+    FlightScore score = flown(new SurfaceMixing(0.5, 1.0, 1.0), true);
+
+    assertThat(score.crashed).as("%s", score).isFalse();
+    assertThat(score.worstMissM()).as("%s", score).isLessThan(100.0);
+    assertThat(score.crossRmsM()).as("%s", score).isLessThan(5.0);
+  }
+
+  @Test
+  void fly_rudderLost_everyWaypointIsCaptured() {
+    FlightScore score = flown(new SurfaceMixing(1.0, 1.0, 0.0), true);
+
+    assertThat(score.crashed).as("%s", score).isFalse();
+    assertThat(score.worstMissM()).as("%s", score).isLessThan(100.0);
+  }
+
+  @Test
+  void of_weakenedAileron_movesFartherAndTheRudderGivesWhatIsMissing() {
+    Surfaces mixed =
+        new SurfaceMixing(0.5, 1.0, 1.0).of(new Surfaces(0.8, 0.1, 0.0, 0.5, 1.0, 0.0, 0.0));
+
+    assertThat(mixed.aileron()).isEqualTo(1.0);
+    assertThat(mixed.rudder()).isGreaterThan(0.1);
+    assertThat(mixed.elevator()).isEqualTo(0.1);
   }
 }
