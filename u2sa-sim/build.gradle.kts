@@ -6,5 +6,6 @@ description = "Simulated vehicles, worlds and sensors."
 
 dependencies {
     api(project(":u2sa-abstract"))
+    implementation(libs.ejml)
     testImplementation(testFixtures(project(":u2sa-abstract")))
 }

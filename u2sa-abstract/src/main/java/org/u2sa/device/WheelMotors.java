@@ -6,8 +6,11 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
@@ -39,6 +42,9 @@ public final class WheelMotors extends PeriodicService {
   private final double leftSign;
   private final double rightSign;
   private final double dutyPerPercent;
+  private final double countsPerRad;
+  private final ActuatorDescription leftDescription;
+  private final ActuatorDescription rightDescription;
   private final CommandedActuators commands;
   private final SlewLimit leftSlew;
   private final SlewLimit rightSlew;
@@ -69,7 +75,10 @@ public final class WheelMotors extends PeriodicService {
     leftIsSecond = variables.leftIsSecond();
     leftSign = variables.leftReversed() ? -1.0 : 1.0;
     rightSign = variables.rightReversed() ? -1.0 : 1.0;
+    countsPerRad = variables.countsPerTurn() / (2.0 * Math.PI);
     dutyPerPercent = variables.fullDuty() / FULL_PERCENT;
+    leftDescription = settings(ActuatorDescription.class, leftName + " ").get();
+    rightDescription = settings(ActuatorDescription.class, rightName + " ").get();
     commands = new CommandedActuators(this, Set.of(leftName, rightName), this::stopNow);
     leftSlew = new SlewLimit(variables.slewLimit());
     rightSlew = new SlewLimit(variables.slewLimit());
@@ -82,20 +91,22 @@ public final class WheelMotors extends PeriodicService {
     reader = new DeviceReader<>(this, "the motor controller", controller, SILENT_AFTER_S);
   }
 
-  private static ActuatorAnnouncement wheel(String name, String effect) {
-    return new ActuatorAnnouncement()
-        .actuatorName(name)
-        .minimum(-FULL_PERCENT)
-        .maximum(FULL_PERCENT)
-        .effect(effect);
+  private static ActuatorAnnouncement wheel(
+      String name, String effect, ActuatorDescription description) {
+    return description.addTo(
+        new ActuatorAnnouncement()
+            .actuatorName(name)
+            .minimum(-FULL_PERCENT)
+            .maximum(FULL_PERCENT)
+            .effect(effect));
   }
 
   @Override
   protected void begin() {
     commands.announce(
         List.of(
-            wheel(leftName, "drives the left wheel forward"),
-            wheel(rightName, "drives the right wheel forward")));
+            wheel(leftName, "drives the left wheel forward", leftDescription),
+            wheel(rightName, "drives the right wheel forward", rightDescription)));
     if (commands.isCommanded()) {
       turningUntilMicros = clock().micros() + goesOnMicros;
     } else {
@@ -113,9 +124,12 @@ public final class WheelMotors extends PeriodicService {
     long now = clock().micros();
     drive(now);
     Optional<MotorController.Counts> counts = reader.next(now);
-    if (reader.latest().isEmpty()) {
+    boolean isLost = reader.latest().isEmpty();
+    if (isLost) {
       lost(now);
     }
+    commands.available(leftName, isLost ? 0.0 : FULL_PERCENT);
+    commands.available(rightName, isLost ? 0.0 : FULL_PERCENT);
     counts.ifPresent(news -> use(news, nowS));
     commands.step(nowS);
   }
@@ -128,10 +142,30 @@ public final class WheelMotors extends PeriodicService {
       controller.drive(0.0, 0.0);
       return;
     }
+    if (turn()) {
+      leftSlew.goOnFrom(left.getAsDouble());
+      rightSlew.goOnFrom(right.getAsDouble());
+      return;
+    }
     double leftDuty = leftSign * dutyPerPercent * leftSlew.towards(left.getAsDouble(), nowMicros);
     double rightDuty =
         rightSign * dutyPerPercent * rightSlew.towards(right.getAsDouble(), nowMicros);
     controller.drive(leftIsSecond ? rightDuty : leftDuty, leftIsSecond ? leftDuty : rightDuty);
+  }
+
+  /** Has the controller hold both speeds, if speeds are commanded and it can. */
+  private boolean turn() {
+    Optional<ActuatorCommand> left = commands.command(leftName);
+    Optional<ActuatorCommand> right = commands.command(rightName);
+    if (left.isPresent()
+        && left.get() instanceof SpeedCommand leftSpeed
+        && right.isPresent()
+        && right.get() instanceof SpeedCommand rightSpeed) {
+      double first = leftSign * leftSpeed.speed() * countsPerRad;
+      double second = rightSign * rightSpeed.speed() * countsPerRad;
+      return controller.turn(leftIsSecond ? second : first, leftIsSecond ? first : second);
+    }
+    return false;
   }
 
   private void rest(long nowMicros) {
@@ -192,6 +226,10 @@ public final class WheelMotors extends PeriodicService {
 
   @Override
   protected void release() {
-    controller.close();
+    try {
+      controller.close();
+    } finally {
+      commands.withdraw();
+    }
   }
 }

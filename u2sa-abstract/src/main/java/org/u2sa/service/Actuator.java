@@ -1,10 +1,12 @@
 package org.u2sa.service;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
@@ -26,6 +28,7 @@ public abstract class Actuator extends PeriodicService {
           String actuatorName) {}
 
   private final String actuatorName;
+  private final ActuatorDescription description;
   private final CommandedActuators commands;
   private boolean neutral;
 
@@ -34,6 +37,7 @@ public abstract class Actuator extends PeriodicService {
     super(context, ServiceRole.ACTUATOR, serviceName, EXPIRY_CHECKS_PER_S);
     String configured = settings(Names.class).get().actuatorName();
     actuatorName = configured.isEmpty() ? getServiceName() : configured;
+    description = settings(ActuatorDescription.class).get();
     commands = new CommandedActuators(this, Set.of(actuatorName), this::obey, this::goNeutral);
   }
 
@@ -49,9 +53,26 @@ public abstract class Actuator extends PeriodicService {
   /** Closes the device, after it was left {@link #neutral}. */
   protected void close() {}
 
-  /** The announcement to control systems; subclasses add their effect and extents. */
+  /**
+   * The announcement to control systems, with what the configuration describes; subclasses add what
+   * they know better.
+   */
   protected ActuatorAnnouncement announcement() {
-    return new ActuatorAnnouncement().actuatorName(actuatorName).minimum(-100.0).maximum(100.0);
+    return description.addTo(
+        new ActuatorAnnouncement().actuatorName(actuatorName).minimum(-100.0).maximum(100.0));
+  }
+
+  /**
+   * Tells control systems which share of its effect the actuator has left, 0 if its device is lost
+   * [%, 0…100]; not before the service runs.
+   */
+  protected final void available(double percent) {
+    commands.available(actuatorName, percent);
+  }
+
+  /** The command that holds, as it was sent: an angle, speed or force where one was. */
+  protected final Optional<ActuatorCommand> command() {
+    return commands.command(actuatorName);
   }
 
   @Override
@@ -118,6 +139,7 @@ public abstract class Actuator extends PeriodicService {
     try {
       neutral();
     } finally {
+      commands.withdraw();
       close();
     }
   }

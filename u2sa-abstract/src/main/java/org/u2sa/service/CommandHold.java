@@ -9,23 +9,24 @@ import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
- * The newest percentage command of each of some actuators, for as long as it holds: a command that
- * nobody renews expires, so that an actuator falls back to neutral when control is gone (PX4 and
- * ArduPilot do the same at their outputs).
+ * The newest command of each of some actuators, for as long as it holds: a command that nobody
+ * renews expires, so that an actuator falls back to neutral when control is gone (PX4 and ArduPilot
+ * do the same at their outputs). Angles, speeds and forces, where an actuator takes them, are held
+ * as percentages too.
  *
  * <p>Not safe for several threads: it belongs to the service that owns the actuators.
  */
 public final class CommandHold {
-  private record Held(double percentage, long untilMicros) {}
+  private record Held(ActuatorCommand command, double percentage, long untilMicros) {}
 
   private final Clock clock;
   private final String systemId;
   private final long defaultExpiryMicros;
   private final long toleranceMicros;
-  private final Map<String, Range> actuators;
+  private final Map<String, ActuatorExtents> actuators = new LinkedHashMap<>();
   private final Map<String, Held> newest = new LinkedHashMap<>();
 
   /**
@@ -49,7 +50,8 @@ public final class CommandHold {
     this.systemId = systemId;
     this.defaultExpiryMicros = Clock.micros(defaultExpiryS);
     this.toleranceMicros = Clock.micros(toleranceS);
-    this.actuators = new LinkedHashMap<>(actuators);
+    actuators.forEach(
+        (name, range) -> this.actuators.put(name, ActuatorExtents.ofPercentages(range)));
   }
 
   /**
@@ -58,17 +60,21 @@ public final class CommandHold {
    * @return empty if it was taken
    */
   public Optional<CommandRefusal> accept(ActuatorCommand command) {
-    Range range = actuators.get(command.actuatorName());
-    if (range == null) {
+    ActuatorExtents extents = actuators.get(command.actuatorName());
+    if (extents == null) {
       return Optional.of(CommandRefusal.NOT_ADDRESSED);
     }
     if (!command.systemId().isEmpty() && !command.systemId().equals(systemId)) {
       return Optional.of(CommandRefusal.WRONG_SYSTEM);
     }
-    if (!(command instanceof PercentageCommand percentage)) {
-      return Optional.of(CommandRefusal.NOT_A_PERCENTAGE);
+    if (!extents.takes(command)) {
+      return Optional.of(
+          extents.takesOnlyPercentages()
+              ? CommandRefusal.NOT_A_PERCENTAGE
+              : CommandRefusal.NOT_TAKEN);
     }
-    if (!range.contains(percentage.percentage())) { // a subclass may say NaN, which no field holds
+    double percentage = extents.percentage(command);
+    if (!extents.contains(percentage)) { // a subclass may say NaN, which no field holds
       return Optional.of(CommandRefusal.OUT_OF_RANGE);
     }
     long now = clock.micros();
@@ -86,28 +92,29 @@ public final class CommandHold {
     if (untilMicros <= now) {
       return Optional.of(CommandRefusal.TOO_OLD);
     }
-    newest.put(command.actuatorName(), new Held(percentage.percentage(), untilMicros));
+    newest.put(command.actuatorName(), new Held(command, percentage, untilMicros));
     return Optional.empty();
   }
 
-  /** Narrows the percentages that an actuator takes to what it announced. */
-  void limit(String actuator, Range range) {
-    actuators.computeIfPresent(actuator, (name, before) -> range);
+  /** Narrows the commands that an actuator takes to what it announced. */
+  void limit(ActuatorAnnouncement announced) {
+    ActuatorExtents extents = ActuatorExtents.of(announced);
+    actuators.computeIfPresent(announced.actuatorName(), (name, before) -> extents);
     newest.computeIfPresent(
-        actuator, (name, held) -> range.contains(held.percentage) ? held : null);
+        announced.actuatorName(), (name, held) -> extents.contains(held.percentage) ? held : null);
   }
 
   /**
    * The commands that hold now, each with the time that is left of it: {@link #accept}ed by another
    * hold at once, they hold exactly as long as they would have here.
    */
-  List<PercentageCommand> standing() {
+  List<ActuatorCommand> standing() {
     long now = clock.micros();
-    List<PercentageCommand> standing = new ArrayList<>();
+    List<ActuatorCommand> standing = new ArrayList<>();
     newest.forEach(
         (actuator, held) -> {
           if (held.untilMicros > now) {
-            PercentageCommand command = PercentageCommand.of(actuator, held.percentage);
+            ActuatorCommand command = (ActuatorCommand) held.command.copy();
             command.expiry(Clock.seconds(held.untilMicros - now));
             command.timestamp(now);
             standing.add(command);
@@ -125,6 +132,17 @@ public final class CommandHold {
     return held == null || held.untilMicros <= clock.micros()
         ? OptionalDouble.empty()
         : OptionalDouble.of(held.percentage);
+  }
+
+  /**
+   * The command that the actuator should carry out now, as it was sent; empty if {@link
+   * #percentage} is.
+   */
+  public Optional<ActuatorCommand> command(String actuator) {
+    Held held = newest.get(actuator);
+    return held == null || held.untilMicros <= clock.micros()
+        ? Optional.empty()
+        : Optional.of(held.command);
   }
 
   /** Forgets all commands: every actuator falls back to neutral. */

@@ -14,6 +14,8 @@ public enum CommandRefusal {
   WRONG_SYSTEM("from another system"),
   /** It says something else than a percentage. */
   NOT_A_PERCENTAGE("not a percentage"),
+  /** It says something that the actuator did not announce to take. */
+  NOT_TAKEN("of a kind that the actuator does not take"),
   /** It is no number, or outside what the actuator announced. */
   OUT_OF_RANGE("out of range"),
   /** It expired on its way. */

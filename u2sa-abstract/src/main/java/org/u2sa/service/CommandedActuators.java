@@ -13,7 +13,6 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.ActuatorCommand;
-import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.EmergencyStop;
@@ -53,6 +52,7 @@ public final class CommandedActuators {
   private static final String ARMED = "ARMED";
   private static final Range ANY_PERCENTAGE = Range.of(-100.0, 100.0);
   private static final double ANNOUNCE_EVERY_S = 5.0;
+  private static final double ALL_PERCENT = 100.0;
 
   private final U2SAService service;
   private final Settings<Limits> limits;
@@ -60,7 +60,8 @@ public final class CommandedActuators {
   private final EmergencyLatch emergency;
   private final Runnable stopped;
   private final Map<CommandRefusal, Long> refusals = new EnumMap<>(CommandRefusal.class);
-  private List<ActuatorAnnouncement> announcements = List.of();
+  private final Map<String, ActuatorAnnouncement> announcements = new LinkedHashMap<>();
+  private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
   private boolean armed;
 
@@ -110,24 +111,57 @@ public final class CommandedActuators {
   }
 
   /**
-   * Announces the actuators to control systems, now and every 5 s: over a broker, a late subscriber
-   * receives the last announcement only. From now on refuses what is outside their extents.
+   * Announces the actuators to control systems, now and as often as the first of them is to be
+   * renewed: over a broker, a late subscriber receives the last announcement only. From now on
+   * refuses what they do not take.
    */
   public void announce(List<ActuatorAnnouncement> actuators) {
+    announcements.clear();
+    announceEveryS = ANNOUNCE_EVERY_S;
     for (ActuatorAnnouncement each : actuators) {
-      commands.limit(each.actuatorName(), Range.of(each.minimum(), each.maximum()));
+      each.serviceName(service.getServiceName());
+      commands.limit(each);
+      announcements.put(each.actuatorName(), each);
+      announceEveryS = Math.min(announceEveryS, each.renewal().orElse(ANNOUNCE_EVERY_S));
     }
-    announcements = List.copyOf(actuators);
-    announceDueS = Double.NEGATIVE_INFINITY;
-    step(service.nowS());
+    announceNow();
   }
 
   /** Renews the announcement if it is due; to be called in the service's step. */
   public void step(double nowS) {
     if (nowS >= announceDueS) {
-      announceDueS = nowS + ANNOUNCE_EVERY_S;
-      announcements.forEach(each -> service.publish(Channels.ACTUATORS, each.copy()));
+      announceDueS = nowS + announceEveryS;
+      announcements.values().forEach(each -> service.publish(Channels.ACTUATORS, each.copy()));
     }
+  }
+
+  private void announceNow() {
+    announceDueS = Double.NEGATIVE_INFINITY;
+    step(service.nowS());
+  }
+
+  /**
+   * Announces at once which share of its effect an actuator has left; the same as before is not
+   * said again.
+   *
+   * @param percent 0 for one that is lost, 100 for a sound one
+   * @throws IllegalArgumentException if no such actuator was announced
+   */
+  public void available(String actuator, double percent) {
+    ActuatorAnnouncement announced = announcements.get(actuator);
+    if (announced == null) {
+      throw new IllegalArgumentException("actuator \"" + actuator + "\" was not announced");
+    }
+    if (announced.available().orElse(ALL_PERCENT) != percent) {
+      announced.available(percent);
+      announceNow();
+    }
+  }
+
+  /** Says that the actuators are there no more; to be called in the service's release. */
+  public void withdraw() {
+    announcements.values().forEach(each -> each.available(0.0));
+    announceNow();
   }
 
   /** Takes a command, or refuses it; whether an actuator here has a new percentage. */
@@ -224,6 +258,14 @@ public final class CommandedActuators {
     return mayMove() ? commands.percentage(actuator) : OptionalDouble.empty();
   }
 
+  /**
+   * The command that an actuator should carry out now, as it was sent, for services that do more
+   * with an angle, speed or force than its {@link #percentage}; empty if that is.
+   */
+  public Optional<ActuatorCommand> command(String actuator) {
+    return mayMove() ? commands.command(actuator) : Optional.empty();
+  }
+
   /** Whether some actuator here has a command that holds. */
   public boolean isCommanded() {
     return mayMove() && !commands.standing().isEmpty();
@@ -248,7 +290,7 @@ public final class CommandedActuators {
     emergency.takeOver(state);
     service.heedsEmergencyStops(emergency.identities());
     if (mayMove()) {
-      state.messages(COMMANDS, PercentageCommand.class).forEach(commands::accept);
+      state.messages(COMMANDS, ActuatorCommand.class).forEach(commands::accept);
     }
   }
 

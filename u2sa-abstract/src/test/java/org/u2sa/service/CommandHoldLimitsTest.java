@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /** Commands at the very limits of what an actuator takes, and of their time. */
 class CommandHoldLimitsTest {
@@ -79,10 +80,10 @@ class CommandHoldLimitsTest {
   @Test
   void limit_heldCommandAtTheNewEnd_staysAndOneBeyondIsDropped() {
     hold.accept(rudder(30.0));
-    hold.limit("RUDDER", Range.of(0.0, 30.0));
+    hold.limit(new ActuatorAnnouncement().actuatorName("RUDDER").minimum(0.0).maximum(30.0));
     assertThat(hold.percentage("RUDDER")).hasValue(30.0);
 
-    hold.limit("RUDDER", Range.of(0.0, 29.9));
+    hold.limit(new ActuatorAnnouncement().actuatorName("RUDDER").minimum(0.0).maximum(29.9));
 
     assertThat(hold.percentage("RUDDER")).isEmpty();
     assertThat(hold.accept(rudder(29.95))).contains(CommandRefusal.OUT_OF_RANGE);
@@ -92,7 +93,7 @@ class CommandHoldLimitsTest {
 
   @Test
   void limit_ofAnActuatorThatIsNotHere_addsNone() {
-    hold.limit("SAIL", Range.of(0.0, 10.0));
+    hold.limit(new ActuatorAnnouncement().actuatorName("SAIL").minimum(0.0).maximum(10.0));
 
     assertThat(hold.accept(PercentageCommand.of("SAIL", 5.0)))
         .contains(CommandRefusal.NOT_ADDRESSED);
@@ -109,7 +110,7 @@ class CommandHoldLimitsTest {
         .satisfies(
             command -> {
               assertThat(command.actuatorName()).isEqualTo("RUDDER");
-              assertThat(command.percentage()).isEqualTo(10.0);
+              assertThat(((PercentageCommand) command).percentage()).isEqualTo(10.0);
               assertThat(command.expiry()).hasValue(0.3);
               assertThat(command.timestamp()).hasValue(200_000);
             });

@@ -18,6 +18,7 @@ import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /** Whatever comes, in whatever order: an actuator moves by a valid command in time, or not. */
 class CommandHoldProperties {
@@ -121,7 +122,7 @@ class CommandHoldProperties {
     CommandHold hold =
         new CommandHold(
             clock, "boat", EXPIRY_S, TOLERANCE_S, Map.of("RUDDER", Range.of(-100.0, 100.0)));
-    hold.limit("RUDDER", Range.of(LEAST, MOST));
+    hold.limit(new ActuatorAnnouncement().actuatorName("RUDDER").minimum(LEAST).maximum(MOST));
     OptionalDouble held = OptionalDouble.empty();
     double untilS = 0.0;
     for (Arrival arrival : arrivals) {

@@ -49,7 +49,11 @@ final class ArmingChecks {
       fileFaults = goals.fileFaults();
       landGoals = goals.landGoals().isPresent() ? goals.landGoals() : landGoals;
     } else if (message instanceof ActuatorAnnouncement announcement) {
-      actuators.put(announcement.actuatorName(), nowMicros);
+      if (announcement.available().orElse(1.0) > 0.0) {
+        actuators.put(announcement.actuatorName(), nowMicros);
+      } else {
+        actuators.remove(announcement.actuatorName()); // withdrawn, or its device is lost
+      }
     }
   }
 

@@ -11,6 +11,7 @@ import org.u2sa.drivers.rc.RcSwitch;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -54,12 +55,15 @@ public final class IoioService extends ProprioceptiveSensor {
     super(context, "IoioService", STEPS_PER_S);
     IoioVariables variables = settings(IoioVariables.class).get();
     Map<String, PulseOutput> outputs = new LinkedHashMap<>();
+    Map<String, ActuatorDescription> descriptions = new LinkedHashMap<>();
     for (IoioVariables.ActuatorPin actuator : variables.actuatorPins()) {
       outputs.put(actuator.name(), PulseOutput.configured(this, actuator.name()));
+      descriptions.put(
+          actuator.name(), settings(ActuatorDescription.class, actuator.name() + " ").get());
     }
     PinPlan plan = variables.plan();
     commands = new CommandedActuators(this, outputs.keySet(), this::stopNow);
-    motors = new MotorOutputs(outputs, commands, variables.actuatorsTogether());
+    motors = new MotorOutputs(outputs, descriptions, commands, variables.actuatorsTogether());
     RcSwitch rcSwitch = new RcSwitch(settings(RcSwitch.Tuning.class).get());
     radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(rcSwitch);
     batteryDivider =

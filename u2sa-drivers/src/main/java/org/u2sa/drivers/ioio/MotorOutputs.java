@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.drivers.motor.PulseOutput;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
 
 /** The actuators at the board: from commands to pulses. Belongs to the service's thread. */
@@ -22,14 +23,21 @@ final class MotorOutputs {
           "STEERING", "steers to the right");
 
   private final Map<String, PulseOutput> outputs; // in the order of the pins
+  private final Map<String, ActuatorDescription> descriptions;
   private final CommandedActuators commands;
   private final boolean together;
 
   /**
+   * @param descriptions of each output, for the announcements
    * @param together whether all are neutral while one has no command
    */
-  MotorOutputs(Map<String, PulseOutput> outputs, CommandedActuators commands, boolean together) {
+  MotorOutputs(
+      Map<String, PulseOutput> outputs,
+      Map<String, ActuatorDescription> descriptions,
+      CommandedActuators commands,
+      boolean together) {
     this.outputs = new LinkedHashMap<>(outputs);
+    this.descriptions = descriptions;
     this.commands = commands;
     this.together = together;
   }
@@ -38,12 +46,13 @@ final class MotorOutputs {
   List<ActuatorAnnouncement> announcements() {
     List<ActuatorAnnouncement> all = new ArrayList<>();
     for (String name : outputs.keySet()) {
-      all.add(
+      ActuatorAnnouncement announcement =
           new ActuatorAnnouncement()
               .actuatorName(name)
               .minimum(-FULL_PERCENT)
               .maximum(FULL_PERCENT)
-              .effect(EFFECTS.getOrDefault(name, "moves")));
+              .effect(EFFECTS.getOrDefault(name, "moves"));
+      all.add(descriptions.get(name).addTo(announcement));
     }
     return all;
   }

@@ -122,7 +122,8 @@ class DescribeCommandTest {
         .containsPattern(
             "sensed-state +flashlight +StateInformation +\\d+\\.\\d Hz +x y +x 1\\.5 m, y 2 m")
         .contains("state: to nobody in here")
-        .contains("LAMP: minimum 0 %, maximum 100 %, effect lights");
+        .containsPattern(
+            "LAMP: minimum 0 %, maximum 100 %, effect lights, .*rateLimit 50 %/s, force .*-0\\.25.* N");
   }
 
   @Test

@@ -2,6 +2,7 @@ package org.u2sa.gcs.describe;
 
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
@@ -24,7 +25,9 @@ public final class Flashlight extends PeriodicService {
             .actuatorName("LAMP")
             .minimum(0.0)
             .maximum(100.0)
-            .effect("lights"));
+            .effect("lights")
+            .rateLimit(50.0)
+            .force(Point.of(-0.25, 0.0, 0.0)));
   }
 
   @Override

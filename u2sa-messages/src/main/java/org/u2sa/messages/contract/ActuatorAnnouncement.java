@@ -1,12 +1,23 @@
 package org.u2sa.messages.contract;
 
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** An actuator says what it can do (thesis 3.2.3.5, 5.1). */
+/**
+ * An actuator says what it can do (thesis 3.2.3.5, 5.1): extents, dynamics, and its effect on the
+ * vehicle's six degrees of freedom, so that control can allocate to actuators it never heard of.
+ *
+ * <p>Forces and moments are along and about forward, right and down axes (BODY_FRD) through the
+ * vehicle's reference point. At u percent the effect is force · (|u|/100)^{@link #exponent}; below
+ * 0 that of {@link #reverseForce} and {@link #reverseMoment}.
+ */
 public final class ActuatorAnnouncement extends U2SAData {
   private static final Schema<ActuatorAnnouncement> SCHEMA =
       Schema.of(ActuatorAnnouncement.class, ActuatorAnnouncement::new, U2SAData.TYPE);
@@ -19,6 +30,36 @@ public final class ActuatorAnnouncement extends U2SAData {
   private static final ValueField<ActuatorAnnouncement, String> EFFECT = SCHEMA.text("effect", "");
   private static final ValueField<ActuatorAnnouncement, String> SUBSYSTEM =
       SCHEMA.text("subsystem", "VEHICLE");
+  private static final NumberField<ActuatorAnnouncement> RATE_LIMIT =
+      SCHEMA.since(4).optionalNumber("rateLimit", "%/s", 0.0);
+  private static final NumberField<ActuatorAnnouncement> DEADBAND =
+      SCHEMA.optionalNumber("deadband", "%", 0.0, 99.0);
+  private static final NumberField<ActuatorAnnouncement> TIME_CONSTANT =
+      SCHEMA.optionalNumber("timeConstant", "s", 0.0);
+  private static final ValueField<ActuatorAnnouncement, Point> FORCE =
+      SCHEMA.optionalPoint("force", "N");
+  private static final ValueField<ActuatorAnnouncement, Point> MOMENT =
+      SCHEMA.optionalPoint("moment", "N m");
+  private static final ValueField<ActuatorAnnouncement, Point> REVERSE_FORCE =
+      SCHEMA.optionalPoint("reverseForce", "N");
+  private static final ValueField<ActuatorAnnouncement, Point> REVERSE_MOMENT =
+      SCHEMA.optionalPoint("reverseMoment", "N m");
+  private static final NumberField<ActuatorAnnouncement> EXPONENT =
+      SCHEMA.optionalNumber("exponent", "", 0.1, 10.0);
+  private static final NumberField<ActuatorAnnouncement> REFERENCE_SPEED =
+      SCHEMA.optionalNumber("referenceSpeed", "m/s", 0.0);
+  private static final NumberField<ActuatorAnnouncement> FULL_ANGLE =
+      SCHEMA.optionalNumber("fullAngle", "rad");
+  private static final NumberField<ActuatorAnnouncement> FULL_SPEED =
+      SCHEMA.optionalNumber("fullSpeed", "rad/s");
+  private static final NumberField<ActuatorAnnouncement> AVAILABLE =
+      SCHEMA.optionalNumber("available", "%", 0.0, 100.0);
+  private static final NumberField<ActuatorAnnouncement> RENEWAL =
+      SCHEMA.optionalNumber("renewal", "s", 0.0);
+  private static final ValueField<ActuatorAnnouncement, String> SERVICE_NAME =
+      SCHEMA.optionalText("serviceName");
+  private static final ValueField<ActuatorAnnouncement, List<String>> COMMAND_TYPES =
+      SCHEMA.optionalTexts("commandTypes");
 
   /** The schema. */
   public static final MessageType<ActuatorAnnouncement> TYPE = SCHEMA.build();
@@ -76,5 +117,182 @@ public final class ActuatorAnnouncement extends U2SAData {
   /** Sets {@link #subsystem()}. */
   public ActuatorAnnouncement subsystem(String value) {
     return put(SUBSYSTEM, value);
+  }
+
+  /** Fastest change [%/s]; empty: as good as at once. */
+  public OptionalDouble rateLimit() {
+    return get(RATE_LIMIT);
+  }
+
+  /** Sets {@link #rateLimit()}. */
+  public ActuatorAnnouncement rateLimit(double value) {
+    return put(RATE_LIMIT, value);
+  }
+
+  /** Percentage below which nothing moves [%, 0…99]; the effect grows from there on; empty: 0. */
+  public OptionalDouble deadband() {
+    return get(DEADBAND);
+  }
+
+  /** Sets {@link #deadband()}. */
+  public ActuatorAnnouncement deadband(double value) {
+    return put(DEADBAND, value);
+  }
+
+  /** Time constant of its first-order response [s]; empty: unknown. */
+  public OptionalDouble timeConstant() {
+    return get(TIME_CONSTANT);
+  }
+
+  /** Sets {@link #timeConstant()}. */
+  public ActuatorAnnouncement timeConstant(double value) {
+    return put(TIME_CONSTANT, value);
+  }
+
+  /**
+   * Force on the vehicle at +100 %: forward, right, down [N]; empty: unknown, or none if it has a
+   * moment.
+   */
+  public Optional<Point> force() {
+    return Optional.ofNullable(get(FORCE));
+  }
+
+  /** Sets {@link #force()}. */
+  public ActuatorAnnouncement force(Point value) {
+    return put(FORCE, value);
+  }
+
+  /**
+   * Moment on the vehicle at +100 %: rolling right, pitching up, yawing right [N m]; empty:
+   * unknown, or none if it has a force.
+   */
+  public Optional<Point> moment() {
+    return Optional.ofNullable(get(MOMENT));
+  }
+
+  /** Sets {@link #moment()}. */
+  public ActuatorAnnouncement moment(Point value) {
+    return put(MOMENT, value);
+  }
+
+  /** Force at −100 % [N]; empty: opposite to {@link #force()}. */
+  public Optional<Point> reverseForce() {
+    return Optional.ofNullable(get(REVERSE_FORCE));
+  }
+
+  /** Sets {@link #reverseForce()}. */
+  public ActuatorAnnouncement reverseForce(Point value) {
+    return put(REVERSE_FORCE, value);
+  }
+
+  /** Moment at −100 % [N m]; empty: opposite to {@link #moment()}. */
+  public Optional<Point> reverseMoment() {
+    return Optional.ofNullable(get(REVERSE_MOMENT));
+  }
+
+  /** Sets {@link #reverseMoment()}. */
+  public ActuatorAnnouncement reverseMoment(Point value) {
+    return put(REVERSE_MOMENT, value);
+  }
+
+  /**
+   * Power of the share of full command with which the effect grows [0.1…10]; empty: 1. Propellers
+   * have about 2.
+   */
+  public OptionalDouble exponent() {
+    return get(EXPONENT);
+  }
+
+  /** Sets {@link #exponent()}. */
+  public ActuatorAnnouncement exponent(double value) {
+    return put(EXPONENT, value);
+  }
+
+  /**
+   * Speed through air or water at which the effect holds [m/s]: that of a control surface grows
+   * with the speed squared; empty: the effect does not depend on speed.
+   */
+  public OptionalDouble referenceSpeed() {
+    return get(REFERENCE_SPEED);
+  }
+
+  /** Sets {@link #referenceSpeed()}. */
+  public ActuatorAnnouncement referenceSpeed(double value) {
+    return put(REFERENCE_SPEED, value);
+  }
+
+  /** Angle at +100 % [rad], which an AngleCommand may name instead; empty: it has none. */
+  public OptionalDouble fullAngle() {
+    return get(FULL_ANGLE);
+  }
+
+  /** Sets {@link #fullAngle()}. */
+  public ActuatorAnnouncement fullAngle(double value) {
+    return put(FULL_ANGLE, value);
+  }
+
+  /**
+   * Speed of rotation at +100 % [rad/s], which a SpeedCommand may name instead; empty: it has none.
+   */
+  public OptionalDouble fullSpeed() {
+    return get(FULL_SPEED);
+  }
+
+  /** Sets {@link #fullSpeed()}. */
+  public ActuatorAnnouncement fullSpeed(double value) {
+    return put(FULL_SPEED, value);
+  }
+
+  /**
+   * Share of the announced effect that is left [%, 0…100]: 0 if the actuator is withdrawn; empty:
+   * all.
+   */
+  public OptionalDouble available() {
+    return get(AVAILABLE);
+  }
+
+  /** Sets {@link #available()}. */
+  public ActuatorAnnouncement available(double value) {
+    return put(AVAILABLE, value);
+  }
+
+  /**
+   * Time until the next announcement [s]: control drops an actuator from which it has not heard for
+   * three of them; empty: 5 s.
+   */
+  public OptionalDouble renewal() {
+    return get(RENEWAL);
+  }
+
+  /** Sets {@link #renewal()}. */
+  public ActuatorAnnouncement renewal(double value) {
+    return put(RENEWAL, value);
+  }
+
+  /**
+   * The command classes that it takes beside PercentageCommand, by their simple names; empty if it
+   * takes no others.
+   */
+  public List<String> commandTypes() {
+    List<String> types = get(COMMAND_TYPES);
+    return types == null ? List.of() : types;
+  }
+
+  /** Sets {@link #commandTypes()}. */
+  public ActuatorAnnouncement commandTypes(List<String> value) {
+    return put(COMMAND_TYPES, List.copyOf(value));
+  }
+
+  /**
+   * The service that moves it, whose health reports and lost connection are about the actuator too;
+   * empty if unknown.
+   */
+  public Optional<String> serviceName() {
+    return Optional.ofNullable(get(SERVICE_NAME));
+  }
+
+  /** Sets {@link #serviceName()}. */
+  public ActuatorAnnouncement serviceName(String value) {
+    return put(SERVICE_NAME, value);
   }
 }

@@ -2,7 +2,9 @@ package org.u2sa.messages.registry;
 
 import java.util.List;
 import org.u2sa.messages.ActuatorCommand;
+import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.ForceCommand;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
@@ -10,6 +12,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -106,7 +109,10 @@ public final class StandardTypes implements MessageTypeProvider {
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,
-          MissionOrderResult.TYPE);
+          MissionOrderResult.TYPE,
+          AngleCommand.TYPE,
+          SpeedCommand.TYPE,
+          ForceCommand.TYPE);
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

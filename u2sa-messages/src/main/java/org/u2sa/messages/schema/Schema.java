@@ -103,6 +103,11 @@ public final class Schema<T extends U2SAData> {
     return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, ANY_MORE);
   }
 
+  /** A number that may be absent, within bounds. */
+  public NumberField<T> optionalNumber(String field, String unit, double min, double max) {
+    return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, max);
+  }
+
   /**
    * A coordinate that may be absent: in metres, but in degrees in messages that are written in
    * GLOBAL.
@@ -213,6 +218,11 @@ public final class Schema<T extends U2SAData> {
   /** A point without which no message is published. */
   public ValueField<T, Point> requiredPoint(String field, String unit) {
     return value(field, unit, ScalarKinds.POINT, FieldPresence.REQUIRED, null, false);
+  }
+
+  /** A point that may be absent. It has no bit in the presence vector. */
+  public ValueField<T, Point> optionalPoint(String field, String unit) {
+    return value(field, unit, ScalarKinds.POINT, FieldPresence.OPTIONAL, null, false);
   }
 
   /** A list of points, empty from the start. */

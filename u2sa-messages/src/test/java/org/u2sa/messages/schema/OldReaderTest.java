@@ -50,7 +50,7 @@ class OldReaderTest {
       if (read.className().equals(message.getClass().getSimpleName())) {
         asThemselves.add(read.className());
       } else {
-        assertThat(read.className()).isIn("OpaqueMessage", "HealthReport");
+        assertThat(read.className()).isIn("OpaqueMessage", "HealthReport", "ActuatorCommand");
       }
     }
     assertThat(asThemselves).contains("HealthReport", "Waypoint", "DiscoveryResponse");

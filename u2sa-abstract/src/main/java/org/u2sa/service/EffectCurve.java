@@ -1,0 +1,56 @@
+package org.u2sa.service;
+
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * How an actuator's effect depends on its command: nothing inside the deadband, beyond it share =
+ * ((|u| − deadband) / (100 − deadband))^exponent of the full effect. Actuators and whoever commands
+ * them go by the same curve.
+ *
+ * @param deadband command below which nothing moves [%, 0…99]
+ * @param exponent of the growth beyond it; 1 is linear, propellers have about 2
+ * @param forwardN force at +100 % [N]; NaN if unknown
+ * @param reverseN force at −100 %, positive [N]; NaN if unknown
+ */
+public record EffectCurve(double deadband, double exponent, double forwardN, double reverseN) {
+  /** An effect in proportion to the command, of unknown force. */
+  public static final EffectCurve LINEAR = new EffectCurve(0.0, 1.0, Double.NaN, Double.NaN);
+
+  private static final double FULL_PERCENT = 100.0;
+  private static final double LEAST_SHARE = 1.0e-3; // below it the actuator stays where it is
+
+  /** The curve that an actuator announced. */
+  public static EffectCurve of(ActuatorAnnouncement announced) {
+    double forward = announced.force().map(Point::distance).orElse(Double.NaN);
+    double reverse = announced.reverseForce().map(Point::distance).orElse(forward);
+    return new EffectCurve(
+        announced.deadband().orElse(0.0), announced.exponent().orElse(1.0), forward, reverse);
+  }
+
+  /** The command for a share of the full effect, −1…1, as a percentage, −100…100. */
+  public double percent(double share) {
+    double size = Math.min(1.0, Math.abs(share));
+    if (size < LEAST_SHARE) {
+      return 0.0;
+    }
+    double grown = exponent == 1.0 ? size : Math.pow(size, 1.0 / exponent);
+    return Math.copySign(deadband + (FULL_PERCENT - deadband) * grown, share);
+  }
+
+  /** The share of the full effect, −1…1, that a percentage brings about, −100…100. */
+  public double share(double percent) {
+    double beyond = (Math.abs(percent) - deadband) / (FULL_PERCENT - deadband);
+    if (beyond <= 0.0) {
+      return 0.0;
+    }
+    double grown = exponent == 1.0 ? beyond : Math.pow(beyond, exponent);
+    return Math.copySign(Math.min(1.0, grown), percent);
+  }
+
+  /** The command for a force [N], as a percentage; beyond ±100 if it has not that much. */
+  public double percentOfForce(double forceN) {
+    double share = forceN / (forceN < 0.0 ? reverseN : forwardN);
+    return Math.abs(share) > 1.0 ? FULL_PERCENT * share : percent(share);
+  }
+}

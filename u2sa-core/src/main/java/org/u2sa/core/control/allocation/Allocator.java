@@ -1,0 +1,184 @@
+package org.u2sa.core.control.allocation;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * Distributes a wanted wrench over effectors: weighted least squares within their limits and rates,
+ *
+ * <p>min γ Σⱼ (wⱼ (B f − τ)ⱼ / sⱼ)² + Σᵢ cᵢ fᵢ²
+ *
+ * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom by what they could
+ * have at most, s, and costs c of effectors (Johansen &amp; Fossen: Control allocation – a survey,
+ * Automatica 49 (2013), section 2.2). Within the limits that is the weighted pseudo-inverse. No
+ * allocation of memory per step. For one thread.
+ */
+public final class Allocator {
+  /** How much more an error counts than effort: unwanted errors stay below a millionth. */
+  private static final double ERROR_OVER_EFFORT = 1e6;
+
+  private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
+
+  private final double[] weights;
+  private List<Effector> effectors = List.of();
+  private double[] costs = {};
+  private double[][] effects = {}; // [effector][axis], at the present speed
+  private double[] scales = new double[DegreeOfFreedom.COUNT];
+  private double[] percents = {};
+  private double[] lowest = {};
+  private double[] highest = {};
+  private double[][] hessian = {};
+  private double[] linear = {};
+  private BoundedLeastSquares solver = new BoundedLeastSquares(0);
+  private final double[] attained = new double[DegreeOfFreedom.COUNT];
+
+  /**
+   * @param weights of the degrees of freedom in their order, 0 or more: 0 for one that is not
+   *     controlled; errors go to those of less weight
+   */
+  public Allocator(double... weights) {
+    if (weights.length != DegreeOfFreedom.COUNT
+        || Arrays.stream(weights).anyMatch(weight -> !(weight >= 0.0 && weight < 1e6))) {
+      throw new IllegalArgumentException(
+          "weights " + Arrays.toString(weights) + ": expected six numbers from 0 to 1e6");
+    }
+    this.weights = weights.clone();
+  }
+
+  /**
+   * Goes on with these effectors; what one that stays was commanded last is remembered.
+   *
+   * @param cost of an effector's effort, above 0; the dearer one does less
+   */
+  public void use(List<Effector> newEffectors, ToDoubleFunction<Effector> cost) {
+    Map<String, Double> before = new LinkedHashMap<>();
+    for (int i = 0; i < effectors.size(); i++) {
+      before.put(effectors.get(i).name(), percents[i]);
+    }
+    effectors = List.copyOf(newEffectors);
+    int size = effectors.size();
+    costs = new double[size];
+    effects = new double[size][DegreeOfFreedom.COUNT];
+    percents = new double[size];
+    lowest = new double[size];
+    highest = new double[size];
+    hessian = new double[size][size];
+    linear = new double[size];
+    solver = new BoundedLeastSquares(size);
+    for (int i = 0; i < size; i++) {
+      costs[i] = cost.applyAsDouble(effectors.get(i));
+      if (!(costs[i] > 0.0 && costs[i] < 1e3)) {
+        throw new IllegalArgumentException(
+            "cost of " + effectors.get(i).name() + ": " + costs[i] + " is outside 0…1000");
+      }
+      percents[i] = before.getOrDefault(effectors.get(i).name(), 0.0);
+    }
+  }
+
+  /** Takes note of what an effector was commanded by another law [%]. */
+  public void commanded(String name, double percent) {
+    for (int i = 0; i < percents.length; i++) {
+      if (effectors.get(i).name().equals(name)) {
+        percents[i] = percent;
+      }
+    }
+  }
+
+  /**
+   * Distributes a wanted wrench; the answer is in {@link #percent} and {@link #attained}.
+   *
+   * @param wanted X, Y, Z [N], K, M, N [N m]
+   * @param stepS since the call before [s], for rates; 0: no rates are heeded
+   * @param speedMps through air or water [m/s], for effectors that depend on it; NaN if unknown
+   */
+  public void allocate(double[] wanted, double stepS, double speedMps) {
+    bound(stepS, speedMps);
+    for (int i = 0; i < percents.length; i++) {
+      linear[i] = 0.0;
+      for (int k = 0; k <= i; k++) {
+        hessian[i][k] = i == k ? costs[i] : 0.0;
+      }
+      for (int j = 0; j < DegreeOfFreedom.COUNT; j++) {
+        double weight = weight(j);
+        linear[i] += weight * effects[i][j] * wanted[j];
+        for (int k = 0; k <= i; k++) {
+          hessian[i][k] += weight * effects[i][j] * effects[k][j];
+        }
+      }
+      for (int k = 0; k < i; k++) {
+        hessian[k][i] = hessian[i][k];
+      }
+    }
+    Arrays.fill(attained, 0.0);
+    double[] shares = solver.solve(hessian, linear, lowest, highest);
+    for (int i = 0; i < percents.length; i++) {
+      percents[i] = effectors.get(i).percent(shares[i]);
+      for (int j = 0; j < attained.length; j++) {
+        attained[j] += effects[i][j] * shares[i];
+      }
+    }
+  }
+
+  private void bound(double stepS, double speedMps) {
+    Arrays.fill(scales, 0.0);
+    for (int i = 0; i < percents.length; i++) {
+      Effector effector = effectors.get(i);
+      double scale = effector.scaleAt(speedMps);
+      for (DegreeOfFreedom axis : AXES) {
+        double effect = scale * effector.effect(axis);
+        effects[i][axis.ordinal()] = effect;
+        scales[axis.ordinal()] +=
+            Math.abs(effect) * Math.max(effector.highest(), -effector.lowest());
+      }
+      boolean isFree = !(stepS > 0.0);
+      lowest[i] = isFree ? effector.lowest() : effector.lowestFrom(percents[i], stepS);
+      highest[i] = isFree ? effector.highest() : effector.highestFrom(percents[i], stepS);
+    }
+  }
+
+  private double weight(int axis) {
+    if (scales[axis] == 0.0) {
+      return 0.0;
+    }
+    double relative = weights[axis] / scales[axis];
+    return ERROR_OVER_EFFORT * relative * relative;
+  }
+
+  /**
+   * The wrench that the last commands bring about, X, Y, Z [N], K, M, N [N m], at a speed [m/s].
+   */
+  public double[] present(double speedMps) {
+    double[] wrench = new double[DegreeOfFreedom.COUNT];
+    for (int i = 0; i < percents.length; i++) {
+      Effector effector = effectors.get(i);
+      double share = effector.share(percents[i]) * effector.scaleAt(speedMps);
+      for (DegreeOfFreedom axis : AXES) {
+        wrench[axis.ordinal()] += share * effector.effect(axis);
+      }
+    }
+    return wrench;
+  }
+
+  /** The effectors, in the order of {@link #percent}. */
+  public List<Effector> effectors() {
+    return effectors;
+  }
+
+  /** What to command the effector of an index [%, −100…100]. */
+  public double percent(int index) {
+    return percents[index];
+  }
+
+  /** The force that the effector of an index is to give [N]; negative astern. */
+  public double forceN(int index) {
+    return effectors.get(index).forceN(percents[index]);
+  }
+
+  /** What the commands bring about along or about an axis [N or N m]. */
+  public double attained(DegreeOfFreedom axis) {
+    return attained[axis.ordinal()];
+  }
+}

@@ -1,0 +1,28 @@
+package org.u2sa.core.control.allocation;
+
+import java.util.Locale;
+
+/** The six degrees of freedom, in the order of wrenches: X, Y, Z, K, M, N (SNAME). */
+public enum DegreeOfFreedom {
+  /** Along the forward axis, X [N]. */
+  SURGE,
+  /** Along the right axis, Y [N]. */
+  SWAY,
+  /** Along the down axis, Z [N]. */
+  HEAVE,
+  /** About the forward axis, K [N m]. */
+  ROLL,
+  /** About the right axis, M [N m]. */
+  PITCH,
+  /** About the down axis, N [N m]. */
+  YAW;
+
+  /** How many there are. */
+  public static final int COUNT = 6;
+
+  /** In lower case, as people read it. */
+  @Override
+  public String toString() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+}

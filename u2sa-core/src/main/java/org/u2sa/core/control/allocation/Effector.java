@@ -1,0 +1,144 @@
+package org.u2sa.core.control.allocation;
+
+import java.util.Optional;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.EffectCurve;
+
+/**
+ * An actuator as allocation sees it: what a share of its full effect does to the vehicle, and how
+ * far that share may go. Shares are in proportion to the effect; {@link EffectCurve} makes
+ * percentages of them. Immutable.
+ */
+public final class Effector {
+  private static final double FULL_PERCENT = 100.0;
+  private static final double SLOWEST = 0.1; // of the reference speed; slower, no model holds
+
+  private final String name;
+  private final double[] effect; // X, Y, Z [N], K, M, N [N m] at a share of 1
+  private final double astern; // share of that, at −100 %, 0…∞
+  private final double lowest; // share
+  private final double highest; // share
+  private final double ratePerS; // [%/s]
+  private final double referenceSpeed; // [m/s]; 0: its effect does not depend on speed
+  private final EffectCurve curve;
+
+  private Effector(ActuatorAnnouncement announced, double[] effect, double astern) {
+    name = announced.actuatorName();
+    this.effect = effect;
+    this.astern = astern;
+    ratePerS = announced.rateLimit().orElse(Double.POSITIVE_INFINITY);
+    referenceSpeed = announced.referenceSpeed().orElse(0.0);
+    curve = EffectCurve.of(announced);
+    lowest = share(announced.minimum());
+    highest = share(announced.maximum());
+  }
+
+  /**
+   * Of an announcement; empty if that says no effect in numbers. What is left of the actuator is
+   * {@link ActuatorAnnouncement#available}. An effect astern that points elsewhere than opposite
+   * counts by its part along that line.
+   */
+  public static Optional<Effector> of(ActuatorAnnouncement announced) {
+    return of(announced, announced.available().orElse(FULL_PERCENT) / FULL_PERCENT);
+  }
+
+  /** The same of a sound actuator, whatever is left of this one. */
+  public static Optional<Effector> ofSound(ActuatorAnnouncement announced) {
+    return of(announced, 1.0);
+  }
+
+  private static Optional<Effector> of(ActuatorAnnouncement announced, double left) {
+    double[] effect = wrench(announced.force(), announced.moment(), left);
+    double square = dot(effect, effect);
+    if (!(square > 0.0)) {
+      return Optional.empty();
+    }
+    boolean isSymmetric = announced.reverseForce().isEmpty() && announced.reverseMoment().isEmpty();
+    double[] reverse = wrench(announced.reverseForce(), announced.reverseMoment(), left);
+    double astern = isSymmetric ? 1.0 : Math.max(0.0, -dot(reverse, effect) / square);
+    return Optional.of(new Effector(announced, effect, astern));
+  }
+
+  private static double[] wrench(Optional<Point> force, Optional<Point> moment, double left) {
+    Point f = force.orElse(Point.ORIGIN);
+    Point m = moment.orElse(Point.ORIGIN);
+    double[] wrench = {f.x(), f.y(), f.z(), m.x(), m.y(), m.z()};
+    for (int i = 0; i < wrench.length; i++) {
+      wrench[i] *= left;
+    }
+    return wrench;
+  }
+
+  private static double dot(double[] a, double[] b) {
+    double sum = 0.0;
+    for (int i = 0; i < a.length; i++) {
+      sum += a[i] * b[i];
+    }
+    return sum;
+  }
+
+  /** The actuator's name. */
+  public String name() {
+    return name;
+  }
+
+  /** Force [N] or moment [N m] at a share of 1, at the reference speed. */
+  public double effect(DegreeOfFreedom axis) {
+    return effect[axis.ordinal()];
+  }
+
+  /** By how much the effect is scaled at a speed through air or water [m/s]; NaN: unknown. */
+  double scaleAt(double speedMps) {
+    if (referenceSpeed == 0.0 || Double.isNaN(speedMps)) {
+      return 1.0;
+    }
+    double ratio = Math.max(SLOWEST, Math.abs(speedMps) / referenceSpeed);
+    return ratio * ratio;
+  }
+
+  /** The least share, 0 or below for actuators that go both ways. */
+  double lowest() {
+    return lowest;
+  }
+
+  /** The largest share, 1 for an actuator that takes +100 %. */
+  double highest() {
+    return highest;
+  }
+
+  /** The percentage that brings about a share. */
+  double percent(double share) {
+    if (share >= 0.0) {
+      return curve.percent(share);
+    }
+    return astern > 0.0 ? curve.percent(share / astern) : 0.0;
+  }
+
+  /** The share that a percentage brings about. */
+  double share(double percent) {
+    double share = curve.share(percent);
+    return share < 0.0 ? share * astern : share;
+  }
+
+  /** The force at a percentage, along the effect's own line [N]; as announced, when sound. */
+  double forceN(double percent) {
+    double share = curve.share(percent);
+    return share * (share < 0.0 ? curve.reverseN() : curve.forwardN());
+  }
+
+  /** The least share that can be reached from a percentage within a time [s]. */
+  double lowestFrom(double percent, double stepS) {
+    return Math.max(lowest, share(stand(percent, -1.0) - ratePerS * stepS));
+  }
+
+  /** The largest share that can be reached from a percentage within a time [s]. */
+  double highestFrom(double percent, double stepS) {
+    return Math.min(highest, share(stand(percent, 1.0) + ratePerS * stepS));
+  }
+
+  /** Inside the deadband it moves on at once: nothing moves there. */
+  private double stand(double percent, double sign) {
+    return Math.abs(percent) <= curve.deadband() ? sign * curve.deadband() : percent;
+  }
+}

@@ -1,0 +1,51 @@
+package org.u2sa.messages;
+
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+
+/**
+ * Turns an actuator to an angle, for those that announce a fullAngle (thesis 3.2.3.9 foresees such
+ * extensions).
+ */
+public class AngleCommand extends ActuatorCommand {
+  private static final Schema<AngleCommand> SCHEMA =
+      Schema.of(AngleCommand.class, AngleCommand::new, ActuatorCommand.TYPE).since(4);
+  private static final NumberField<AngleCommand> ANGLE =
+      SCHEMA.requiredNumber("angle", "rad", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+
+  /** The schema. */
+  public static final MessageType<AngleCommand> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends AngleCommand> type() {
+    return TYPE;
+  }
+
+  /** Angle from neutral [rad]; the direction of positive percentages is positive. */
+  public double angle() {
+    return require(ANGLE);
+  }
+
+  /** Sets {@link #angle()}. */
+  public AngleCommand angle(double value) {
+    return put(ANGLE, value);
+  }
+
+  /** A command that holds until the next. */
+  public static AngleCommand of(String actuator, double angleRad) {
+    return new AngleCommand().actuatorName(actuator).angle(angleRad);
+  }
+
+  @Override
+  public AngleCommand actuatorName(String name) {
+    super.actuatorName(name);
+    return this;
+  }
+
+  @Override
+  public AngleCommand expiry(double seconds) {
+    super.expiry(seconds);
+    return this;
+  }
+}

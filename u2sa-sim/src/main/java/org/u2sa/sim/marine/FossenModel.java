@@ -1,0 +1,220 @@
+package org.u2sa.sim.marine;
+
+import java.util.Arrays;
+import java.util.List;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.u2sa.messages.frame.Gravity;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.motion.RungeKutta;
+
+/**
+ * Equations of motion of a vessel in a steady current without rotation: M ν̇ᵣ + C(νᵣ) νᵣ + D(νᵣ) νᵣ
+ * + g(η) = τ (Fossen 2021, equations 10.1 and 10.130–10.136; with a rigid-body C that does not
+ * depend on linear velocity, the current is in νᵣ alone).
+ *
+ * <p>State: north, east, down [m]; quaternion of the attitude (w, x, y, z); velocity through the
+ * water u, v, w [m/s]; p, q, r [rad/s]; a thrust for each thruster [N].
+ */
+final class FossenModel implements RungeKutta.Motion {
+  static final int NED = 0;
+  static final int QUATERNION = 3;
+  static final int VELOCITY = 7;
+  static final int RATES = 10;
+  static final int THRUST = 13;
+
+  private final Hull hull;
+  private final List<VesselThruster> thrusters;
+  private final double[] inverse = new double[36]; // of M, by rows
+  private final double[] targetN; // thrust that each thruster is heading for
+  private final double currentNorth;
+  private final double currentEast;
+  private final double surfaceDown; // where the water's surface is [m], down
+  private final double[] force = new double[6];
+
+  FossenModel(
+      Hull hull,
+      List<VesselThruster> thrusters,
+      double currentNorth,
+      double currentEast,
+      double surfaceDown) {
+    this.hull = hull;
+    this.thrusters = List.copyOf(thrusters);
+    this.currentNorth = currentNorth;
+    this.currentEast = currentEast;
+    this.surfaceDown = surfaceDown;
+    targetN = new double[thrusters.size()];
+    DMatrixRMaj mass = new DMatrixRMaj(6, 6);
+    double m = hull.massKg();
+    Point g = hull.gravityCentre();
+    double[][] rows = {
+      {m + hull.addedMass().x(), 0, 0, 0, m * g.z(), -m * g.y()},
+      {0, m + hull.addedMass().y(), 0, -m * g.z(), 0, m * g.x()},
+      {0, 0, m + hull.addedMass().z(), m * g.y(), -m * g.x(), 0},
+      {0, -m * g.z(), m * g.y(), hull.inertia().x() + hull.addedInertia().x(), 0, 0},
+      {m * g.z(), 0, -m * g.x(), 0, hull.inertia().y() + hull.addedInertia().y(), 0},
+      {-m * g.y(), m * g.x(), 0, 0, 0, hull.inertia().z() + hull.addedInertia().z()}
+    };
+    for (int i = 0; i < 6; i++) {
+      for (int j = 0; j < 6; j++) {
+        mass.set(i, j, rows[i][j]);
+      }
+    }
+    if (!CommonOps_DDRM.invert(mass)) {
+      throw new IllegalArgumentException("the mass matrix of the hull cannot be inverted");
+    }
+    System.arraycopy(mass.data, 0, inverse, 0, inverse.length);
+  }
+
+  int size() {
+    return THRUST + thrusters.size();
+  }
+
+  /** Commands a thruster −1…1. */
+  void command(int thruster, double value) {
+    targetN[thruster] = thrusters.get(thruster).thrustN(value);
+  }
+
+  @Override
+  public void derivatives(double[] s, double[] rate) {
+    double u = s[VELOCITY];
+    double v = s[VELOCITY + 1];
+    double w = s[VELOCITY + 2];
+    double p = s[RATES];
+    double q = s[RATES + 1];
+    double r = s[RATES + 2];
+    kinematics(s, rate);
+    thrust(s, rate);
+    drag(u, v, w, p, q, r);
+    rigidBody(u, v, w, p, q, r);
+    addedMass(u, v, w, p, q, r);
+    restore(s);
+    for (int i = 0; i < 6; i++) {
+      double sum = 0.0;
+      for (int j = 0; j < 6; j++) {
+        sum += inverse[6 * i + j] * force[j];
+      }
+      rate[VELOCITY + i] = sum;
+    }
+  }
+
+  private void kinematics(double[] s, double[] rate) {
+    double w = s[QUATERNION];
+    double x = s[QUATERNION + 1];
+    double y = s[QUATERNION + 2];
+    double z = s[QUATERNION + 3];
+    double a = s[VELOCITY];
+    double b = s[VELOCITY + 1];
+    double c = s[VELOCITY + 2];
+    double p = s[RATES];
+    double q = s[RATES + 1];
+    double r = s[RATES + 2];
+    rate[NED] =
+        currentNorth
+            + (1 - 2 * (y * y + z * z)) * a
+            + 2 * (x * y - w * z) * b
+            + 2 * (x * z + w * y) * c;
+    rate[NED + 1] =
+        currentEast
+            + 2 * (x * y + w * z) * a
+            + (1 - 2 * (x * x + z * z)) * b
+            + 2 * (y * z - w * x) * c;
+    rate[NED + 2] =
+        2 * (x * z - w * y) * a + 2 * (y * z + w * x) * b + (1 - 2 * (x * x + y * y)) * c;
+    rate[QUATERNION] = -0.5 * (x * p + y * q + z * r);
+    rate[QUATERNION + 1] = 0.5 * (w * p + y * r - z * q);
+    rate[QUATERNION + 2] = 0.5 * (w * q + z * p - x * r);
+    rate[QUATERNION + 3] = 0.5 * (w * r + x * q - y * p);
+  }
+
+  private void thrust(double[] s, double[] rate) {
+    Arrays.fill(force, 0.0);
+    for (int i = 0; i < targetN.length; i++) {
+      VesselThruster thruster = thrusters.get(i);
+      double thrustN = s[THRUST + i];
+      rate[THRUST + i] = (targetN[i] - thrustN) / thruster.timeConstantS();
+      Point d = thruster.direction();
+      Point at = thruster.place();
+      force[0] += thrustN * d.x();
+      force[1] += thrustN * d.y();
+      force[2] += thrustN * d.z();
+      force[3] += thrustN * (at.y() * d.z() - at.z() * d.y());
+      force[4] += thrustN * (at.z() * d.x() - at.x() * d.z());
+      force[5] += thrustN * (at.x() * d.y() - at.y() * d.x());
+    }
+  }
+
+  private void drag(double u, double v, double w, double p, double q, double r) {
+    force[0] -= drag(u, hull.drag().x(), hull.squareDrag().x());
+    force[1] -= drag(v, hull.drag().y(), hull.squareDrag().y());
+    force[2] -= drag(w, hull.drag().z(), hull.squareDrag().z());
+    force[3] -= drag(p, hull.angularDrag().x(), hull.squareAngularDrag().x());
+    force[4] -= drag(q, hull.angularDrag().y(), hull.squareAngularDrag().y());
+    force[5] -= drag(r, hull.angularDrag().z(), hull.squareAngularDrag().z());
+  }
+
+  private static double drag(double speed, double linear, double square) {
+    return (linear + square * StrictMath.abs(speed)) * speed;
+  }
+
+  /** C_RB ν = [m ω × (v + ω × r_g)]; [m r_g × (ω × v) + ω × I ω]. */
+  private void rigidBody(double u, double v, double w, double p, double q, double r) {
+    double m = hull.massKg();
+    Point g = hull.gravityCentre();
+    double ax = q * g.z() - r * g.y(); // ω × r_g
+    double ay = r * g.x() - p * g.z();
+    double az = p * g.y() - q * g.x();
+    double bx = q * w - r * v; // ω × v
+    double by = r * u - p * w;
+    double bz = p * v - q * u;
+    force[0] -= m * (bx + q * az - r * ay);
+    force[1] -= m * (by + r * ax - p * az);
+    force[2] -= m * (bz + p * ay - q * ax);
+    double ix = hull.inertia().x() * p;
+    double iy = hull.inertia().y() * q;
+    double iz = hull.inertia().z() * r;
+    force[3] -= m * (g.y() * bz - g.z() * by) + q * iz - r * iy;
+    force[4] -= m * (g.z() * bx - g.x() * bz) + r * ix - p * iz;
+    force[5] -= m * (g.x() * by - g.y() * bx) + p * iy - q * ix;
+  }
+
+  /** C_A ν = [ω × A v]; [v × A v + ω × B ω], A and B diagonal. */
+  private void addedMass(double u, double v, double w, double p, double q, double r) {
+    double x = hull.addedMass().x() * u;
+    double y = hull.addedMass().y() * v;
+    double z = hull.addedMass().z() * w;
+    double k = hull.addedInertia().x() * p;
+    double l = hull.addedInertia().y() * q;
+    double n = hull.addedInertia().z() * r;
+    force[0] -= q * z - r * y;
+    force[1] -= r * x - p * z;
+    force[2] -= p * y - q * x;
+    force[3] -= v * z - w * y + q * n - r * l;
+    force[4] -= w * x - u * z + r * k - p * n;
+    force[5] -= u * y - v * x + p * l - q * k;
+  }
+
+  /** Weight and buoyancy, less of which as the hull comes out of the water. */
+  private void restore(double[] s) {
+    double w = s[QUATERNION];
+    double x = s[QUATERNION + 1];
+    double y = s[QUATERNION + 2];
+    double z = s[QUATERNION + 3];
+    double dx = 2 * (x * z - w * y); // down along the vehicle's axes
+    double dy = 2 * (y * z + w * x);
+    double dz = 1 - 2 * (x * x + y * y);
+    double under = 0.5 + (s[NED + 2] - surfaceDown) / hull.heightM();
+    double buoyancy = hull.buoyancyN() * StrictMath.max(0.0, StrictMath.min(1.0, under));
+    act(hull.gravityCentre(), hull.massKg() * Gravity.STANDARD_MPS2, dx, dy, dz);
+    act(hull.buoyancyCentre(), -buoyancy, dx, dy, dz);
+  }
+
+  private void act(Point at, double downN, double dx, double dy, double dz) {
+    force[0] += downN * dx;
+    force[1] += downN * dy;
+    force[2] += downN * dz;
+    force[3] += downN * (at.y() * dz - at.z() * dy);
+    force[4] += downN * (at.z() * dx - at.x() * dz);
+    force[5] += downN * (at.x() * dy - at.y() * dx);
+  }
+}
