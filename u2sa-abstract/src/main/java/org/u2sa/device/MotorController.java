@@ -34,6 +34,17 @@ public interface MotorController extends Device<MotorController.Counts> {
    */
   void drive(double first, double second);
 
+  /**
+   * Sets the speeds that the controller holds by its own loops from now on, until {@link #drive}.
+   *
+   * @param first counts of its encoder per second
+   * @param second counts of its encoder per second
+   * @return false if the controller has no such loops: then nothing changes
+   */
+  default boolean turn(double first, double second) {
+    return false;
+  }
+
   /** Switches both motors off at once, whatever else is under way. */
   void stop(long nowMicros);
 

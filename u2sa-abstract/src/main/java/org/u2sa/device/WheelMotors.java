@@ -6,7 +6,9 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
@@ -40,6 +42,7 @@ public final class WheelMotors extends PeriodicService {
   private final double leftSign;
   private final double rightSign;
   private final double dutyPerPercent;
+  private final double countsPerRad;
   private final ActuatorDescription leftDescription;
   private final ActuatorDescription rightDescription;
   private final CommandedActuators commands;
@@ -72,6 +75,7 @@ public final class WheelMotors extends PeriodicService {
     leftIsSecond = variables.leftIsSecond();
     leftSign = variables.leftReversed() ? -1.0 : 1.0;
     rightSign = variables.rightReversed() ? -1.0 : 1.0;
+    countsPerRad = variables.countsPerTurn() / (2.0 * Math.PI);
     dutyPerPercent = variables.fullDuty() / FULL_PERCENT;
     leftDescription = settings(ActuatorDescription.class, leftName + " ").get();
     rightDescription = settings(ActuatorDescription.class, rightName + " ").get();
@@ -138,10 +142,30 @@ public final class WheelMotors extends PeriodicService {
       controller.drive(0.0, 0.0);
       return;
     }
+    if (turn()) {
+      leftSlew.goOnFrom(left.getAsDouble());
+      rightSlew.goOnFrom(right.getAsDouble());
+      return;
+    }
     double leftDuty = leftSign * dutyPerPercent * leftSlew.towards(left.getAsDouble(), nowMicros);
     double rightDuty =
         rightSign * dutyPerPercent * rightSlew.towards(right.getAsDouble(), nowMicros);
     controller.drive(leftIsSecond ? rightDuty : leftDuty, leftIsSecond ? leftDuty : rightDuty);
+  }
+
+  /** Has the controller hold both speeds, if speeds are commanded and it can. */
+  private boolean turn() {
+    Optional<ActuatorCommand> left = commands.command(leftName);
+    Optional<ActuatorCommand> right = commands.command(rightName);
+    if (left.isPresent()
+        && left.get() instanceof SpeedCommand leftSpeed
+        && right.isPresent()
+        && right.get() instanceof SpeedCommand rightSpeed) {
+      double first = leftSign * leftSpeed.speed() * countsPerRad;
+      double second = rightSign * rightSpeed.speed() * countsPerRad;
+      return controller.turn(leftIsSecond ? second : first, leftIsSecond ? first : second);
+    }
+    return false;
   }
 
   private void rest(long nowMicros) {

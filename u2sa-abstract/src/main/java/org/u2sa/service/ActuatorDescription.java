@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.frame.Point;
 
 /**
  * What a configuration says of one actuator, for its announcement: any actuator service gets it by
@@ -83,6 +84,26 @@ public record ActuatorDescription(
     if (!effect.trim().isEmpty()) {
       EffectText.parse(effect);
     }
+  }
+
+  /**
+   * Writes the effect of a thruster into an announcement, for services that know it from variables
+   * of their own, and returns it.
+   *
+   * @param place from the vehicle's reference point: forward, right, down [m]
+   * @param direction in which it pushes the vehicle at +100 %, in the same axes, of any length
+   * @param forwardN thrust at +100 % [N]
+   * @param reverseN thrust at −100 % [N]
+   */
+  public static ActuatorAnnouncement addThrust(
+      ActuatorAnnouncement announcement,
+      Point place,
+      Point direction,
+      double forwardN,
+      double reverseN) {
+    return EffectText.ofThrust(place, direction, forwardN, reverseN)
+        .addTo(announcement)
+        .renewal(ALLOCATED_RENEWAL_S);
   }
 
   /** Writes into an announcement what is described here, and returns it. */

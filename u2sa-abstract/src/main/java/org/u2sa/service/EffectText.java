@@ -58,6 +58,15 @@ record EffectText(
     Point place = point(words);
     require(words, "towards");
     Point direction = point(words);
+    return ofThrust(place, direction, forward, reverse);
+  }
+
+  /**
+   * Of a thrust at a place in a direction of any length.
+   *
+   * @throws IllegalArgumentException if the direction has no length
+   */
+  static EffectText ofThrust(Point place, Point direction, double forward, double reverse) {
     double length = direction.distance();
     if (!(length > 0.0)) {
       throw new IllegalArgumentException("the direction has no length");

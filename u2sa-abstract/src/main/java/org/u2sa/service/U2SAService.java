@@ -441,6 +441,16 @@ public abstract class U2SAService extends Thread
     return role;
   }
 
+  /** The channels on which the service publishes. */
+  public final List<Channel<?>> publishedChannels() {
+    return List.copyOf(wiring.registrations().published());
+  }
+
+  /** The channels that the service hears, those of the service contract left out. */
+  public final List<Channel<?>> subscribedChannels() {
+    return List.copyOf(wiring.registrations().subscribed());
+  }
+
   /** What the service was given at its construction. */
   protected final ServiceContext context() {
     return context;

@@ -9,6 +9,7 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
@@ -182,6 +183,25 @@ public abstract class ControlSystem extends EventDrivenService {
     double wanted = Math.max(-100.0, Math.min(100.0, percentage));
     double bounded = blend.command(actuator, wanted, clock().micros(), limits.get().blendTime());
     publish(Channels.ACTUATION, PercentageCommand.of(actuator, bounded).expiry(expiryS));
+  }
+
+  /**
+   * Commands an actuator by an angle, speed or force, for one that announced to take such; while
+   * commands blend from those of another control system, by a percentage.
+   *
+   * @param typed addressed to the actuator
+   * @param percentage that it stands for [%]
+   */
+  protected final void command(ActuatorCommand typed, double percentage) {
+    String actuator = typed.actuatorName();
+    double blended =
+        blend.command(actuator, percentage, clock().micros(), limits.get().blendTime());
+    double expiryS = limits.get().commandExpiry();
+    publish(
+        Channels.ACTUATION,
+        blended == percentage
+            ? typed.expiry(expiryS)
+            : PercentageCommand.of(actuator, blended).expiry(expiryS));
   }
 
   /** Commands an actuator a share of all that it can [−1…1]. */

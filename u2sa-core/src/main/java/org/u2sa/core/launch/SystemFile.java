@@ -22,6 +22,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * <pre>{@code
  * <system id="cessna">
  *   <communication configuration="CommunicationManager.xml"/>
+ *   <autonomy perception="discrete" decision="static response" independence="problem detection"/>
  *   <service class="org.u2sa.core.estimation.PassThroughStateEstimator" configuration="StateEstimator.xml"/>
  * </system>
  * }</pre>
@@ -35,6 +36,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  *     hold
  * @param delivery how messages travel between the services of one process
  * @param communicationHost the host that runs the Communication Manager; empty: any
+ * @param autonomy what the file states of the vehicle's autonomy (thesis 2.3); empty if nothing
  * @param services in the order in which they are started
  */
 public record SystemFile(
@@ -43,6 +45,7 @@ public record SystemFile(
     Optional<Path> communication,
     Delivery delivery,
     String communicationHost,
+    Optional<AutonomyLevels> autonomy,
     List<Entry> services) {
   /**
    * One service.
@@ -74,7 +77,7 @@ public record SystemFile(
   public static SystemFile read(Path file) {
     XmlElement root = XmlReader.read(file, "system");
     root.refuseUnknownAttributes("id");
-    root.refuseUnknownChildren("communication", "service");
+    root.refuseUnknownChildren("communication", "autonomy", "service");
     String id = root.attribute("id");
     try {
       Topic.checkSystemId(id);
@@ -105,7 +108,8 @@ public record SystemFile(
     Delivery delivery =
         communication.isEmpty() ? Delivery.DIRECT : Delivery.of(communication.get(0));
     String host = communication.isEmpty() ? "" : host(communication.get(0));
-    return new SystemFile(file, id, manager, delivery, host, services);
+    Optional<AutonomyLevels> autonomy = root.child("autonomy").map(AutonomyLevels::read);
+    return new SystemFile(file, id, manager, delivery, host, autonomy, services);
   }
 
   private static String host(XmlElement element) {
@@ -187,7 +191,8 @@ public record SystemFile(
 
   private SystemFile with(Predicate<Entry> wanted) {
     List<Entry> some = services.stream().filter(wanted).collect(Collectors.toList());
-    return new SystemFile(file, systemId, communication, delivery, communicationHost, some);
+    return new SystemFile(
+        file, systemId, communication, delivery, communicationHost, autonomy, some);
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

@@ -86,6 +86,11 @@ public final class Mission {
     return limit.isPresent() ? OptionalDouble.of(limit.get().seconds()) : OptionalDouble.empty();
   }
 
+  /** The goals that are pursued when {@link #timeLimit()} has passed; none: the mission ends. */
+  public List<String> afterTimeLimit() {
+    return limit.map(MissionLimit::next).orElse(Collections.emptyList());
+  }
+
   /** {@link #timeLimit()}, and what comes when it has passed. */
   Optional<MissionLimit> limit() {
     return limit;

@@ -120,8 +120,8 @@ final class MissionProgress {
 
   /** Takes note that the goals were pursued for another while, until now [µs]. */
   void pursuedFor(long micros, long nowMicros) {
-    if (beganMicros.isEmpty()) {
-      beganMicros = OptionalLong.of(nowMicros);
+    if (beganMicros.isEmpty() && micros > 0) {
+      beganMicros = OptionalLong.of(nowMicros - micros);
     }
     pursued.pursuedFor(micros);
     if (left == null && !pursued.isOver()) {
@@ -141,7 +141,7 @@ final class MissionProgress {
     return passes;
   }
 
-  /** When the mission began [µs of the run's clock]; empty until it has. */
+  /** When the mission's time began to count [µs of the run's clock]; empty until it has. */
   OptionalLong beganMicros() {
     return beganMicros;
   }

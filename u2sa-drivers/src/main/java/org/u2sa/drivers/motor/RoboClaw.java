@@ -40,6 +40,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   private int turn;
   private double first;
   private double second;
+  private boolean isBySpeed; // first and second are counts per second
   private OptionalDouble batteryV = OptionalDouble.empty();
   private Optional<Counts> latest = Optional.empty();
   private long malformed;
@@ -140,7 +141,10 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   private RoboClawRequest next() {
     turn++;
     if (turn % 2 == 0) {
-      return isSetUp ? RoboClawRequest.duty(first, second) : RoboClawRequest.duty(0.0, 0.0);
+      if (!isSetUp) {
+        return RoboClawRequest.duty(0.0, 0.0);
+      }
+      return isBySpeed ? RoboClawRequest.speed(first, second) : RoboClawRequest.duty(first, second);
     }
     if (!isSetUp) {
       return RoboClawRequest.serialTimeout(serialTimeoutS);
@@ -159,6 +163,15 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   public void drive(double newFirst, double newSecond) {
     first = newFirst;
     second = newSecond;
+    isBySpeed = false;
+  }
+
+  @Override
+  public boolean turn(double firstPerS, double secondPerS) {
+    first = firstPerS;
+    second = secondPerS;
+    isBySpeed = true;
+    return true;
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.u2sa.drivers.motor;
 
+import java.nio.ByteBuffer;
+
 /**
  * One command of RoboClaw's packet serial protocol and the answer that belongs to it (RoboClaw
  * Series User Manual, "Packet Serial" and "Advanced Packet Serial").
@@ -12,6 +14,7 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
   private static final int SET_SERIAL_TIMEOUT = 14;
   private static final int READ_MAIN_BATTERY = 24;
   private static final int DRIVE_SIGNED_DUTY = 34;
+  private static final int DRIVE_SIGNED_SPEED = 37;
   private static final int READ_ENCODER_COUNTERS = 78;
 
   private static final double TIMEOUT_STEP_S = 0.1;
@@ -35,6 +38,13 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     int second = (int) Math.round(secondPercent / FULL_PERCENT * FULL_DUTY);
     byte[] data = {(byte) (first >> 8), (byte) first, (byte) (second >> 8), (byte) second};
     return new RoboClawRequest(DRIVE_SIGNED_DUTY, data, 0);
+  }
+
+  /** Signed speeds of both motors in encoder counts per second, which the controller holds. */
+  static RoboClawRequest speed(double firstPerS, double secondPerS) {
+    ByteBuffer data = ByteBuffer.allocate(8); // big-endian
+    data.putInt((int) Math.round(firstPerS)).putInt((int) Math.round(secondPerS));
+    return new RoboClawRequest(DRIVE_SIGNED_SPEED, data.array(), 0);
   }
 
   /** The counters of both encoders, 4 bytes each. */

@@ -1,5 +1,6 @@
 package org.u2sa.drivers.motor;
 
+import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.function.LongSupplier;
 import org.u2sa.drivers.link.MemoryLink;
@@ -120,6 +121,8 @@ final class SimulatedRoboClaw {
         return 5;
       case 34:
         return 8;
+      case 37:
+        return 12;
       case 24:
       case 78:
         return 2;
@@ -142,6 +145,12 @@ final class SimulatedRoboClaw {
       case 34:
         duty[0] = (short) (packet[2] << 8 | packet[3] & 0xFF) / 32767.0;
         duty[1] = (short) (packet[4] << 8 | packet[5] & 0xFF) / 32767.0;
+        say((byte) 0xFF);
+        break;
+      case 37:
+        ByteBuffer speeds = ByteBuffer.wrap(packet, 2, 8);
+        duty[0] = speeds.getInt() / COUNTS_PER_S_AT_FULL_DUTY; // its loops are ideal
+        duty[1] = speeds.getInt() / COUNTS_PER_S_AT_FULL_DUTY;
         say((byte) 0xFF);
         break;
       case 24:

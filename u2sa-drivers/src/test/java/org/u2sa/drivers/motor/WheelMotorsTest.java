@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -15,6 +17,7 @@ import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
@@ -73,6 +76,51 @@ class WheelMotorsTest {
     assertThat(state().sensorName()).isEqualTo("WheelMotors");
     assertThat(kit.latest(Channels.POWER).orElseThrow().voltage()).hasValue(12.4);
     assertThat(kit.published(Channels.SENSED_STATE)).hasSizeBetween(15, 20);
+  }
+
+  @Test
+  void step_speedCommands_areHeldByTheControllersOwnLoops() {
+    kit.with("LEFT MOTOR FULL SPEED", 25.0).with("RIGHT MOTOR FULL SPEED", 25.0);
+    kit.with("RIGHT REVERSED", true);
+    start();
+    for (int i = 0; i < 40; i++) {
+      kit.publish(Channels.ACTUATION, SpeedCommand.of("LEFT MOTOR", 4.0 * Math.PI));
+      kit.publish(Channels.ACTUATION, SpeedCommand.of("RIGHT MOTOR", 2.0 * Math.PI));
+      kit.advance(0.05);
+    }
+    // 2 turns a second are 2000 counts a second, half of what full duty gives
+    assertThat(device.duty(0)).isCloseTo(0.5, within(NEAR));
+    assertThat(device.duty(1)).isCloseTo(-0.25, within(NEAR));
+    assertThat(state().xDot().getAsDouble()).isCloseTo(1.178, within(0.01));
+
+    command(50.0, 25.0, 0.5); // percentages again
+    assertThat(device.duty(0)).isCloseTo(0.5, within(NEAR));
+  }
+
+  @Test
+  void step_deviceLost_withdrawsTheActuatorsAndBringsThemBack() {
+    start();
+    command(50.0, 50.0, 1.0);
+    assertThat(availableOfBoth()).containsExactly(100.0, 100.0);
+
+    device.fault(SimulatedRoboClaw.Fault.MUTE);
+    kit.advance(1.0);
+    assertThat(availableOfBoth()).containsExactly(0.0, 0.0);
+
+    device.fault(SimulatedRoboClaw.Fault.NONE);
+    kit.advance(1.0);
+    assertThat(availableOfBoth()).containsExactly(100.0, 100.0);
+  }
+
+  private List<Double> availableOfBoth() {
+    List<Double> last = new ArrayList<>();
+    for (String name : List.of("LEFT MOTOR", "RIGHT MOTOR")) {
+      kit.published(Channels.ACTUATORS).stream()
+          .filter(each -> each.actuatorName().equals(name))
+          .reduce((first, second) -> second)
+          .ifPresent(each -> last.add(each.available().orElse(100.0)));
+    }
+    return last;
   }
 
   @Test

@@ -110,7 +110,7 @@ final class MissionView {
       usual.add(report.sequence().get(place + 1));
     }
     goal.repeatFrom()
-        .ifPresent(from -> next.put(goal.repeatTimes().orElse(1) + " times", List.of(from)));
+        .ifPresent(from -> next.put(times(goal.repeatTimes().orElse(1)), List.of(from)));
     if (!usual.isEmpty()) {
       next.put("", usual);
     }
@@ -118,5 +118,9 @@ final class MissionView {
       goal.nextIf(result).ifPresent(names -> next.put("if " + words(result), names));
     }
     return next;
+  }
+
+  private static String times(long times) {
+    return times == 1 ? "once" : times + " times";
   }
 }

@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
+import org.u2sa.gcs.describe.DescribeCommand;
 import org.u2sa.gcs.mission.MissionCommand;
 import org.u2sa.gcs.safety.ArmingCommand;
 import org.u2sa.gcs.safety.EmergencyStopCommand;
@@ -35,6 +36,7 @@ public final class SystemCommands implements CommandProvider {
             new ArmingCommand.Disarm(),
             new OperatorCommand(),
             new MissionCommand(),
+            new DescribeCommand(),
             new DependenciesCommand(),
             new NewCommand(Path.of("")))
         .map(command -> new Contribution(Group.TOP_LEVEL, command))

@@ -153,7 +153,7 @@ public final class MissionReport extends U2SAData {
     return put(TIME_LIMIT, value);
   }
 
-  /** When the mission began [µs of the run's clock]; empty until it has. */
+  /** When the mission's time began to count [µs of the run's clock]; empty until it has. */
   public OptionalLong began() {
     return optionalCount(BEGAN);
   }

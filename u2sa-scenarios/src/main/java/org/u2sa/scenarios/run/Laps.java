@@ -27,13 +27,19 @@ public final class Laps {
    * @param laps at least 1
    * @param leastThresholdM less than which no waypoint's threshold is to be [m]
    * @return the mission in the file
-   * @throws BadInputException if a goal is no waypoint on the earth
+   * @throws BadInputException if a goal is no waypoint on the earth, or if there are several laps
+   *     of a mission that says itself what follows what
    */
   public static Mission write(Mission mission, int laps, double leastThresholdM, Path file) {
     Home home = RunPlans.home(mission);
+    if (laps > 1) {
+      refuseLinks(mission);
+    }
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     text.append("<!-- ").append(laps).append(" times round the waypoints of a mission. -->\n");
-    text.append("<mission>\n  <home>\n");
+    text.append("<mission>\n");
+    GoalLinksXml.limit(text, mission);
+    text.append("  <home>\n");
     number(text, "x", OptionalDouble.of(home.x()));
     number(text, "y", OptionalDouble.of(home.y()));
     number(text, "z", home.z());
@@ -41,7 +47,7 @@ public final class Laps {
     text.append("  </home>\n");
     for (int lap = 1; lap <= laps; lap++) {
       for (GoalInformation goal : mission.goals()) {
-        waypoint(text, waypoint(mission, goal), name(goal, lap), leastThresholdM);
+        waypoint(text, waypoint(mission, goal), name(goal, lap), leastThresholdM, laps == 1);
       }
     }
     try {
@@ -51,6 +57,16 @@ public final class Laps {
       throw new RunFailedException("cannot write " + file + ": " + e.getMessage(), e);
     }
     return Mission.load(file);
+  }
+
+  private static void refuseLinks(Mission mission) {
+    for (int i = 0; i < mission.goals().size(); i++) {
+      if (GoalLinksXml.hasLinks(mission.goals().get(i))) {
+        throw mission.goalError(
+            i,
+            "says itself what follows it, so that laps of the file's order mean nothing; expected 1 lap");
+      }
+    }
   }
 
   /** The first lap keeps the mission's names. */
@@ -75,7 +91,11 @@ public final class Laps {
   }
 
   private static void waypoint(
-      StringBuilder text, Waypoint waypoint, String name, double leastThresholdM) {
+      StringBuilder text,
+      Waypoint waypoint,
+      String name,
+      double leastThresholdM,
+      boolean withLinks) {
     double threshold = Math.max(leastThresholdM, waypoint.horizontalThreshold());
     text.append("  <waypoint>\n    <name>").append(EscapedXml.of(name)).append("</name>\n");
     number(text, "x", waypoint.x());
@@ -83,6 +103,9 @@ public final class Laps {
     number(text, "z", waypoint.z());
     number(text, "horizontalThreshold", OptionalDouble.of(threshold));
     number(text, "speed", waypoint.speed());
+    if (withLinks) {
+      GoalLinksXml.links(text, waypoint);
+    }
     text.append("  </waypoint>\n");
   }
 

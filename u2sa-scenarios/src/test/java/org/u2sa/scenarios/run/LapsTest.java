@@ -57,6 +57,26 @@ class LapsTest {
   }
 
   @Test
+  void write_oneLap_keepsBranchesRepetitionsAndLimits() throws IOException {
+    String linked =
+        "<timeLimit unit='min' next='home'>3</timeLimit>"
+            + TWO
+            + "<waypoint><name>dock</name><x>-81</x><y>29</y><timeLimit>9</timeLimit><choose>1</choose>"
+            + "<next if='failed'>home</next><end if='timed out'/><repeat from='2' times='2'/></waypoint>";
+    Mission given = mission(HOME + linked);
+    Mission laps = laps(HOME + linked, 1, 1.5);
+
+    assertThat(laps.timeLimit()).hasValue(180.0);
+    assertThat(laps.afterTimeLimit()).containsExactly("home");
+    for (int i = 1; i < 3; i++) { // the first one's threshold is widened
+      assertThat(laps.goals().get(i)).isEqualTo(given.goals().get(i));
+    }
+    assertThatThrownBy(() -> laps(HOME + linked, 2, 0.0))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContainingAll("given.xml, line 1, <waypoint>", "expected 1 lap");
+  }
+
+  @Test
   void write_missionWithoutHome_isRefused() {
     assertThatThrownBy(() -> laps(TWO, 2, 0.0))
         .isInstanceOf(BadInputException.class)

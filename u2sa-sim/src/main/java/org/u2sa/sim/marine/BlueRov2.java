@@ -48,7 +48,7 @@ public final class BlueRov2 {
   /**
    * Its thrusters THRUSTER 1…6: front right and left, rear right and left, vertical right and left.
    */
-  public static List<Thruster> thrusters() {
+  public static List<VesselThruster> thrusters() {
     return List.of(
         thruster(1, Point.of(AHEAD_M, ASIDE_M, 0.0), Point.of(HALF, -HALF, 0.0)),
         thruster(2, Point.of(AHEAD_M, -ASIDE_M, 0.0), Point.of(HALF, HALF, 0.0)),
@@ -58,8 +58,8 @@ public final class BlueRov2 {
         thruster(6, Point.of(0.0, -ASIDE_M, 0.0), Point.of(0.0, 0.0, 1.0)));
   }
 
-  private static Thruster thruster(int number, Point place, Point direction) {
-    return new Thruster(
+  private static VesselThruster thruster(int number, Point place, Point direction) {
+    return new VesselThruster(
         "THRUSTER " + number, place, direction, FORWARD_N, REVERSE_N, DEADBAND, EXPONENT, LAG_S);
   }
 

@@ -24,7 +24,7 @@ final class FossenModel implements RungeKutta.Motion {
   static final int THRUST = 13;
 
   private final Hull hull;
-  private final List<Thruster> thrusters;
+  private final List<VesselThruster> thrusters;
   private final double[] inverse = new double[36]; // of M, by rows
   private final double[] targetN; // thrust that each thruster is heading for
   private final double currentNorth;
@@ -34,7 +34,7 @@ final class FossenModel implements RungeKutta.Motion {
 
   FossenModel(
       Hull hull,
-      List<Thruster> thrusters,
+      List<VesselThruster> thrusters,
       double currentNorth,
       double currentEast,
       double surfaceDown) {
@@ -130,7 +130,7 @@ final class FossenModel implements RungeKutta.Motion {
   private void thrust(double[] s, double[] rate) {
     Arrays.fill(force, 0.0);
     for (int i = 0; i < targetN.length; i++) {
-      Thruster thruster = thrusters.get(i);
+      VesselThruster thruster = thrusters.get(i);
       double thrustN = s[THRUST + i];
       rate[THRUST + i] = (targetN[i] - thrustN) / thruster.timeConstantS();
       Point d = thruster.direction();

@@ -41,7 +41,7 @@ public final class Vessel implements SimulatedVehicle {
    */
   public Vessel(
       Hull hull,
-      List<Thruster> thrusters,
+      List<VesselThruster> thrusters,
       Footprint footprint,
       World world,
       Point start,
@@ -52,7 +52,7 @@ public final class Vessel implements SimulatedVehicle {
             .orElseThrow(() -> new IllegalArgumentException("a vessel needs a world with water"));
     this.world = world;
     this.footprint = footprint;
-    names = thrusters.stream().map(Thruster::name).collect(Collectors.toUnmodifiableList());
+    names = thrusters.stream().map(VesselThruster::name).collect(Collectors.toUnmodifiableList());
     model =
         new FossenModel(
             hull, thrusters, water.currentNorthMps(), water.currentEastMps(), -water.surfaceM());

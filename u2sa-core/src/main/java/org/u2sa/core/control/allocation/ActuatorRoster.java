@@ -90,6 +90,20 @@ public final class ActuatorRoster {
     return lost;
   }
 
+  /**
+   * Share that is left of an actuator, with or without an effect in numbers, 0…1; 1 of one that
+   * never announced itself.
+   */
+  public double left(String actuator, long nowMicros) {
+    Known known = actuators.get(actuator);
+    if (known == null) {
+      return 1.0;
+    }
+    return isPresent(known, nowMicros)
+        ? known.announced.available().orElse(ALL_PERCENT) / ALL_PERCENT
+        : 0.0;
+  }
+
   /** The command classes that an actuator takes beside percentages. */
   public List<String> commandTypes(String actuator) {
     Known known = actuators.get(actuator);

@@ -172,6 +172,11 @@ public final class Allocator {
     return percents[index];
   }
 
+  /** The force that the effector of an index is to give [N]; negative astern. */
+  public double forceN(int index) {
+    return effectors.get(index).forceN(percents[index]);
+  }
+
   /** What the commands bring about along or about an axis [N or N m]. */
   public double attained(DegreeOfFreedom axis) {
     return attained[axis.ordinal()];

@@ -121,6 +121,12 @@ public final class Effector {
     return share < 0.0 ? share * astern : share;
   }
 
+  /** The force at a percentage, along the effect's own line [N]; as announced, when sound. */
+  double forceN(double percent) {
+    double share = curve.share(percent);
+    return share * (share < 0.0 ? curve.reverseN() : curve.forwardN());
+  }
+
   /** The least share that can be reached from a percentage within a time [s]. */
   double lowestFrom(double percent, double stepS) {
     return Math.max(lowest, share(stand(percent, -1.0) - ratePerS * stepS));

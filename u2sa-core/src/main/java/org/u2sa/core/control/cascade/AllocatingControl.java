@@ -17,6 +17,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.ForceCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmingState;
@@ -35,6 +36,12 @@ import org.u2sa.service.ServiceContext;
  * stops and keeps its heading.
  */
 public final class AllocatingControl extends ControlSystem {
+  /** What actuators are commanded by. */
+  private enum CommandKind {
+    PERCENT,
+    FORCE
+  }
+
   private record Choices(
       @Variable(
               ifAbsentText = "",
@@ -45,7 +52,12 @@ public final class AllocatingControl extends ControlSystem {
               ifAbsentText = "",
               text =
                   "Actuators that cost more effort, as \"NAME 4, OTHER NAME 2\"; others cost 1, and the dearer one does less.")
-          String costs) {
+          String costs,
+      @Variable(
+              ifAbsentText = "PERCENT",
+              text =
+                  "FORCE commands actuators that take forces by newtons, others by percent; PERCENT all by percent.")
+          CommandKind commands) {
     Choices {
       axes(essential);
       Costs.parse(costs);
@@ -69,12 +81,15 @@ public final class AllocatingControl extends ControlSystem {
   private final CascadeSettings tuning = new CascadeSettings(this);
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Cascade cascade = new Cascade(tuning);
+  private final AxisTuner tuner = new AxisTuner(settings(AxisTuner.Order.class));
   private Allocator allocator = new Allocator(tuning.weights());
   private Authority sound = new Authority(Map.of());
+  private Authority left = new Authority(Map.of());
   private Set<DegreeOfFreedom> lost = Set.of();
   private long revision = -1;
   private String said = "";
   private boolean armed = true; // where nobody arms, actuators obey at once
+  private boolean isArmedBySomebody; // which tuning requires
   private boolean isBlind;
   private boolean takesOver;
   private OptionalDouble headingBefore = OptionalDouble.empty();
@@ -89,6 +104,7 @@ public final class AllocatingControl extends ControlSystem {
 
   private void heed(ArmingState state) {
     armed = state.armed();
+    isArmedBySomebody = armed;
   }
 
   @Override
@@ -113,6 +129,7 @@ public final class AllocatingControl extends ControlSystem {
     }
     if (isBlind || !armed || !lost.isEmpty() && essentialsLost()) {
       cascade.rest();
+      tuner.abort();
       neutral().forEach(this::command);
       return;
     }
@@ -124,18 +141,27 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   private void drive(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps) {
-    double[] wanted;
     if (takesOver) {
       cascade.takeOver(motion, way, speedMps, presentWrench(motion));
       takesOver = false;
     }
-    wanted = cascade.step(motion, way, speedMps, stepS());
+    double[] wanted = cascade.step(motion, way, speedMps, stepS());
+    double mass = tuning.of(tuner.axis()).mass();
+    tuner
+        .step(isArmedBySomebody, left, wanted, cascade.measured(), mass, stepS())
+        .ifPresent(words -> log(words));
     allocator.allocate(wanted, stepS(), motion.velocity().distance());
     cascade.attained(allocator, stepS());
+    tuner.tuned().ifPresent(cascade::rest);
     List<Effector> effectors = allocator.effectors();
     for (int i = 0; i < effectors.size(); i++) {
       String name = effectors.get(i).name();
-      command(name, allocator.percent(i));
+      if (choices.get().commands() == CommandKind.FORCE
+          && roster.commandTypes(name).contains(ForceCommand.TYPE.name())) {
+        command(ForceCommand.of(name, allocator.forceN(i)), allocator.percent(i));
+      } else {
+        command(name, allocator.percent(i));
+      }
       allocator.commanded(name, lastCommand(name).orElse(0.0));
     }
   }
@@ -169,7 +195,7 @@ public final class AllocatingControl extends ControlSystem {
     allocator.use(roster.present(now), each -> costs.getOrDefault(each.name(), 1.0));
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
-    Authority left = Authority.of(allocator.effectors(), controlled);
+    left = Authority.of(allocator.effectors(), controlled);
     lost = Set.copyOf(left.lost(sound));
     List<String> gone = roster.lost(now);
     gone.forEach(name -> command(name, 0.0));

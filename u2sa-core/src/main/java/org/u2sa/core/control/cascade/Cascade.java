@@ -116,6 +116,16 @@ final class Cascade {
     }
   }
 
+  /** Velocities [m/s] and rates [rad/s] of the last step, by axis. */
+  double[] measured() {
+    return measured;
+  }
+
+  /** Forgets what one axis learnt. */
+  void rest(DegreeOfFreedom axis) {
+    pids[axis.ordinal()].reset();
+  }
+
   /** Forgets integrals and heading: the actuators do not obey. */
   void rest() {
     for (Pid pid : pids) {

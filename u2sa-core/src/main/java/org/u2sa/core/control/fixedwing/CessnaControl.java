@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.u2sa.core.control.ControlSystem;
+import org.u2sa.core.control.allocation.ActuatorRoster;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -37,6 +39,8 @@ public final class CessnaControl extends ControlSystem {
   private final Settings<Power> power = settings(Power.class);
   private final Supplier<Tuning> tuning = Tuning.in(this);
   private final FlightStateReader reader = new FlightStateReader();
+  private final ActuatorRoster roster = new ActuatorRoster();
+  private SurfaceMixing mixing = SurfaceMixing.SOUND;
   private Autopilot autopilot;
   private FlightPhase loggedPhase;
   private boolean loggedNavigating;
@@ -47,6 +51,7 @@ public final class CessnaControl extends ControlSystem {
   public CessnaControl(ServiceContext context) {
     super(context, "Control");
     autopilot = new Autopilot(tuning.get());
+    subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
     registerPublisher(ControlStatus.CHANNEL);
   }
 
@@ -69,7 +74,8 @@ public final class CessnaControl extends ControlSystem {
     loggedMissing = List.of();
     FlightState now = seen.get();
     Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
-    Surfaces surfaces = autopilot.step(now, target);
+    lookAtSurfaces();
+    Surfaces surfaces = mixing.of(autopilot.step(now, target));
     for (AircraftActuator actuator : AircraftActuator.values()) {
       double percentage = FULL_PERCENT * actuator.of(surfaces);
       if (actuator.holdsThroughSilence()) {
@@ -79,6 +85,23 @@ public final class CessnaControl extends ControlSystem {
       }
     }
     report(now, target.isPresent());
+  }
+
+  private void lookAtSurfaces() {
+    long now = clock().micros();
+    SurfaceMixing newest =
+        new SurfaceMixing(
+            roster.left(AircraftActuator.AILERON.actuatorName(), now),
+            roster.left(AircraftActuator.ELEVATOR.actuatorName(), now),
+            roster.left(AircraftActuator.RUDDER.actuatorName(), now));
+    if (!newest.equals(mixing)) {
+      mixing = newest;
+      if (newest.equals(SurfaceMixing.SOUND)) {
+        log("all surfaces are there");
+      } else {
+        trouble(newest.words());
+      }
+    }
   }
 
   /**

@@ -2,10 +2,12 @@ package org.u2sa.core.control.ground;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.HandOver;
@@ -38,7 +40,17 @@ public final class AckermannPursuitControl extends ControlSystem {
       @Variable(ifAbsentText = "THROTTLE", text = "Drive actuator, forward positive.")
           String throttleActuator,
       @Variable(ifAbsentText = "STEERING", text = "Steering actuator, right positive.")
-          String steeringActuator) {
+          String steeringActuator,
+      @Variable(
+              ifAbsentText = "PURSUIT",
+              text =
+                  "PURSUIT steers to the navigation point, STANLEY along the path that navigation points describe.")
+          SteeringLaw steeringLaw,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether the steering is commanded by angles, which its actuator must announce to take, instead of percentages.")
+          boolean steersByAngle) {
     double angleRad() {
       return Math.toRadians(steeringAngle);
     }
@@ -49,12 +61,21 @@ public final class AckermannPursuitControl extends ControlSystem {
     }
   }
 
+  /** How the front wheels are steered. */
+  private enum SteeringLaw {
+    PURSUIT,
+    STANLEY
+  }
+
+  private static final double FULL_PERCENT = 100.0;
   private static final double SLOWEST_MPS = 0.1; // slower, the steering stays where it is
 
   private double misalignment; // curvature that the steering lacks [1/m]; kept while it stands
 
   private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
   private final Settings<Steering> steering = settings(Steering.class);
+  private final Settings<StanleyLaw.Tuning> stanley = settings(StanleyLaw.Tuning.class);
+  private final PathSteering path = new PathSteering();
   private final GroundControl ground = new GroundControl(this);
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
@@ -80,15 +101,26 @@ public final class AckermannPursuitControl extends ControlSystem {
         ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
     GroundControl.Measured measured = ground.measured(state, stepS());
     PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
-    pursuit.commanded(demand, drive(demand), measured, stepS()).ifPresent(this::trouble);
+    OptionalDouble alongPath =
+        steering.get().steeringLaw() == SteeringLaw.STANLEY
+            ? path.steeringRad(stanley.get(), state, target, steering.get().wheelbase(), measured)
+            : OptionalDouble.empty();
+    pursuit.commanded(demand, drive(demand, alongPath), measured, stepS()).ifPresent(this::trouble);
   }
 
-  /** Commands the motors; returns what the drive is asked for by what it can. */
-  private double drive(PursuitControl.Demand demand) {
+  /**
+   * Commands the motors; returns what the drive is asked for by what it can.
+   *
+   * @param alongPath angle of the front wheels, left positive [rad]; empty: as the demand says
+   */
+  private double drive(PursuitControl.Demand demand, OptionalDouble alongPath) {
     Drive drive = demand.drive();
     Steering now = steering.get();
     double share = lastShare(now.steeringActuator());
-    if (drive.speedMps() > SLOWEST_MPS) {
+    if (drive.speedMps() > SLOWEST_MPS && alongPath.isPresent()) {
+      share = -alongPath.getAsDouble() / now.angleRad();
+      share = Math.max(-1.0, Math.min(1.0, share));
+    } else if (drive.speedMps() > SLOWEST_MPS) {
       if (demand.yawErrorRadPerS().isPresent()) {
         double error = demand.yawErrorRadPerS().getAsDouble() / drive.speedMps();
         double more = tuning.get().turnGain() * stepS() * error;
@@ -100,7 +132,12 @@ public final class AckermannPursuitControl extends ControlSystem {
     }
     double throttle = tuning.get().calibration().share(drive.speedMps() + demand.trimMps());
     commandShare(now.throttleActuator(), throttle);
-    commandShare(now.steeringActuator(), share);
+    if (now.steersByAngle()) {
+      double angle = share * now.angleRad();
+      command(AngleCommand.of(now.steeringActuator(), angle), FULL_PERCENT * share);
+    } else {
+      commandShare(now.steeringActuator(), share);
+    }
     return Math.abs(throttle);
   }
 

@@ -43,12 +43,12 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps) {
     return Optional.of(new GroundTarget(level.x(), level.y(), speedMps));
   }
 
-  private static boolean hasPlace(StateInformation state) {
+  static boolean hasPlace(StateInformation state) {
     return state.x().isPresent() && state.y().isPresent();
   }
 
   /** North and east from one state to the other [m]. */
-  private static Point displacement(StateInformation then, StateInformation now) {
+  static Point displacement(StateInformation then, StateInformation now) {
     if (then.referenceFrame().isLocal()) {
       Point from = place(then.in(ReferenceFrame.LOCAL_NED));
       return place(now.in(ReferenceFrame.LOCAL_NED)).minus(from);

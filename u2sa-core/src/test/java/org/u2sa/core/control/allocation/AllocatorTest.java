@@ -9,6 +9,7 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
@@ -60,6 +61,45 @@ class AllocatorTest {
       if (axis != DegreeOfFreedom.PITCH) {
         assertThat(allocator.attained(axis)).isCloseTo(wanted[axis.ordinal()], within(1e-3));
       }
+    }
+  }
+
+  /** Against scipy.optimize.lsq_linear (1.17.1, bvls) of the same problem. */
+  @Test
+  void allocate_moreThanThereIs_isTheSolutionOfAnotherSolver() {
+    assertShares(
+        new Allocator(1, 1, 1, 1, 0, 3),
+        "",
+        new double[] {200.0, 50.0, 30.0, 1.0, 0.0, 9.0},
+        0.154245152,
+        1.0,
+        1.0,
+        1.0,
+        0.488635386,
+        0.261363114);
+    assertShares(
+        new Allocator(1, 2, 1, 1, 0, 3),
+        "T1",
+        new double[] {40.0, -30.0, 90.0, 2.0, 0.0, -6.0},
+        -0.75,
+        0.94590169,
+        1.0,
+        1.0,
+        0.897725477);
+  }
+
+  private static void assertShares(
+      Allocator allocator, String lost, double[] wanted, double... expected) {
+    List<Effector> effectors = new ArrayList<>(SixThrusters.effectors());
+    effectors.removeIf(each -> each.name().equals(lost));
+    Map<String, Double> costs =
+        lost.isEmpty() ? Map.of() : Map.of("T3", 2.0, "T5", 4.0); // as in the other solver
+    allocator.use(effectors, each -> costs.getOrDefault(each.name(), 1.0));
+
+    allocator.allocate(wanted, 0.0, Double.NaN);
+
+    for (int i = 0; i < expected.length; i++) {
+      assertThat(share(allocator, i)).isCloseTo(expected[i], within(1e-6));
     }
   }
 

@@ -109,6 +109,36 @@ class GroundControlDriveTest {
   }
 
   @Test
+  void stanley_fiveCorners_capturesAllAndStaysNearerToTheLegsThanPursuit() {
+    Map<String, Object> planner = new HashMap<>(PLANNER);
+    planner.put("LOOK AHEAD", 1.5);
+    planner.put("TURN ACCELERATION", 1.0);
+    planner.put("TURN LAG", 0.3);
+    planner.put("AT END", "STOP");
+    Map<String, Object> vehicle =
+        Map.of("MAX SPEED", 3.0, "CRUISE SPEED", 1.2, "WHEELBASE", 0.6, "STEERING ANGLE", 28.0);
+    Map<String, Object> stanley = new HashMap<>(vehicle);
+    stanley.put("STEERING LAW", "STANLEY");
+    try (RoverDrive drive = ackermann(planner, stanley);
+        RoverDrive pursuit = ackermann(planner, vehicle)) {
+      requireAllWithin(drive, 1.0);
+      requireAllWithin(pursuit, 1.0);
+
+      assertThat(drive.crossTrackRmsM(4.0, CORNERS))
+          .isLessThan(pursuit.crossTrackRmsM(4.0, CORNERS));
+    }
+  }
+
+  private RoverDrive ackermann(Map<String, Object> planner, Map<String, Object> variables) {
+    return new RoverDrive(
+        new KinematicRover(KinematicRover.ackermann(), COMPASS_ERROR_RAD),
+        RoverDrive.mission(directory, 1.0, CORNERS),
+        planner,
+        AckermannPursuitControl::new,
+        variables);
+  }
+
+  @Test
   void position_lost_brakesAtOnceAndGoesOnWhenItIsBack() {
     try (RoverDrive drive = differential(DifferentialPursuitControl::new)) {
       drive.until(() -> false, 8.0);

@@ -15,7 +15,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.sim.marine.BlueRov2;
-import org.u2sa.sim.marine.Thruster;
+import org.u2sa.sim.marine.VesselThruster;
 import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Water;
@@ -39,7 +39,7 @@ final class SixThrusterDive implements AutoCloseable {
     World world =
         World.at(new Geodetic(9.0, 54.0, 0.0)).with(new Water(0.0, currentEast, currentNorth));
     run = new VehicleRun(BlueRov2.at(world, START, 0.0));
-    for (Thruster each : BlueRov2.thrusters()) {
+    for (VesselThruster each : BlueRov2.thrusters()) {
       start(each);
     }
     kit.withoutVariables();
@@ -78,7 +78,7 @@ final class SixThrusterDive implements AutoCloseable {
     }
   }
 
-  void start(Thruster thruster) {
+  void start(VesselThruster thruster) {
     kit.withoutVariables();
     Point at = thruster.place();
     Point to = thruster.direction();

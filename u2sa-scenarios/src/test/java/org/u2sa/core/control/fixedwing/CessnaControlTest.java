@@ -12,6 +12,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.testkit.ServiceKit;
@@ -68,6 +69,25 @@ class CessnaControlTest {
     assertThat(commands)
         .allSatisfy(
             c -> assertThat(c.expiry()).hasValue(power.contains(c.actuatorName()) ? 10.0 : 0.5));
+  }
+
+  @Test
+  void callback_aileronsWithdrawn_rollsByTheRudderAndSaysSo() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 20);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("AILERON")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .available(0.0));
+    fly(flying(), Point.of(200.0, -200.0, 0.0), 20);
+
+    assertThat(kit.percent("AILERON")).isZero();
+    assertThat(kit.percent("RUDDER")).isGreaterThan(5.0);
+    assertThat(kit.log("Control"))
+        .anySatisfy(line -> assertThat(line).contains("ailerons lost: rolling by the rudder"));
   }
 
   @Test

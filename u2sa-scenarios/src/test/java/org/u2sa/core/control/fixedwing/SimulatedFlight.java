@@ -40,6 +40,9 @@ final class SimulatedFlight {
   private final ArrayDeque<ControlInputs> underWay = new ArrayDeque<>();
   private final FlightScore score;
   StringBuilder trace;
+  SurfaceMixing left = SurfaceMixing.SOUND; // of the surfaces, from failsAtS on
+  double failsAtS = Double.POSITIVE_INFINITY;
+  boolean knows = true; // the control hears of it
 
   SimulatedFlight(Tuning tuning, Course course, Wind wind, Loop loop, double elevationM) {
     this.course = course;
@@ -71,6 +74,10 @@ final class SimulatedFlight {
       Surfaces surfaces = autopilot.step(state, target);
       if (planner.finished()) {
         break;
+      }
+      boolean failed = truth.timeS() >= failsAtS;
+      if (failed) {
+        surfaces = broken(knows ? left.of(surfaces) : surfaces);
       }
       score.note(truth, state, autopilot, planner, surfaces);
       if (trace != null) {
@@ -107,6 +114,18 @@ final class SimulatedFlight {
       }
     }
     return score;
+  }
+
+  /** What the surfaces that are left do of what was commanded. */
+  private Surfaces broken(Surfaces s) {
+    return new Surfaces(
+        left.aileron() * s.aileron(),
+        left.elevator() * s.elevator(),
+        left.rudder() * s.rudder(),
+        s.throttle(),
+        s.mixture(),
+        s.flaps(),
+        s.brakes());
   }
 
   private ControlInputs inputs(Surfaces s) {

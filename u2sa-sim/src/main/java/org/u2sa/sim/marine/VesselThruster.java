@@ -16,7 +16,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param exponent of the thrust's growth with the command beyond the deadband
  * @param timeConstantS of the lag [s]
  */
-public record Thruster(
+public record VesselThruster(
     String name,
     Point place,
     Point direction,
@@ -30,7 +30,7 @@ public record Thruster(
   /**
    * @throws IllegalArgumentException if the direction is not of length 1 or a number out of range
    */
-  public Thruster {
+  public VesselThruster {
     Arguments.requireInside("deadband of " + name, deadband, 0.0, 0.9);
     Arguments.requireInside("exponent of " + name, exponent, 0.5, 4.0);
     Arguments.requirePositive("time constant of " + name, timeConstantS);

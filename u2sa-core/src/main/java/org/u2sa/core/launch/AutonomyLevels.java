@@ -1,0 +1,121 @@
+package org.u2sa.core.launch;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.interfaces.xml.XmlElement;
+
+/**
+ * How autonomous a vehicle is, in the three dimensions of thesis 2.3, each with six levels.
+ *
+ * @param perception what it makes of its surroundings (2.3.1)
+ * @param decision what it decides by (2.3.2, there called intelligence)
+ * @param independence what it does without people (2.3.3)
+ */
+public record AutonomyLevels(Perception perception, Decision decision, Independence independence) {
+  /** A level: counts from 1. */
+  public interface Level {
+    /** Its name in code. */
+    String name();
+
+    /** Its place in the order, from 0. */
+    int ordinal();
+
+    /** From 1, the least, to 6. */
+    default int number() {
+      return ordinal() + 1;
+    }
+
+    /** Its name in words, as the thesis has it. */
+    default String words() {
+      return name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+  }
+
+  /** What a system makes of its surroundings (thesis 2.3.1). */
+  public enum Perception implements Level {
+    /** No sensors. */
+    NO_SENSING,
+    /** Single data points, neither grouped nor classified. */
+    DISCRETE,
+    /** Nearby data points are grouped to objects, all treated alike. */
+    GROUPED,
+    /** Objects are told apart by characteristics that were programmed. */
+    CLASSIFICATION,
+    /** New objects are taught in a learning mode. */
+    STATIC_LEARNING,
+    /** New objects are learnt in operation. */
+    DYNAMIC_LEARNING
+  }
+
+  /** What a system decides by (thesis 2.3.2). */
+  public enum Decision implements Level {
+    /** Manoeuvres by time alone. */
+    NO_DECISIONS,
+    /** Programmed manoeuvres in a known, static environment. */
+    STATIC_RESPONSE,
+    /** Remembers what is out of its sensors' range. */
+    MEMORY,
+    /** Foresees where moving objects will be. */
+    PROJECTION,
+    /** Learns tasks in a learning mode. */
+    STATIC_TASK_LEARNING,
+    /** Finds new solutions on its own. */
+    DYNAMIC_TASK_LEARNING
+  }
+
+  /** What a system does without people (thesis 2.3.3). */
+  public enum Independence implements Level {
+    /** Nothing: it is remotely controlled. */
+    TELEOPERATION,
+    /** Simple tasks, such as straight and level flight. */
+    STABILIZED,
+    /** Its task, once people have started it. */
+    TASK_AUTONOMY,
+    /** As before, and it reports how it is. */
+    HEALTH_REPORTING,
+    /** It finds out what is wrong with it, acts on it, and refuses what it cannot do. */
+    PROBLEM_DETECTION,
+    /** It finds what it needs, avoids danger and repairs itself. */
+    SELF_PRESERVATION
+  }
+
+  /**
+   * Reads {@code <autonomy perception="2" decision="static response" independence="5"/>}: levels by
+   * number or name.
+   *
+   * @throws org.u2sa.interfaces.BadInputException naming file, line, value and what was expected
+   */
+  static AutonomyLevels read(XmlElement element) {
+    element.refuseUnknownAttributes("perception", "decision", "independence");
+    element.refuseUnknownChildren();
+    element.refuseText();
+    return new AutonomyLevels(
+        level(element, "perception", Perception.values()),
+        level(element, "decision", Decision.values()),
+        level(element, "independence", Independence.values()));
+  }
+
+  private static <L extends Level> L level(XmlElement element, String attribute, L[] levels) {
+    String text = element.attribute(attribute);
+    String plain = text.toLowerCase(Locale.ROOT).replaceAll("[ _-]+", " ").trim();
+    List<String> names = new ArrayList<>();
+    for (L level : levels) {
+      if (plain.equals(level.words()) || plain.equals(String.valueOf(level.number()))) {
+        return level;
+      }
+      names.add(level.number() + " " + level.words());
+    }
+    List<String> words = new ArrayList<>();
+    Arrays.asList(levels).forEach(level -> words.add(level.words()));
+    throw element.error(
+        attribute
+            + ": \""
+            + text
+            + "\" is no level; expected one of "
+            + String.join(", ", names)
+            + NearestNames.didYouMean(plain, words));
+  }
+}
