@@ -177,6 +177,16 @@ public final class Allocator {
     return effectors.get(index).forceN(percents[index]);
   }
 
+  /** What the effector of an index is to bring about along or about an axis [N or N m]. */
+  public double contribution(int index, DegreeOfFreedom axis) {
+    return effects[index][axis.ordinal()] * effectors.get(index).share(percents[index]);
+  }
+
+  /** What all effectors together could do along or about an axis at most [N or N m]. */
+  public double scale(DegreeOfFreedom axis) {
+    return scales[axis.ordinal()];
+  }
+
   /** What the commands bring about along or about an axis [N or N m]. */
   public double attained(DegreeOfFreedom axis) {
     return attained[axis.ordinal()];

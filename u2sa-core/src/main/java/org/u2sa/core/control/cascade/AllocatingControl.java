@@ -1,5 +1,6 @@
 package org.u2sa.core.control.cascade;
 
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -7,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeMap;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.core.control.allocation.ActuatorRoster;
 import org.u2sa.core.control.allocation.Allocator;
@@ -17,6 +19,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ForceCommand;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -57,7 +60,19 @@ public final class AllocatingControl extends ControlSystem {
               ifAbsentText = "PERCENT",
               text =
                   "FORCE commands actuators that take forces by newtons, others by percent; PERCENT all by percent.")
-          CommandKind commands) {
+          CommandKind commands,
+      @Variable(
+              ifAbsentText = "false",
+              text =
+                  "Whether an actuator that is commanded without effect is found by the vehicle's motion and left out; needs true masses.")
+          boolean watchesResponse,
+      @Variable(
+              unit = "s",
+              min = 1,
+              max = 3600,
+              ifAbsent = 60,
+              text = "Time after which an actuator that did not respond is tried again.")
+          double retryTime) {
     Choices {
       axes(essential);
       Costs.parse(costs);
@@ -81,6 +96,10 @@ public final class AllocatingControl extends ControlSystem {
   private final CascadeSettings tuning = new CascadeSettings(this);
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Cascade cascade = new Cascade(tuning);
+  private final ResponseWatch response = new ResponseWatch();
+  private final Map<String, Long> unresponsive =
+      new TreeMap<>(); // until when each is left out [µs]
+  private final double[] masses = new double[DegreeOfFreedom.COUNT];
   private final AxisTuner tuner = new AxisTuner(settings(AxisTuner.Order.class));
   private Allocator allocator = new Allocator(tuning.weights());
   private Authority sound = new Authority(Map.of());
@@ -130,6 +149,7 @@ public final class AllocatingControl extends ControlSystem {
     if (isBlind || !armed || !lost.isEmpty() && essentialsLost()) {
       cascade.rest();
       tuner.abort();
+      response.restart();
       neutral().forEach(this::command);
       return;
     }
@@ -153,6 +173,9 @@ public final class AllocatingControl extends ControlSystem {
     allocator.allocate(wanted, stepS(), motion.velocity().distance());
     cascade.attained(allocator, stepS());
     tuner.tuned().ifPresent(cascade::rest);
+    if (choices.get().watchesResponse() && tuner.tuned().isEmpty()) {
+      watchResponse();
+    }
     List<Effector> effectors = allocator.effectors();
     for (int i = 0; i < effectors.size(); i++) {
       String name = effectors.get(i).name();
@@ -164,6 +187,22 @@ public final class AllocatingControl extends ControlSystem {
       }
       allocator.commanded(name, lastCommand(name).orElse(0.0));
     }
+  }
+
+  private void watchResponse() {
+    List<DegreeOfFreedom> axes = new ArrayList<>();
+    for (DegreeOfFreedom axis : left.most().keySet()) {
+      axes.add(axis);
+      masses[axis.ordinal()] = tuning.of(axis).mass();
+    }
+    response
+        .step(allocator, axes, cascade.measured(), masses, stepS())
+        .ifPresent(
+            name -> {
+              log(LogLevelEnum.WARN, name + " does not respond: left out for a time");
+              unresponsive.put(name, clock().micros() + Clock.micros(choices.get().retryTime()));
+              revision = -1;
+            });
   }
 
   /** What the last commands bring about, those of another control's too. */
@@ -187,17 +226,22 @@ public final class AllocatingControl extends ControlSystem {
   private void lookAtActuators() {
     long now = clock().micros();
     long newest = roster.revision(now);
-    if (newest == revision) {
+    boolean isRetry = unresponsive.values().removeIf(until -> until <= now);
+    if (newest == revision && !isRetry) {
       return;
     }
     revision = newest;
     Map<String, Double> costs = Costs.parse(choices.get().costs());
-    allocator.use(roster.present(now), each -> costs.getOrDefault(each.name(), 1.0));
+    response.restart();
+    List<Effector> present = roster.present(now);
+    present.removeIf(each -> unresponsive.containsKey(each.name()));
+    allocator.use(present, each -> costs.getOrDefault(each.name(), 1.0));
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
     left = Authority.of(allocator.effectors(), controlled);
     lost = Set.copyOf(left.lost(sound));
     List<String> gone = roster.lost(now);
+    unresponsive.keySet().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
     gone.forEach(name -> command(name, 0.0));
     say(left.words(sound), gone);
   }

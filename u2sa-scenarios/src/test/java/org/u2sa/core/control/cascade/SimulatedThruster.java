@@ -9,6 +9,7 @@ final class SimulatedThruster extends Actuator {
   private static final double FULL_PERCENT = 100.0;
 
   private final VehicleRun run;
+  private volatile boolean isBroken;
 
   SimulatedThruster(ServiceContext context, String name, VehicleRun run) {
     super(context, name);
@@ -17,12 +18,18 @@ final class SimulatedThruster extends Actuator {
 
   @Override
   protected void actuate(double percentage) {
-    run.command(clock().micros(), actuatorName(), percentage / FULL_PERCENT);
+    run.command(clock().micros(), actuatorName(), isBroken ? 0.0 : percentage / FULL_PERCENT);
   }
 
   @Override
   protected void neutral() {
     run.command(clock().micros(), actuatorName(), 0.0);
+  }
+
+  /** Loses its propeller without noticing: obeys, announces itself, and nothing moves. */
+  void breaks() {
+    isBroken = true;
+    neutral();
   }
 
   /** Says that only a share of its thrust is left [%]. */

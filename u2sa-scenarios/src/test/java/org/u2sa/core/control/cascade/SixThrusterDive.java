@@ -118,6 +118,7 @@ final class SixThrusterDive implements AutoCloseable {
     tuning.put("YAW INTEGRAL TIME", 1.0);
     tuning.put("YAW ANGLE GAIN", 2.0);
     tuning.put("ESSENTIAL", "YAW");
+    tuning.put("WATCHES RESPONSE", true);
     return tuning;
   }
 

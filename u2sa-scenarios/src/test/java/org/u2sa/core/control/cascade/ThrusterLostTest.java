@@ -54,6 +54,37 @@ class ThrusterLostTest {
     }
   }
 
+  /** Its service obeys and announces itself, but the propeller is gone: only the motion tells. */
+  @ParameterizedTest
+  @CsvSource({"THRUSTER 1, 0.22", "THRUSTER 2, -0.22", "THRUSTER 3, -0.22", "THRUSTER 4, 0.22"})
+  void propellerLost_holdingStationInACurrent_isFoundByTheMotion(
+      String thruster, double currentEast) {
+    try (SixThrusterDive dive = new SixThrusterDive(currentEast, -0.18)) {
+      dive.dive(SETTLING_S);
+
+      dive.thrusters.get(thruster).breaks();
+      dive.dive(20.0);
+
+      assertThat(dive.health()).startsWith("lost: " + thruster + "; authority left");
+      assertThat(dive.lastDrivenS(thruster) - SETTLING_S).isLessThan(5.0);
+      assertThat(dive.worstM(5.0)).isLessThan(0.05);
+    }
+  }
+
+  /** A thruster that has nothing to do cannot be found out, and is not missed. */
+  @Test
+  void propellerLost_ofAThrusterAtRest_goesUnnoticed() {
+    try (SixThrusterDive dive = new SixThrusterDive(0.22, -0.18)) {
+      dive.dive(SETTLING_S);
+
+      dive.thrusters.get("THRUSTER 3").breaks();
+      dive.dive(10.0);
+
+      assertThat(dive.health()).isEmpty();
+      assertThat(dive.worstM(10.0)).isLessThan(0.02);
+    }
+  }
+
   @Test
   void killThenStartAThruster_onTheWayAround_everyCornerIsReached() {
     try (SixThrusterDive dive = new SixThrusterDive(0.1, 0.1)) {
@@ -80,7 +111,8 @@ class ThrusterLostTest {
       assertThat(dive.worstHeadingDeg(0.0, 75.0)).isLessThan(10.0);
       assertThat(dive.kit.log("Control"))
           .anySatisfy(line -> assertThat(line).contains("lost: THRUSTER 4"))
-          .anySatisfy(line -> assertThat(line).contains("all control authority is there"));
+          .anySatisfy(line -> assertThat(line).contains("all control authority is there"))
+          .noneSatisfy(line -> assertThat(line).contains("does not respond"));
       assertThat(dive.lastDrivenS("THRUSTER 4")).isGreaterThan(60.0);
     }
   }
