@@ -88,7 +88,7 @@ public final class AckermannPursuitControl extends ControlSystem {
     Drive drive = demand.drive();
     Steering now = steering.get();
     double share = lastShare(now.steeringActuator());
-    if (drive.speedMps() > SLOWEST_MPS) {
+    if (Math.abs(drive.speedMps()) > SLOWEST_MPS) {
       if (demand.yawErrorRadPerS().isPresent()) {
         double error = demand.yawErrorRadPerS().getAsDouble() / drive.speedMps();
         double more = tuning.get().turnGain() * stepS() * error;
