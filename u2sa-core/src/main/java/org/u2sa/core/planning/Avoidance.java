@@ -53,7 +53,8 @@ final class Avoidance {
   private String obstacle = ""; // why there is no route
   private double goalNorthM;
   private double goalEastM;
-  private int revision;
+  private int revision; // of the world when it was looked at last
+  private int triedRevision = -1; // of the world when a route was sought last
   private long plannedMicros;
   private long routelessSince;
   private long progressMicros;
@@ -157,6 +158,7 @@ final class Avoidance {
       routelessSince = micros;
       leastRemainingM = Double.POSITIVE_INFINITY;
       plannedMicros = Long.MIN_VALUE / 2;
+      triedRevision = -1;
     }
     MotionLimits limits = limits(vehicle, wanted, now);
     double off = track.map(t -> t.follow(at.x(), at.y(), reachedM(limits), limits.lookAheadM())).orElse(0.0);
@@ -210,7 +212,8 @@ final class Avoidance {
                     track.get().northM(track.get().count() - 1) - goalNorthM,
                     track.get().eastM(track.get().count() - 1) - goalEastM)
                 > wanted.thresholdM() + now.planningCell();
-    if (goalMoved || (track.isEmpty() && due) || blocked || (left && due)) {
+    boolean hopeless = track.isEmpty() && world.revision() == triedRevision;
+    if (goalMoved || (track.isEmpty() && due && !hopeless) || blocked || (left && due)) {
       Route route = plan(pose, wanted, now, micros);
       obstacle = route.obstacle();
       take(route, micros);
@@ -225,6 +228,7 @@ final class Avoidance {
 
   private Route plan(Pose pose, Wanted wanted, AvoidanceSettings now, long micros) {
     plannedMicros = micros;
+    triedRevision = world.revision();
     return planners
         .get(chosen.get())
         .plan(
@@ -318,6 +322,7 @@ final class Avoidance {
     progressMicros = recoversUntil;
     track = Optional.empty(); // plans anew from where it will be
     plannedMicros = recoversUntil - now.replanMicros();
+    triedRevision = -1;
     return Optional.empty();
   }
 

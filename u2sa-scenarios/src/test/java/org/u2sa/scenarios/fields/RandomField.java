@@ -92,6 +92,7 @@ final class RandomField {
 
   final Kind kind;
   final List<ObjectDescription> obstacles = new ArrayList<>();
+  private final List<double[]> outlines = new ArrayList<>(); // east, north, radius around each
   final List<Traffic> traffic = new ArrayList<>();
   final double startEast;
   final double startNorth;
@@ -152,6 +153,7 @@ final class RandomField {
   }
 
   private void cylinder(double east, double north, double radius) {
+    outlines.add(new double[] {east, north, radius});
     obstacles.add(
         new Cylinder()
             .radius(radius)
@@ -163,6 +165,7 @@ final class RandomField {
   }
 
   private void box(double east, double north, double length, double width, double angle) {
+    outlines.add(new double[] {east, north, 0.5 * Math.hypot(length, width)});
     obstacles.add(
         new Box()
             .length(length)
@@ -222,11 +225,13 @@ final class RandomField {
   /** Distance of a place from the nearest obstacle [m]. */
   double distanceM(double east, double north) {
     double least = Double.POSITIVE_INFINITY;
-    for (ObjectDescription obstacle : obstacles) {
-      least =
-          Math.min(
-              least,
-              obstacle.distanceTo(Point.of(east, north, 0.0)));
+    for (int i = 0; i < obstacles.size(); i++) {
+      double[] about = outlines.get(i);
+      double de = east - about[0];
+      double dn = north - about[1];
+      if (Math.sqrt(de * de + dn * dn) - about[2] < least) {
+        least = Math.min(least, obstacles.get(i).distanceTo(Point.of(east, north, 0.0)));
+      }
     }
     return least;
   }

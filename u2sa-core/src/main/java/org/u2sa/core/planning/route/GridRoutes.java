@@ -5,16 +5,47 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.search.CostGrid;
+import org.u2sa.core.planning.search.DStarLite;
 import org.u2sa.core.planning.search.GridFrame;
 import org.u2sa.core.planning.search.GridPath;
 import org.u2sa.core.planning.search.ThetaStar;
 
 /**
- * The planner GRID, for vehicles that turn on the spot or hardly need room to turn: any-angle ways
- * through the grid of costs ({@link ThetaStar}).
+ * The planners GRID and THETA, for vehicles that turn on the spot or hardly need room to turn: ways
+ * through the grid of costs. GRID repairs the way found before ({@link DStarLite}), THETA searches
+ * anew for ways of any direction ({@link ThetaStar}).
  */
 final class GridRoutes implements RoutePlanner {
-  private final ThetaStar search = new ThetaStar();
+  /** Searches a grid from a cell to a place. */
+  private interface Search {
+    Optional<GridPath> plan(CostGrid grid, int from, double goalNorthM, double goalEastM);
+  }
+
+  private final Search search;
+
+  private GridRoutes(Search search) {
+    this.search = search;
+  }
+
+  static GridRoutes repaired() {
+    return new GridRoutes(new Repaired());
+  }
+
+  static GridRoutes anew() {
+    return new GridRoutes(new ThetaStar()::plan);
+  }
+
+  private static final class Repaired implements Search {
+    private DStarLite search;
+
+    @Override
+    public Optional<GridPath> plan(CostGrid grid, int from, double north, double east) {
+      if (search == null || !search.isFor(grid, north, east)) {
+        search = new DStarLite(grid, north, east);
+      }
+      return search.plan(from);
+    }
+  }
 
   @Override
   public Route plan(RouteRequest request) {

@@ -12,7 +12,8 @@ public final class HousePlanners {
   /** New planners by the name that the variable PLANNER gives them, in the order of a list. */
   public static Map<String, RoutePlanner> all(Configurator configuration) {
     Map<String, RoutePlanner> planners = new LinkedHashMap<>();
-    planners.put("GRID", new GridRoutes());
+    planners.put("GRID", GridRoutes.repaired());
+    planners.put("THETA", GridRoutes.anew());
     planners.put("HYBRID", new HybridRoutes());
     for (RoutePlannerProvider provider : ServiceLoader.load(RoutePlannerProvider.class)) {
       planners.putIfAbsent(provider.name(), provider.planner(configuration));
