@@ -40,8 +40,10 @@ final class RandomField {
       int traps,
       boolean walls) {}
 
-  /** Something that goes to and fro between two places. */
+  /** Something that goes to and fro between two places, and stands for a while before it turns. */
   static final class Traffic {
+    private static final double STANDS_S = 2.0;
+
     final double radiusM;
     private final double fromEast;
     private final double fromNorth;
@@ -62,8 +64,24 @@ final class RandomField {
       lengthM = Math.hypot(toEast - fromEast, toNorth - fromNorth);
     }
 
+    private double round(double seconds) {
+      double stands = STANDS_S * speedMps;
+      return (startM + speedMps * seconds) % (2.0 * (lengthM + stands));
+    }
+
     private double gone(double seconds) {
-      return (startM + speedMps * seconds) % (2.0 * lengthM);
+      double stands = STANDS_S * speedMps;
+      double round = round(seconds);
+      if (round <= lengthM + stands) {
+        return Math.min(round, lengthM);
+      }
+      return Math.min(round - stands, 2.0 * lengthM);
+    }
+
+    private boolean stands(double seconds) {
+      double round = round(seconds);
+      double stands = STANDS_S * speedMps;
+      return (round >= lengthM && round <= lengthM + stands) || round >= 2.0 * lengthM + stands;
     }
 
     private double share(double seconds) {
@@ -80,12 +98,12 @@ final class RandomField {
     }
 
     double eastMps(double seconds) {
-      double sign = gone(seconds) <= lengthM ? 1.0 : -1.0;
+      double sign = stands(seconds) ? 0.0 : gone(seconds) <= lengthM ? 1.0 : -1.0;
       return sign * speedMps * (toEast - fromEast) / lengthM;
     }
 
     double northMps(double seconds) {
-      double sign = gone(seconds) <= lengthM ? 1.0 : -1.0;
+      double sign = stands(seconds) ? 0.0 : gone(seconds) <= lengthM ? 1.0 : -1.0;
       return sign * speedMps * (toNorth - fromNorth) / lengthM;
     }
   }

@@ -32,8 +32,8 @@ final class RoverRun implements AutoCloseable {
   static final RandomField.Kind KIND =
       new RandomField.Kind(28.0, 0.25, 1.6, 0.25, 1.2, 3, 0.3, 0.5, 3, true);
 
-  /** Of the circle that the vehicle fills as it turns on the spot, and CLEARANCE [m]. */
-  static final double NEEDED_M = 0.55 + 0.1;
+  /** The circle that the vehicle fills as it turns, CLEARANCE, and a cell of the map [m]. */
+  static final double NEEDED_M = 0.54 + 0.1 + 0.1;
 
   private static final double RANGE_M = 8.0;
   private static final double STEP_S = 0.05;
@@ -59,7 +59,7 @@ final class RoverRun implements AutoCloseable {
   private final DifferentialVehicle vehicle;
   private final LidarMap map;
   private final List<String> contacts = new ArrayList<>();
-  private final ContactWatch watch = new ContactWatch(c -> contacts.add(c.object().uid()));
+  private final ContactWatch watch = new ContactWatch(c -> contacts.add(c.object().uid() + " at " + Math.round(10.0 * c.timeS()) / 10.0));
 
   RoverRun(RandomField field) {
     this.field = field;
