@@ -15,6 +15,7 @@ public final class HousePlanners {
     planners.put("GRID", GridRoutes.repaired());
     planners.put("THETA", GridRoutes.anew());
     planners.put("HYBRID", new HybridRoutes());
+    planners.put("AIR", new AirRoutes());
     for (RoutePlannerProvider provider : ServiceLoader.load(RoutePlannerProvider.class)) {
       planners.putIfAbsent(provider.name(), provider.planner(configuration));
     }
