@@ -30,6 +30,7 @@ public class PathPlanner extends EventDrivenService {
   private final Settings<PlanningSettings> settings = settings(PlanningSettings.class);
   private final PlannerStates states;
   private final EndOfMission end;
+  private final Avoidance avoidance;
   private Optional<GoalList> goals = Optional.empty();
   // The list that was taken over comes once more, as it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
@@ -54,12 +55,16 @@ public class PathPlanner extends EventDrivenService {
   PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
     WaypointGuidance guidance = guide.apply(this);
-    states = new PlannerStates(List.of(new WaypointState(guidance, settings)));
+    avoidance = new Avoidance(this, settings(AvoidanceSettings.class), this::lines, this::say);
+    states = new PlannerStates(List.of(new WaypointState(guidance, settings, avoidance)));
     states.discover(this);
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
+    registerPublisher(Channels.PLANS);
     subscribe(Channels.GOALS, this::onGoals);
+    subscribe(Channels.OBJECTS, list -> avoidance.world().see(list));
+    subscribe(Channels.GRID, grid -> avoidance.world().see(grid));
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
     subscribe(Channels.FAILSAFE, state -> react(state.action()));
   }
@@ -219,6 +224,13 @@ public class PathPlanner extends EventDrivenService {
     if (plan.progress() != Plan.Progress.UNDER_WAY) {
       report(chosen, plan);
     }
+    avoidance
+        .news()
+        .ifPresent(
+            path -> {
+              state.timestamp().ifPresent(path::timestamp);
+              publish(Channels.PLANS, path);
+            });
     return plan.points();
   }
 
@@ -257,6 +269,15 @@ public class PathPlanner extends EventDrivenService {
     for (NavigationPoint point : points) {
       point.timestamp(state.timestamp().orElseThrow());
       publish(Channels.NAVIGATION, point);
+    }
+  }
+
+  private void say(String what, boolean isTrouble) {
+    String line = "goal \"" + goal.map(GoalInformation::uid).orElse("") + "\": " + what;
+    if (isTrouble) {
+      trouble(line); // health says it too
+    } else {
+      log(LogLevelEnum.WARN, line);
     }
   }
 

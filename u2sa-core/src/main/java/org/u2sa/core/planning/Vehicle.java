@@ -1,6 +1,7 @@
 package org.u2sa.core.planning;
 
 import java.util.Optional;
+import org.u2sa.core.planning.seen.PlanningPlane;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
@@ -40,6 +41,13 @@ final class Vehicle {
       return Optional.of(new Vehicle(state.in(ReferenceFrame.LOCAL_NED)));
     }
     return Optional.of(new Vehicle(state));
+  }
+
+  /** Where it is on a plane: north, east, down [m]. */
+  Point on(PlanningPlane plane) {
+    return plane.ned(
+        state.referenceFrame(),
+        Point.of(state.x().orElseThrow(), state.y().orElseThrow(), state.z().orElse(0.0)));
   }
 
   /** When it was there [µs]; 0 if nobody said. */

@@ -28,6 +28,7 @@ final class WaypointState implements PlannerState {
 
   private final WaypointGuidance guidance;
   private final Supplier<PlanningSettings> settings;
+  private final Avoidance avoidance;
   private int attempts;
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
@@ -35,9 +36,11 @@ final class WaypointState implements PlannerState {
   private double nearestM; // in this attempt, since the vehicle is on its way
   private Optional<StateInformation> last = Optional.empty();
 
-  WaypointState(WaypointGuidance guidance, Supplier<PlanningSettings> settings) {
+  WaypointState(
+      WaypointGuidance guidance, Supplier<PlanningSettings> settings, Avoidance avoidance) {
     this.guidance = guidance;
     this.settings = settings;
+    this.avoidance = avoidance;
   }
 
   @Override
@@ -54,6 +57,7 @@ final class WaypointState implements PlannerState {
   @Override
   public void enter(Pursuit pursuit) {
     guidance.begin(placeOf(pursuit.before()));
+    avoidance.begin();
     attempts = 1;
     armed = pursuit.before().filter(before -> before.uid().equals(pursuit.goal().uid())).isEmpty();
     reached = false;
@@ -79,6 +83,7 @@ final class WaypointState implements PlannerState {
     }
     guidance.begin(Optional.empty());
     guidance.takeOver(state);
+    avoidance.begin();
     attempts = (int) state.number("ATTEMPTS").getAsDouble();
     armed = state.flag("ARMED");
     reached = state.flag("REACHED");
@@ -97,6 +102,9 @@ final class WaypointState implements PlannerState {
     Waypoint waypoint = (Waypoint) pursuit.goal();
     Place target = Place.of(waypoint);
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    if (avoidance.isOn() && target.isHorizontal()) {
+      return around(waypoint, target, vehicle, pursuit);
+    }
     NavigationPoint point =
         NavigationPoint.at(
             guidance.towards(
@@ -113,6 +121,36 @@ final class WaypointState implements PlannerState {
       return Plan.underWay(points);
     }
     return missed(points, passing(waypoint, downM));
+  }
+
+  /** The next step on a route around what stands in the way. */
+  private Plan around(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
+    Avoidance.Step step =
+        avoidance.step(
+            vehicle,
+            pursuit.state(),
+            new Avoidance.Wanted(
+                waypoint.uid(),
+                target,
+                waypoint.horizontalThreshold(),
+                waypoint.psi(),
+                waypoint.speed()));
+    double downM = vehicle.nedOf(target).z();
+    look(vehicle, target, waypoint, downM);
+    last = Optional.of(pursuit.state());
+    NavigationPoint point =
+        NavigationPoint.at(vehicle.body(step.ned())).speed(step.speedMps());
+    if (step.backwards()) {
+      point.backwards(true);
+    }
+    List<NavigationPoint> points = List.of(point);
+    if (reached) {
+      return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
+    }
+    return step.givenUp().isPresent()
+        ? new Plan(
+            points, Plan.Progress.ABANDONED, "given up: " + step.givenUp().get())
+        : Plan.underWay(points);
   }
 
   /** Takes note of how near the vehicle came since the last state. */

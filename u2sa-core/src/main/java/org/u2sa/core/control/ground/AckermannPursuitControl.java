@@ -120,7 +120,7 @@ public final class AckermannPursuitControl extends ControlSystem {
     if (drive.speedMps() > SLOWEST_MPS && alongPath.isPresent()) {
       share = -alongPath.getAsDouble() / now.angleRad();
       share = Math.max(-1.0, Math.min(1.0, share));
-    } else if (drive.speedMps() > SLOWEST_MPS) {
+    } else if (Math.abs(drive.speedMps()) > SLOWEST_MPS) {
       if (demand.yawErrorRadPerS().isPresent()) {
         double error = demand.yawErrorRadPerS().getAsDouble() / drive.speedMps();
         double more = tuning.get().turnGain() * stepS() * error;

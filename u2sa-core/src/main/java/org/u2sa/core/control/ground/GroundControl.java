@@ -54,7 +54,12 @@ final class GroundControl {
     Optional<GroundTarget> target =
         then.isEmpty() || ned.isEmpty()
             ? Optional.empty()
-            : GroundTarget.seenFrom(then.get(), ned.get(), now, point.orElseThrow().speed());
+            : GroundTarget.seenFrom(
+                then.get(),
+                ned.get(),
+                now,
+                point.orElseThrow().speed(),
+                point.orElseThrow().backwards());
     if (target.isPresent() != navigating) {
       navigating = target.isPresent();
       control.log(navigating ? "driving" : "no navigation: stopped");

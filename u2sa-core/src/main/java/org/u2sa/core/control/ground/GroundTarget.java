@@ -14,8 +14,9 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * @param forwardM ahead of the vehicle [m]; negative behind
  * @param leftM to the left of it [m]; negative to the right
  * @param speedMps at which to go there [m/s]; empty if control is to choose
+ * @param backwards whether to go there with the rear first
  */
-record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps) {
+record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, boolean backwards) {
 
   /** How far away it is [m]. */
   double distanceM() {
@@ -32,15 +33,20 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps) {
    * and turned meanwhile is taken off. Empty if either state lacks position or heading.
    *
    * @param ned where it was seen: north, east, down [m]
+   * @param backwards whether to go there with the rear first
    */
   static Optional<GroundTarget> seenFrom(
-      StateInformation then, Point ned, StateInformation now, OptionalDouble speedMps) {
+      StateInformation then,
+      Point ned,
+      StateInformation now,
+      OptionalDouble speedMps,
+      boolean backwards) {
     if (now.psi().isEmpty() || !hasPlace(then) || !hasPlace(now)) {
       return Optional.empty();
     }
     Point left = ned.minus(displacement(then, now)); // of the way
     Point level = new Attitude(0.0, 0.0, now.psi().getAsDouble()).levelOf(left);
-    return Optional.of(new GroundTarget(level.x(), level.y(), speedMps));
+    return Optional.of(new GroundTarget(level.x(), level.y(), speedMps, backwards));
   }
 
   static boolean hasPlace(StateInformation state) {

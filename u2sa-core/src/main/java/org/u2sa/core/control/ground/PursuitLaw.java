@@ -63,7 +63,7 @@ final class PursuitLaw {
             wanted.speedMps(),
             stepS * (slower ? settings.tuning().braking() : settings.tuning().acceleration()));
     double yawRate = wanted.yawRateRadPerS();
-    if (!turning && wanted.speedMps() > 0.0) {
+    if (!turning && wanted.speedMps() != 0.0) {
       yawRate *= speed / wanted.speedMps(); // the same arc at the speed that it has
     }
     drive =
@@ -88,19 +88,24 @@ final class PursuitLaw {
     }
     PursuitSettings.SpotTurn spot = settings.spotTurn();
     double bearing = target.bearingRad();
-    turning = spot.possible() && Math.abs(bearing) > (turning ? spot.belowRad() : spot.aboveRad());
+    turning =
+        spot.possible()
+            && !target.backwards()
+            && Math.abs(bearing) > (turning ? spot.belowRad() : spot.aboveRad());
     if (turning) {
       return new Drive(0.0, bounded(spot.gain() * bearing, settings.tuning().turnRateRadPerS()));
     }
     double curvature = curvature(target);
     double speed = speed(target, curvature);
-    return new Drive(speed, speed * curvature);
+    double along = target.backwards() ? -speed : speed; // the same arc, the rear first
+    return new Drive(along, along * curvature);
   }
 
   /** Of the arc through the point, tangent to the vehicle's heading: 2 y / L² (eq. 2). */
   private double curvature(GroundTarget target) {
     double distance = target.distanceM();
-    if (target.forwardM() <= 0.0) { // the arc would begin backwards: as tight as can be
+    double ahead = target.backwards() ? -target.forwardM() : target.forwardM();
+    if (ahead <= 0.0) { // the arc would begin the other way: as tight as can be
       return Math.copySign(settings.largestCurvature(), target.leftM());
     }
     return bounded(2.0 * target.leftM() / (distance * distance), settings.largestCurvature());

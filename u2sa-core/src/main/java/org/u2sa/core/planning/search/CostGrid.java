@@ -133,7 +133,9 @@ public final class CostGrid {
    * leads where no way leads.
    */
   public double straightCost(double north, double east, double toNorth, double toEast) {
-    double length = Math.hypot(toNorth - north, toEast - east);
+    double length =
+        Math.sqrt(
+            (toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));
     int steps = Math.max(1, (int) Math.ceil(length / (0.5 * frame.cellM())));
     double sum = 0.0;
     for (int k = 0; k < steps; k++) {

@@ -58,7 +58,7 @@ public final class ThetaStar {
         start,
         start,
         0.0,
-        Math.hypot(frame.centreNorthM(start) - goalNorthM, frame.centreEastM(start) - goalEastM));
+        length(frame.centreNorthM(start) - goalNorthM, frame.centreEastM(start) - goalEastM));
     double best = Double.POSITIVE_INFINITY; // to a goal outside
     int exit = OUTSIDE;
     while (!open.isEmpty() && open.leastKey() < best) {
@@ -75,7 +75,7 @@ public final class ThetaStar {
       int column = cell % frame.columns();
       if (goal < 0 && isEdge(frame, row, column)) {
         double rest =
-            Math.hypot(frame.centreNorthM(cell) - goalNorthM, frame.centreEastM(cell) - goalEastM);
+            length(frame.centreNorthM(cell) - goalNorthM, frame.centreEastM(cell) - goalEastM);
         if (g[cell] + rest < best) {
           best = g[cell] + rest;
           exit = cell;
@@ -154,7 +154,7 @@ public final class ThetaStar {
     g[cell] = cost;
     parent[cell] = from;
     double rest =
-        Math.hypot(frame.centreNorthM(cell) - goalNorth, frame.centreEastM(cell) - goalEast);
+        length(frame.centreNorthM(cell) - goalNorth, frame.centreEastM(cell) - goalEast);
     if (grown > 1.0e-9 && !open.isEmpty() && cost + rest > open.leastKey()) {
       open.put(cell, cost + rest);
       return true;
@@ -175,15 +175,20 @@ public final class ThetaStar {
             : g[cell] + step(grid, cell, next);
     if (known[next] != search || cost < g[next] - 1.0e-12) {
       double rest =
-          Math.hypot(frame.centreNorthM(next) - goalNorth, frame.centreEastM(next) - goalEast);
+          length(frame.centreNorthM(next) - goalNorth, frame.centreEastM(next) - goalEast);
       reach(next, from, cost, rest);
     }
   }
 
   private static double distanceM(GridFrame frame, int a, int b) {
     return frame.cellM()
-        * Math.hypot(
+        * length(
             a / frame.columns() - b / frame.columns(), a % frame.columns() - b % frame.columns());
+  }
+
+  /** Math.hypot guards against overflow, which metres never need, and takes many times as long. */
+  private static double length(double north, double east) {
+    return Math.sqrt(north * north + east * east);
   }
 
   private static boolean isNeighbour(GridFrame frame, int a, int b) {

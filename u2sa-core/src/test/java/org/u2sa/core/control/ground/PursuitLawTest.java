@@ -34,7 +34,7 @@ class PursuitLawTest {
   }
 
   private static Optional<GroundTarget> at(double forwardM, double leftM) {
-    return Optional.of(new GroundTarget(forwardM, leftM, OptionalDouble.empty()));
+    return Optional.of(new GroundTarget(forwardM, leftM, OptionalDouble.empty(), false));
   }
 
   /** How it moves when it has long gone to a point that stays where it is, seen from it. */
@@ -86,7 +86,7 @@ class PursuitLawTest {
 
   @Test
   void step_curveTighterThanTheTurnRateAllows_isDrivenSlowerNotWider() {
-    Drive drive = settled(Optional.of(new GroundTarget(0.6, 0.6, OptionalDouble.of(2.0))));
+    Drive drive = settled(Optional.of(new GroundTarget(0.6, 0.6, OptionalDouble.of(2.0), false)));
 
     assertThat(drive.yawRateRadPerS()).isEqualTo(1.2);
     double radius = drive.speedMps() / drive.yawRateRadPerS();
@@ -126,7 +126,7 @@ class PursuitLawTest {
 
   @Test
   void step_goalWithASpeed_isThatFast() {
-    assertThat(settled(Optional.of(new GroundTarget(9.0, 0.0, OptionalDouble.of(0.4)))).speedMps())
+    assertThat(settled(Optional.of(new GroundTarget(9.0, 0.0, OptionalDouble.of(0.4), false))).speedMps())
         .isEqualTo(0.4);
   }
 

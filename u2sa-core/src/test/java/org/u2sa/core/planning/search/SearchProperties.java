@@ -119,6 +119,38 @@ class SearchProperties {
         .isCloseTo(least, within(1e-4));
   }
 
+  @Property(tries = 200)
+  void dStarLite_gridChangesWhileItMoves_costsWhatBellmanAndFordSay(@ForAll long seed) {
+    Random random = new Random(seed);
+    CostGrid grid = grid(random);
+    int goal = free(grid, random);
+    DStarLite search =
+        random.nextInt(4) == 0
+            ? new DStarLite(grid, 40.0, 20.0 * random.nextDouble())
+            : new DStarLite(grid, FRAME.centreNorthM(goal), FRAME.centreEastM(goal));
+    for (int round = 0; round < 6; round++) {
+      int start = free(grid, random);
+      Optional<GridPath> path = search.plan(start);
+
+      double expected = search.isFor(grid, FRAME.centreNorthM(goal), FRAME.centreEastM(goal))
+          ? bellmanFord(grid, start)[goal]
+          : new ThetaStar(false).plan(grid, start, search.goalNorthM(), search.goalEastM())
+              .map(GridPath::cost)
+              .orElse(Double.POSITIVE_INFINITY);
+      assertThat(path.isPresent()).as("round %d", round).isEqualTo(expected < 1e9);
+      path.ifPresent(way -> assertThat(way.cost()).isCloseTo(expected, within(1e-3)));
+      int row = random.nextInt(SIZE);
+      int column = random.nextInt(SIZE);
+      boolean full = random.nextBoolean();
+      grid.update(
+          i ->
+              Math.abs(i / SIZE - row) < 3 && Math.abs(i % SIZE - column) < 3
+                  ? full && i != goal && Math.hypot(i / SIZE - goal / SIZE, i % SIZE - goal % SIZE) > 2
+                  : grid.isOccupied(i),
+          grid::isUnknown);
+    }
+  }
+
   static Optional<GridPath> plan(ThetaStar search, CostGrid grid, int start, int goal) {
     return search.plan(grid, start, FRAME.centreNorthM(goal), FRAME.centreEastM(goal));
   }

@@ -1,0 +1,381 @@
+package org.u2sa.core.planning;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import java.util.function.Supplier;
+import org.u2sa.core.planning.curve.Pose;
+import org.u2sa.core.planning.local.ArcChooser;
+import org.u2sa.core.planning.local.Choice;
+import org.u2sa.core.planning.local.MotionLimits;
+import org.u2sa.core.planning.local.RouteTrack;
+import org.u2sa.core.planning.route.HousePlanners;
+import org.u2sa.core.planning.route.Mobility;
+import org.u2sa.core.planning.route.Route;
+import org.u2sa.core.planning.route.RoutePlanner;
+import org.u2sa.core.planning.route.RouteRequest;
+import org.u2sa.core.planning.seen.PlanningPlane;
+import org.u2sa.core.planning.seen.SeenWorld;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.messages.PathStatus;
+import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Leads a vehicle around what the World Modeler sees: plans a route, follows it past traffic, plans
+ * anew when it is blocked or a better one is there, frees the vehicle when it is stuck, and gives up
+ * with a reason. Belongs to the planner's thread.
+ */
+final class Avoidance {
+  private static final String NONE = "NONE";
+
+  /** A new route is taken if it costs no more than this share of what is left of the old one. */
+  private static final double BETTER = 0.9;
+
+  /** Progress by less than this many cells is none. */
+  private static final double PROGRESS_CELLS = 2.0;
+
+  private final Supplier<String> chosen;
+  private final Map<String, RoutePlanner> planners;
+  private final Supplier<AvoidanceSettings> settings;
+  private final Supplier<LineSettings> lines;
+  private final BiConsumer<String, Boolean> say; // what, and whether it is trouble
+  private final SeenWorld world;
+
+  private Optional<RouteTrack> track = Optional.empty();
+  private Optional<PlannedPath> path = Optional.empty(); // not yet published
+  private String obstacle = ""; // why there is no route
+  private double goalNorthM;
+  private double goalEastM;
+  private int revision; // of the world when it was looked at last
+  private int triedRevision = -1; // of the world when a route was sought last
+  private long plannedMicros;
+  private long routelessSince;
+  private long progressMicros;
+  private double leastRemainingM;
+  private int recoveries;
+  private long recoversUntil;
+  private PathStatus status = PathStatus.FOLLOWED;
+  private boolean begun;
+
+  /**
+   * Where the vehicle is to go now.
+   *
+   * @param ned from the vehicle, without the way down [m]
+   * @param speedMps at which [m/s]
+   * @param backwards whether with the rear first
+   * @param givenUp why the goal is given up; empty if it is not
+   */
+  record Step(Point ned, double speedMps, boolean backwards, Optional<String> givenUp) {}
+
+  /** What a goal asks for. */
+  record Wanted(
+      String goal,
+      Place target,
+      double thresholdM,
+      OptionalDouble headingRad,
+      OptionalDouble speedMps) {}
+
+  /**
+   * @param configuration the planner's, in which PLANNER names the planner of routes
+   * @param say tells the operator something; true if it is trouble
+   */
+  Avoidance(
+      Configurator configuration,
+      Supplier<AvoidanceSettings> settings,
+      Supplier<LineSettings> lines,
+      BiConsumer<String, Boolean> say) {
+    this.settings = settings;
+    this.lines = lines;
+    this.say = say;
+    planners = new LinkedHashMap<>(HousePlanners.all(configuration));
+    List<String> names = new ArrayList<>(planners.keySet());
+    names.add(0, NONE);
+    VariableDeclaration<String> planner =
+        VariableDeclaration.text("PLANNER")
+            .oneOf(names.toArray(new String[0]))
+            .ifAbsent(NONE)
+            .describedAs(
+                "NONE sees no obstacles; GRID plans around them for vehicles that turn on the spot, HYBRID for those with a turning circle; others are planners of extensions.");
+    chosen = () -> configuration.getVariable(planner);
+    chosen.get(); // a wrong value must fail before the vehicle moves
+    world = new SeenWorld(() -> settings.get().reading(turnRadiusM(0.0) == 0.0));
+  }
+
+  /** Whether routes are planned. */
+  boolean isOn() {
+    return !chosen.get().equals(NONE);
+  }
+
+  /** What the World Modeler sees. */
+  SeenWorld world() {
+    return world;
+  }
+
+  /** The way to another goal begins. */
+  void begin() {
+    track = Optional.empty();
+    begun = false;
+    obstacle = "";
+    recoveries = 0;
+    recoversUntil = Long.MIN_VALUE;
+    status = PathStatus.FOLLOWED;
+  }
+
+  /** What is new for screens; empty if nothing. */
+  Optional<PlannedPath> news() {
+    Optional<PlannedPath> now = path;
+    path = Optional.empty();
+    return now;
+  }
+
+  private double turnRadiusM(double speedMps) {
+    AvoidanceSettings now = settings.get();
+    double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.leastSpeed()));
+    return now.turnRadius() > 0.0 ? now.turnRadius() : lines.get().turns().radiusM(speed);
+  }
+
+  /** The next step to a goal. */
+  Step step(Vehicle vehicle, StateInformation state, Wanted wanted) {
+    AvoidanceSettings now = settings.get();
+    long micros = vehicle.timestampMicros();
+    PlanningPlane plane = world.plane(state);
+    Point at = vehicle.on(plane);
+    Point toGoal = vehicle.nedOf(wanted.target());
+    goalNorthM = at.x() + toGoal.x();
+    goalEastM = at.y() + toGoal.y();
+    world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
+    Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
+    if (!begun) {
+      begun = true;
+      progressMicros = micros;
+      routelessSince = micros;
+      leastRemainingM = Double.POSITIVE_INFINITY;
+      plannedMicros = Long.MIN_VALUE / 2;
+      triedRevision = -1;
+    }
+    MotionLimits limits = limits(vehicle, wanted, now);
+    double off = track.map(t -> t.follow(at.x(), at.y(), reachedM(limits), limits.lookAheadM())).orElse(0.0);
+    maintain(pose, wanted, limits, now, micros, off);
+    Choice choice = choose(pose, vehicle, limits, now, micros);
+    Optional<String> givenUp = progress(choice, now, micros);
+    announce(choice, givenUp, wanted, plane, at);
+    return new Step(
+        Point.of(choice.northM() - at.x(), choice.eastM() - at.y(), toGoal.z()),
+        choice.speedMps(),
+        choice.backwards(),
+        givenUp);
+  }
+
+  private double reachedM(MotionLimits limits) {
+    return Math.min(0.25 * limits.lookAheadM(), 3.0 * settings.get().planningCell());
+  }
+
+  private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceSettings now) {
+    double speed =
+        Math.max(now.leastSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
+    return new MotionLimits(
+        speed,
+        now.plannedAcceleration(),
+        now.plannedBraking(),
+        turnRadiusM(vehicle.speedMps()),
+        now.stops(),
+        now.reverses(),
+        lines.get().lookAheadM(vehicle.speedMps()),
+        now.touchM(),
+        now.trafficClearance(),
+        now.trafficHorizon(),
+        now.reactionTime());
+  }
+
+  /** Plans if there is no route, it is blocked or left, or perhaps a better one is there. */
+  private void maintain(
+      Pose pose,
+      Wanted wanted,
+      MotionLimits limits,
+      AvoidanceSettings now,
+      long micros,
+      double off) {
+    boolean changed = world.revision() != revision;
+    boolean left = off > Math.max(limits.lookAheadM(), 0.5 * limits.turnRadiusM());
+    boolean blocked = changed && track.isPresent() && costLeft() == Double.POSITIVE_INFINITY;
+    boolean due = micros - plannedMicros >= now.replanMicros();
+    boolean goalMoved =
+        track.isPresent()
+            && Math.hypot(
+                    track.get().northM(track.get().count() - 1) - goalNorthM,
+                    track.get().eastM(track.get().count() - 1) - goalEastM)
+                > wanted.thresholdM() + now.planningCell();
+    boolean hopeless = track.isEmpty() && world.revision() == triedRevision;
+    if (goalMoved || (track.isEmpty() && due && !hopeless) || blocked || (left && due)) {
+      Route route = plan(pose, wanted, now, micros);
+      obstacle = route.obstacle();
+      take(route, micros);
+    } else if (changed && due) {
+      Route route = plan(pose, wanted, now, micros);
+      if (route.exists() && route.cost() < BETTER * costLeft()) {
+        take(route, micros);
+      }
+    }
+    revision = world.revision();
+  }
+
+  private Route plan(Pose pose, Wanted wanted, AvoidanceSettings now, long micros) {
+    plannedMicros = micros;
+    triedRevision = world.revision();
+    return planners
+        .get(chosen.get())
+        .plan(
+            new RouteRequest(
+                pose,
+                goalNorthM,
+                goalEastM,
+                wanted.headingRad(),
+                wanted.thresholdM(),
+                new Mobility(
+                    now.body(), now.clearance(), 1.05 * turnRadiusM(0.0), now.reverses()),
+                world.costs(),
+                world.shapes(),
+                world.corridors()));
+  }
+
+  private void take(Route route, long micros) {
+    if (route.exists()) {
+      track = Optional.of(new RouteTrack(route));
+      leastRemainingM = Double.POSITIVE_INFINITY;
+    } else {
+      if (track.isPresent()) {
+        routelessSince = micros;
+      }
+      track = Optional.empty();
+    }
+  }
+
+  /** What is left of the route costs now [m]; infinite if something stands on it. */
+  private double costLeft() {
+    RouteTrack route = track.get();
+    double north = route.northAheadM(0.0);
+    double east = route.eastAheadM(0.0);
+    double sum = 0.0;
+    for (int i = route.next(); i < route.count(); i++) {
+      double cost = world.costs().straightCost(north, east, route.northM(i), route.eastM(i));
+      boolean besideStart = i == route.next() && cost == Double.POSITIVE_INFINITY;
+      if (besideStart && isTooNear(north, east)) {
+        cost = Math.hypot(route.northM(i) - north, route.eastM(i) - east); // it is leaving
+      }
+      sum += cost;
+      north = route.northM(i);
+      east = route.eastM(i);
+    }
+    return sum;
+  }
+
+  private boolean isTooNear(double north, double east) {
+    return world.costs().cost(north, east) == Double.POSITIVE_INFINITY;
+  }
+
+  private Choice choose(
+      Pose pose, Vehicle vehicle, MotionLimits limits, AvoidanceSettings now, long micros) {
+    double along =
+        vehicle.northMps() * Math.cos(pose.headingRad())
+            + vehicle.eastMps() * Math.sin(pose.headingRad());
+    ArcChooser arcs =
+        new ArcChooser(world.costs(), now.body(), world.movers(), limits, pose, along, micros);
+    if (micros < recoversUntil) {
+      return arcs.backOut(1.5 * now.body().circleM());
+    }
+    return track.isPresent() ? arcs.along(track.get()) : arcs.withoutRoute();
+  }
+
+  /** Looks whether the vehicle gets on; frees it if not; answers why it gives up. */
+  private Optional<String> progress(Choice choice, AvoidanceSettings now, long micros) {
+    if (track.isEmpty()) {
+      progressMicros = micros;
+      return micros - routelessSince >= now.giveUpMicros()
+          ? Optional.of(obstacle)
+          : Optional.empty();
+    }
+    routelessSince = micros;
+    double remaining = track.get().remainingM();
+    if (remaining < leastRemainingM - PROGRESS_CELLS * now.planningCell()) {
+      leastRemainingM = remaining;
+      progressMicros = micros;
+    }
+    if (micros - progressMicros < now.stuckMicros() || micros < recoversUntil) {
+      return Optional.empty();
+    }
+    if (recoveries >= now.recoveries()) {
+      return Optional.of(
+          choice.kind() == Choice.Kind.WAIT
+              ? "traffic or obstacles leave no room to move"
+              : "stuck after " + recoveries + " attempts to free itself");
+    }
+    recoveries++;
+    say.accept("stuck: frees itself, attempt " + recoveries + " of " + now.recoveries(), false);
+    recoversUntil = micros + now.stuckMicros() / 3;
+    progressMicros = recoversUntil;
+    track = Optional.empty(); // plans anew from where it will be
+    plannedMicros = recoversUntil - now.replanMicros();
+    triedRevision = -1;
+    return Optional.empty();
+  }
+
+  /** Says what changes, in the log and for screens. */
+  private void announce(
+      Choice choice, Optional<String> givenUp, Wanted wanted, PlanningPlane plane, Point at) {
+    PathStatus before = status;
+    if (givenUp.isPresent()) {
+      status = PathStatus.GIVEN_UP;
+    } else if (choice.kind() == Choice.Kind.BRAKE) {
+      status = PathStatus.BRAKING;
+    } else if (at != null && recoversUntil > 0L && track.isEmpty() && obstacle.isEmpty()) {
+      status = PathStatus.RECOVERING;
+    } else {
+      status = choice.kind() == Choice.Kind.WAIT ? PathStatus.WAITING : PathStatus.FOLLOWED;
+    }
+    String reason = "";
+    if (status == PathStatus.BRAKING) {
+      reason = settings.get().stops() ? "a collision is near: brakes" : "a collision is near: turns";
+    } else if (status == PathStatus.WAITING) {
+      reason = track.isEmpty() ? obstacle : "waits for traffic or a way";
+    } else if (status == PathStatus.GIVEN_UP) {
+      reason = givenUp.orElse("");
+    }
+    if (status != before && !reason.isEmpty()) {
+      say.accept(reason, status == PathStatus.BRAKING);
+    }
+    boolean newRoute = track.isPresent() && track.get() != announced;
+    if (status == before && !newRoute) {
+      return;
+    }
+    announced = track.orElse(null);
+    PlannedPath news =
+        new PlannedPath()
+            .goal(wanted.goal())
+            .planner(chosen.get())
+            .status(status)
+            .referenceFrame(plane.frame())
+            .points(points(plane, at.z()));
+    if (!reason.isEmpty()) {
+      news.reason(reason);
+    }
+    track.ifPresent(route -> news.cost(route.cost()));
+    path = Optional.of(news);
+  }
+
+  private RouteTrack announced;
+
+  private List<Point> points(PlanningPlane plane, double downM) {
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; track.isPresent() && i < track.get().count(); i++) {
+      points.add(plane.point(track.get().northM(i), track.get().eastM(i), downM));
+    }
+    return points;
+  }
+}

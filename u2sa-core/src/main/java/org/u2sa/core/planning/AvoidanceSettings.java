@@ -1,0 +1,219 @@
+package org.u2sa.core.planning;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.u2sa.core.planning.search.BodyDiscs;
+import org.u2sa.core.planning.search.Inflation;
+import org.u2sa.core.planning.seen.SeenWorld;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+
+/** The variables of a {@link PathPlanner} that sees: they matter if PLANNER is not NONE. */
+record AvoidanceSettings(
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "From the vehicle's reference point to its front.")
+        double vehicleFront,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "From the vehicle's reference point to its rear.")
+        double vehicleRear,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.5,
+            text = "Width of the vehicle, or span.")
+        double vehicleWidth,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.2,
+            text = "Distance that routes keep between the vehicle and obstacles.")
+        double clearance,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 1,
+            text = "Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
+        double inflation,
+    @Variable(
+            min = 0,
+            max = 100,
+            ifAbsent = 3,
+            text = "What a metre at CLEARANCE from an obstacle costs more than one in the open.")
+        double inflationCost,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.1,
+            text = "Cell of the grid on which routes are planned.")
+        double planningCell,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 40,
+            text = "Edge of the square around the vehicle in which obstacles are planned around.")
+        double planningSpan,
+    @Variable(
+            min = 0.5,
+            max = 0.99,
+            ifAbsent = 0.65,
+            text = "Probability above which a cell of the World Modeler's grid is an obstacle.")
+        double occupiedAbove,
+    @Variable(
+            ifAbsentText = "corridor",
+            text = "Type of objects that are areas to stay inside, each overlapping the next.")
+        String corridorType,
+    @Variable(
+            ifAbsentText = "",
+            text = "Types of objects that are no obstacles, separated by commas.")
+        String ignoredTypes,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text = "Objects farther above or below are no obstacles; 0: heights do not matter.")
+        double verticalClearance,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 1,
+            text = "Speed around obstacles, unless the waypoint sets one.")
+        double plannedSpeed,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            ifAbsent = 0,
+            text = "Minimum speed; above 0 the vehicle cannot stand, like an aeroplane.")
+        double leastSpeed,
+    @Variable(
+            unit = "m/s",
+            min = 0,
+            ifAbsent = 0,
+            text = "Maximum speed to arrive at a waypoint in time; 0: PLANNED SPEED.")
+        double mostSpeed,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.8,
+            text = "Acceleration that control reaches.")
+        double plannedAcceleration,
+    @Variable(
+            unit = "m/s^2",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 1,
+            text = "Deceleration that control reaches.")
+        double plannedBraking,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "Time from a navigation point until the vehicle moves accordingly.")
+        double reactionTime,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Radius of the tightest turn; 0: that of TURN ACCELERATION, or turns on the spot.")
+        double turnRadius,
+    @Variable(ifAbsentText = "false", text = "Whether control drives backwards when told to.")
+        boolean reverses,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0.3,
+            text = "Distance to keep from traffic, beyond its own radius and the vehicle's.")
+        double trafficClearance,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 4,
+            text = "How far ahead in time traffic is avoided.")
+        double trafficHorizon,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 0.5,
+            text = "Time from one search for a better route to the next.")
+        double replanInterval,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 6,
+            text = "Time without progress after which the vehicle frees itself.")
+        double stuckAfter,
+    @Variable(
+            min = 0,
+            max = 100,
+            ifAbsent = 4,
+            text = "How often it frees itself before it gives a goal up.")
+        int recoveries,
+    @Variable(
+            unit = "s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 20,
+            text = "Time without any route to a goal after which it is given up.")
+        double giveUpAfter) {
+  /** Distances nearer than this to an obstacle are a collision, to rounding [share of a cell]. */
+  private static final double TOUCH_CELLS = 0.5;
+
+  BodyDiscs body() {
+    return new BodyDiscs(vehicleFront, vehicleRear, vehicleWidth);
+  }
+
+  /** How the surroundings are read, for a vehicle that turns on the spot or not. */
+  SeenWorld.Reading reading(boolean onTheSpot) {
+    BodyDiscs body = body();
+    double radius = (onTheSpot ? body.circleM() : body.radiusM()) + clearance;
+    return new SeenWorld.Reading(
+        planningCell,
+        planningSpan,
+        new Inflation(radius, radius + Math.max(inflation, planningCell), inflationCost),
+        occupiedAbove,
+        corridorType,
+        types(),
+        verticalClearance);
+  }
+
+  private List<String> types() {
+    return Arrays.stream(ignoredTypes.split(","))
+        .map(String::trim)
+        .filter(type -> !type.isEmpty())
+        .collect(Collectors.toList());
+  }
+
+  double touchM() {
+    return Math.min(0.5 * clearance, TOUCH_CELLS * planningCell);
+  }
+
+  boolean stops() {
+    return leastSpeed == 0.0;
+  }
+
+  long replanMicros() {
+    return Clock.micros(replanInterval);
+  }
+
+  long stuckMicros() {
+    return Clock.micros(stuckAfter);
+  }
+
+  long giveUpMicros() {
+    return Clock.micros(giveUpAfter);
+  }
+}

@@ -1,0 +1,5 @@
+/**
+ * Ways in the air, where obstacles are few and their shapes known: arcs and tangents around them.
+ * Grids and messages do not belong here.
+ */
+package org.u2sa.core.planning.air;

@@ -1,0 +1,57 @@
+package org.u2sa.core.planning.route;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.core.planning.air.TangentGraph;
+import org.u2sa.core.planning.curve.Curve;
+
+/**
+ * The planner AIR: the shortest way around cylinders, keep-out zones and along corridors, by arcs
+ * and tangents ({@link TangentGraph}). Where it finds none, or something stands there that only a
+ * grid shows, it plans as HYBRID does.
+ */
+final class AirRoutes implements RoutePlanner {
+  private static final double LEAST_RADIUS_M = 0.1;
+  private static final double KEPT = 1.05; // of the clearance, so that a grid's cells agree
+
+  private final RoutePlanner grids = new HybridRoutes();
+
+  @Override
+  public Route plan(RouteRequest request) {
+    Mobility can = request.mobility();
+    double cell = request.costs().frame().cellM();
+    Optional<Curve> curve =
+        TangentGraph.shortest(
+            request.shapes(),
+            request.corridors(),
+            KEPT * (can.body().radiusM() + can.clearanceM()) + cell,
+            request.start(),
+            request.goalNorthM(),
+            request.goalEastM(),
+            request.goalHeadingRad(),
+            Math.max(LEAST_RADIUS_M, can.turnRadiusM()));
+    if (curve.isEmpty()) {
+      return grids.plan(request);
+    }
+    List<Route.Point> points = new ArrayList<>();
+    points.add(new Route.Point(request.start().northM(), request.start().eastM(), false));
+    double step = Math.max(2.0 * cell, 0.1 * can.turnRadiusM());
+    for (Curve.Sample sample : curve.get().sampled(request.start(), step)) {
+      points.add(new Route.Point(sample.pose().northM(), sample.pose().eastM(), false));
+    }
+    double cost = 0.0;
+    for (int i = 1; i < points.size(); i++) {
+      Route.Point from = points.get(i - 1);
+      Route.Point to = points.get(i);
+      double here =
+          request.costs().straightCost(from.northM(), from.eastM(), to.northM(), to.eastM());
+      boolean leaves =
+          here == Double.POSITIVE_INFINITY
+              && request.start().distanceM(to.northM(), to.eastM())
+                  < 2.0 * request.costs().inflation().radiusM();
+      cost += leaves ? Math.hypot(to.northM() - from.northM(), to.eastM() - from.eastM()) : here;
+    }
+    return cost == Double.POSITIVE_INFINITY ? grids.plan(request) : Route.of(points, cost);
+  }
+}

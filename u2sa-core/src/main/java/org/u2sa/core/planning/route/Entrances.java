@@ -1,0 +1,24 @@
+package org.u2sa.core.planning.route;
+
+import org.u2sa.core.planning.curve.Pose;
+import org.u2sa.core.planning.search.CostGrid;
+
+/** Where ways through a grid may begin, and what planners say if they cannot. */
+final class Entrances {
+  static final String ENCLOSED = "the vehicle is enclosed by obstacles";
+  static final String GOAL_OCCUPIED = "an obstacle stands on the goal";
+  static final String NO_WAY = "obstacles leave no way to the goal";
+
+  /** From where the vehicle is too near to an obstacle, it may begin so many radii away. */
+  private static final double ESCAPE_RADII = 2.0;
+
+  private Entrances() {}
+
+  /** The cell in which a way begins: the vehicle's own or the nearest free one; −1 if none. */
+  static int start(CostGrid costs, Pose start) {
+    double within =
+        Math.max(
+            ESCAPE_RADII * costs.inflation().radiusM(), 2.0 * costs.frame().cellM());
+    return costs.nearestFree(start.northM(), start.eastM(), within);
+  }
+}

@@ -1,0 +1,203 @@
+package org.u2sa.core.planning.seen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.core.planning.search.CostGrid;
+import org.u2sa.core.planning.search.GridFrame;
+import org.u2sa.core.planning.search.Inflation;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.StateInformation;
+
+/**
+ * The World Modeler's newest objects and grid, on one plane: what stands, what moves, and what ways
+ * around it cost. Belongs to the planner's thread.
+ *
+ * <p>The window of costs stays where it is until the vehicle comes near its edge, so that what has
+ * changed is known cell by cell.
+ */
+public final class SeenWorld {
+  /** The window moves when the vehicle is nearer to its edge than this share of its span. */
+  private static final double EDGE_SHARE = 0.2;
+
+  /**
+   * How the surroundings are read.
+   *
+   * @param cellM edge of a cell [m]
+   * @param spanM edge of the window [m]
+   * @param inflation what nearness costs
+   * @param occupiedAbove probability from which a cell of the World Modeler's counts as occupied
+   * @param corridorType objects of this type are areas to stay inside
+   * @param ignoredTypes objects of these types do not stand in the way
+   * @param heightMarginM objects this far above or below are passed over or under [m]; 0: heights
+   *     do not matter
+   */
+  public record Reading(
+      double cellM,
+      double spanM,
+      Inflation inflation,
+      double occupiedAbove,
+      String corridorType,
+      List<String> ignoredTypes,
+      double heightMarginM) {}
+
+  private final Supplier<Reading> reading;
+  private PlanningPlane plane;
+  private ObjectList objects;
+  private OccupancyGrid seenGrid;
+  private List<PlanarShape> shapes = List.of();
+  private List<PlanarShape> corridors = List.of();
+  private List<Mover> movers = List.of();
+  private boolean changed = true;
+  private double lowDownM;
+  private double highDownM;
+  private CostGrid costs;
+  private Reading costsRead;
+  private int revision;
+
+  /** An empty world. */
+  public SeenWorld(Supplier<Reading> reading) {
+    this.reading = reading;
+  }
+
+  /** Takes new objects. */
+  public void see(ObjectList list) {
+    objects = list;
+    changed = true;
+  }
+
+  /** Takes a new grid. */
+  public void see(OccupancyGrid grid) {
+    seenGrid = grid;
+    changed = true;
+  }
+
+  /** The plane, that of the state if there was none that fits. */
+  public PlanningPlane plane(StateInformation state) {
+    if (plane == null || plane.onEarth() == state.referenceFrame().isLocal()) {
+      plane = PlanningPlane.at(state);
+      changed = true;
+      costs = null;
+    }
+    return plane;
+  }
+
+  /** What stands in the way. */
+  public List<PlanarShape> shapes() {
+    return shapes;
+  }
+
+  /** Areas of which the vehicle must not leave all. */
+  public List<PlanarShape> corridors() {
+    return corridors;
+  }
+
+  /** Traffic. */
+  public List<Mover> movers() {
+    return movers;
+  }
+
+  /** Grows whenever a cost has changed, or the window has moved. */
+  public int revision() {
+    return revision;
+  }
+
+  /** The window of costs, as of the last {@link #update}. */
+  public CostGrid costs() {
+    return costs;
+  }
+
+  /**
+   * Brings everything up to date.
+   *
+   * @param state the vehicle's newest
+   * @param northM where it is on the plane [m]
+   * @param eastM the same, eastward
+   * @param downM its down [m]
+   * @param goalDownM the goal's down [m]: heights between both matter
+   */
+  public void update(
+      StateInformation state, double northM, double eastM, double downM, double goalDownM) {
+    Reading now = reading.get();
+    boolean moved =
+        costs == null || !now.equals(costsRead) || isNearEdge(costs.frame(), northM, eastM);
+    boolean otherHeights =
+        now.heightMarginM() > 0.0
+            && (Math.abs(lowDownM - Math.max(downM, goalDownM)) > 0.2 * now.heightMarginM()
+                || Math.abs(highDownM - Math.min(downM, goalDownM)) > 0.2 * now.heightMarginM());
+    if (!moved && !changed && !otherHeights) {
+      return;
+    }
+    lowDownM = Math.max(downM, goalDownM);
+    highDownM = Math.min(downM, goalDownM);
+    readObjects(state, now);
+    if (moved) {
+      double half = 0.5 * now.spanM();
+      double north = now.cellM() * Math.rint((northM - half) / now.cellM());
+      double east = now.cellM() * Math.rint((eastM - half) / now.cellM());
+      int cells = (int) Math.ceil(now.spanM() / now.cellM());
+      costs =
+          new CostGrid(new GridFrame(north, east, now.cellM(), cells, cells), now.inflation());
+      costsRead = now;
+    }
+    GridRaster raster = new GridRaster(costs.frame());
+    shapes.forEach(raster::draw);
+    if (!corridors.isEmpty()) {
+      raster.drawOutside(corridors);
+    }
+    if (seenGrid != null) {
+      raster.draw(seenGrid, plane, now.occupiedAbove());
+    }
+    boolean different = costs.update(raster::isOccupied, raster::isUnknown) != null;
+    if (different || moved) {
+      revision++;
+    }
+    changed = false;
+  }
+
+  private static boolean isNearEdge(GridFrame frame, double northM, double eastM) {
+    double margin = EDGE_SHARE * frame.rows() * frame.cellM();
+    return northM < frame.northM() + margin
+        || eastM < frame.eastM() + margin
+        || northM > frame.northM() + frame.rows() * frame.cellM() - margin
+        || eastM > frame.eastM() + frame.columns() * frame.cellM() - margin;
+  }
+
+  private void readObjects(StateInformation state, Reading now) {
+    List<PlanarShape> standing = new ArrayList<>();
+    List<PlanarShape> stayInside = new ArrayList<>();
+    List<Mover> moving = new ArrayList<>();
+    List<ObjectDescription> all = objects == null ? List.of() : objects.objects();
+    ObjectReader reader = new ObjectReader(plane, state);
+    long micros = objects == null ? 0L : objects.timestamp().orElse(0L);
+    for (ObjectDescription object : all) {
+      boolean passable =
+          now.ignoredTypes().contains(object.objectType())
+              || object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent();
+      if (passable) {
+        continue;
+      }
+      PlanarShape shape = reader.shape(object);
+      if (now.heightMarginM() > 0.0 && !shape.reaches(lowDownM, highDownM, now.heightMarginM())) {
+        continue;
+      }
+      if (object.objectType().equals(now.corridorType())) {
+        stayInside.add(shape);
+        continue;
+      }
+      Optional<Mover> mover = reader.mover(object, micros);
+      if (mover.isPresent()) {
+        moving.add(mover.get());
+      } else {
+        standing.add(shape);
+      }
+    }
+    shapes = List.copyOf(standing);
+    corridors = List.copyOf(stayInside);
+    movers = List.copyOf(moving);
+  }
+}
