@@ -75,14 +75,15 @@ public final class WheelMotors extends PeriodicService {
     leftIsSecond = variables.leftIsSecond();
     leftSign = variables.leftReversed() ? -1.0 : 1.0;
     rightSign = variables.rightReversed() ? -1.0 : 1.0;
-    countsPerRad = variables.countsPerTurn() / (2.0 * Math.PI);
     dutyPerPercent = variables.fullDuty() / FULL_PERCENT;
     leftDescription = settings(ActuatorDescription.class, leftName + " ").get();
     rightDescription = settings(ActuatorDescription.class, rightName + " ").get();
     commands = new CommandedActuators(this, Set.of(leftName, rightName), this::stopNow);
     leftSlew = new SlewLimit(variables.slewLimit());
     rightSlew = new SlewLimit(variables.slewLimit());
-    odometry = settings(OdometryVariables.class).get().odometry();
+    OdometryVariables wheels = settings(OdometryVariables.class).get();
+    countsPerRad = wheels.countsPerTurn() / (2.0 * Math.PI);
+    odometry = wheels.odometry();
     stateEveryMicros = Clock.micros(1.0 / variables.stateRate());
     registerPublisher(Channels.SENSED_STATE);
     registerPublisher(Channels.POWER);

@@ -5,11 +5,9 @@ import java.io.PrintWriter;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.UUID;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.BadInputException;
@@ -51,18 +49,17 @@ final class OrderToMissionManager {
       throws InterruptedException {
     String id = UUID.randomUUID().toString();
     try (RemoteLink link = remote.connect()) {
-      List<MissionOrderResult> results =
-          link.ask(
-              new Question<>(
-                      Channels.MISSION,
-                      order.requestId(id).operator(RemoteSystem.operator()),
-                      MissionOrderResult.class)
-                  .only(result -> result.requestId().equals(id))
-                  .first());
-      if (results.isEmpty()) {
+      MissionOrder asked = order.requestId(id).operator(RemoteSystem.operator());
+      MissionOrderResult result =
+          link.first(
+                  Channels.MISSION,
+                  asked,
+                  MissionOrderResult.class,
+                  each -> each.requestId().equals(id))
+              .orElse(null);
+      if (result == null) {
         throw nobody(remote, link);
       }
-      MissionOrderResult result = results.get(0);
       if (!result.accepted()) {
         throw new RunFailedException(order.action() + " was not done: " + result.outcome());
       }

@@ -1,13 +1,11 @@
 package org.u2sa.gcs.mission;
 
 import java.io.PrintWriter;
-import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.gcs.command.ExitCode;
-import org.u2sa.gcs.remote.Question;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.gcs.terminal.Terminal;
@@ -41,13 +39,7 @@ final class ShowMissionCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     try (RemoteLink link = remote.connect()) {
       AtomicReference<StateInformation> state = new AtomicReference<>();
-      link.listen(
-          Channels.STATE,
-          message -> {
-            if (message instanceof StateInformation information) {
-              state.set(information);
-            }
-          });
+      link.listen(Channels.STATE, state::set);
       MissionReport report = report(link);
       link.await(() -> state.get() != null, Math.min(STATE_WITHIN_S, link.timeoutS()));
       print(link.systemId(), new MissionView(report, Optional.ofNullable(state.get())));
@@ -57,16 +49,16 @@ final class ShowMissionCommand implements Callable<Integer> {
 
   private MissionReport report(RemoteLink link) throws InterruptedException {
     String id = UUID.randomUUID().toString();
-    List<MissionReport> reports =
-        link.ask(
-            new Question<>(
-                    Channels.MISSION, new MissionRequest().requestId(id), MissionReport.class)
-                .only(report -> report.requestId().equals(id))
-                .first());
-    if (reports.isEmpty()) {
+    Optional<MissionReport> report =
+        link.first(
+            Channels.MISSION,
+            new MissionRequest().requestId(id),
+            MissionReport.class,
+            each -> each.requestId().equals(id));
+    if (report.isEmpty()) {
       throw OrderToMissionManager.nobody(remote, link);
     }
-    return reports.get(0);
+    return report.get();
   }
 
   private void print(String systemId, MissionView mission) {
