@@ -125,6 +125,19 @@ final class Replay {
       return;
     }
     double towards = Math.PI / 2.0 - e.psi() + n[6]; // counter-clockwise from east
+    // The bearing tells the heading as far as the position is known, and the range the position as far as the heading is.
+    double apartE = n[3] - e.localM(1);
+    double apartN = n[4] - e.localM(0);
+    double apart = Math.hypot(apartE, apartN);
+    double sigmaM = Math.hypot(e.positionSigmaM(0), e.positionSigmaM(1));
+    double psi = Math.atan2(apartN, apartE) - n[6];
+    add(
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.LOCAL_ENU)
+            .psi(psi)
+            .psiSigma(Math.hypot(n[8], sigmaM / Math.max(0.1, apart))),
+        source + " bearing",
+        micros);
     double across = n[5] * Math.hypot(n[8], e.attitudeSigma(2));
     double c = Math.cos(towards);
     double s = Math.sin(towards);

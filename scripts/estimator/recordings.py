@@ -144,12 +144,13 @@ def mrclam_lines(folder, robot):
     events = [(start, 0, "S %d Start LOCAL_ENU x=%.5f y=%.5f psi=%.5f xSigma=0.05 ySigma=0.05 psiSigma=0.05" % (micros(start), *first[1:4]))]
     for t, v, w in odometry:
         if start <= t <= end:
-            events.append((t, 1, "S %d Odometry BODY_FLU xDot=%.4f psiDot=%.4f xDotSigma=0.03 psiDotSigma=0.1" % (micros(t), v, w)))
+            events.append((t, 1, "S %d Odometry BODY_FLU xDot=%.4f psiDot=%.4f xDotSigma=%.3f psiDotSigma=%.3f" % (
+                micros(t), v, w, 0.05 + 0.3 * abs(v), 0.2 + abs(w))))  # commands rather than measurements: errors persist
     for t, code, distance, bearing in seen:
         subject = subjects.get(int(code))
         if subject in landmarks and start <= t <= end:
             x, y = landmarks[subject]
-            events.append((t, 2, "L %d Camera %.5f %.5f %.4f %.4f %.3f 0.05" % (micros(t), x, y, distance, bearing, 0.1 + 0.02 * distance)))
+            events.append((t, 2, "L %d Camera %.5f %.5f %.4f %.4f %.3f 0.08" % (micros(t), x, y, distance, bearing, 0.1 + 0.03 * distance)))
     return [line for _, _, line in sorted(events, key=lambda e: (e[0], e[1]))], truth, odometry, start, end
 
 
