@@ -11,4 +11,5 @@ dependencies {
     }
     api(libs.geographiclib)
     api(libs.proj4j)
+    testImplementation(libs.jts)
 }

@@ -13,6 +13,9 @@ import org.u2sa.service.ServiceContext;
 
 /** Finds the device that a service's configuration names among all {@link DeviceProvider}s. */
 public final class Devices {
+  /** What a configuration may name the device that the host made. */
+  public static final String SIMULATED = "SIMULATED";
+
   private Devices() {}
 
   /**
@@ -50,6 +53,9 @@ public final class Devices {
     }
     Set<String> names = new LinkedHashSet<>(providers.keySet());
     names.add(usual.driver);
+    if (made.isPresent()) {
+      names.add(SIMULATED);
+    }
     String name =
         configuration.getVariable(
             VariableDeclaration.text(usual.variable)

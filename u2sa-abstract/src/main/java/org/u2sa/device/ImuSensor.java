@@ -4,19 +4,23 @@ import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes an IMU's attitude and its rates, in GLOBAL, once for each reading (thesis 4.1.1).
- * Heading is left out while true north is not known. In: state, for the magnetic declination where
- * the vehicle is. Out: sensed-state.
+ * Publishes an IMU's attitude and its rates, in GLOBAL, once for each reading (thesis 4.1.1), and
+ * what its gyroscopes and accelerometers measured, in BODY_FRD, as a source "… inertial" of its
+ * own. Heading is left out while true north is not known. In: state, for the magnetic declination
+ * where the vehicle is. Out: sensed-state.
  */
 public final class ImuSensor extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
+  private static final String INERTIAL = " inertial"; // of the sensor's name
 
   private static final Devices.Usual USUAL =
       new Devices.Usual("IMU", "IMU", "VECTORNAV", "serial:/dev/ttyUSB2?baud=115200");
@@ -42,7 +46,26 @@ public final class ImuSensor extends ProprioceptiveSensor {
               max = Math.PI,
               ifAbsent = Math.PI / 90,
               text = "Standard deviation of the heading, from the data sheet.")
-          double headingSigma) {}
+          double headingSigma,
+      @Variable(
+              ifAbsentText = "true",
+              text =
+                  "Whether angular rates and specific force are published, too, if the IMU says both.")
+          boolean publishInertial,
+      @Variable(
+              unit = "rad/s",
+              min = 0,
+              max = 10,
+              ifAbsent = 0.005,
+              text = "Standard deviation of an angular rate, from the data sheet.")
+          double rateSigma,
+      @Variable(
+              unit = "m/s^2",
+              min = 0,
+              max = 100,
+              ifAbsent = 0.1,
+              text = "Standard deviation of a specific force, from the data sheet.")
+          double forceSigma) {}
 
   private final Imu imu;
   private final DeviceReader<Orientation> reader;
@@ -79,9 +102,31 @@ public final class ImuSensor extends ProprioceptiveSensor {
 
   @Override
   protected void step(double nowS) {
-    reader
-        .next(clock().micros())
-        .ifPresent(orientation -> publish(Channels.SENSED_STATE, state(orientation)));
+    reader.next(clock().micros()).ifPresent(this::publish);
+  }
+
+  private void publish(Orientation said) {
+    if (tuning.get().publishInertial()) {
+      said.specificForce()
+          .ifPresent(force -> publish(Channels.SENSED_STATE, inertial(said, force)));
+    }
+    publish(Channels.SENSED_STATE, state(said));
+  }
+
+  private InertialMeasurement inertial(Orientation said, Point force) {
+    InertialMeasurement inertial =
+        new InertialMeasurement()
+            .rollRate(said.xRateRadPerS())
+            .pitchRate(said.yRateRadPerS())
+            .yawRate(said.zRateRadPerS())
+            .angularRateSigma(tuning.get().rateSigma())
+            .specificForceX(force.x())
+            .specificForceY(force.y())
+            .specificForceZ(force.z())
+            .specificForceSigma(tuning.get().forceSigma());
+    inertial.sensorName(sensorName() + INERTIAL);
+    inertial.timestamp(said.measuredAtMicros());
+    return inertial;
   }
 
   private StateInformation state(Orientation said) {

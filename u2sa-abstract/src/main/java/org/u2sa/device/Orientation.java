@@ -14,6 +14,8 @@ import org.u2sa.messages.frame.Point;
  * @param xRateRadPerS turning about its x axis [rad/s]
  * @param yRateRadPerS turning about its y axis [rad/s]
  * @param zRateRadPerS turning about its z axis [rad/s]
+ * @param specificForce what the accelerometers felt along these axes [m/s²], about -9.8 along z at
+ *     rest; empty if the unit does not say
  */
 public record Orientation(
     long measuredAtMicros,
@@ -22,9 +24,30 @@ public record Orientation(
     Heading heading,
     double xRateRadPerS,
     double yRateRadPerS,
-    double zRateRadPerS)
+    double zRateRadPerS,
+    Optional<Point> specificForce)
     implements Device.Reading {
   private static final double NEARLY_VERTICAL_RAD = Math.toRadians(89.0);
+
+  /** Of a unit that does not say what its accelerometers felt. */
+  public Orientation(
+      long measuredAtMicros,
+      double rollRad,
+      double pitchRad,
+      Heading heading,
+      double xRateRadPerS,
+      double yRateRadPerS,
+      double zRateRadPerS) {
+    this(
+        measuredAtMicros,
+        rollRad,
+        pitchRad,
+        heading,
+        xRateRadPerS,
+        yRateRadPerS,
+        zRateRadPerS,
+        Optional.empty());
+  }
 
   /**
    * Rates of roll, pitch and heading [rad/s]; empty where the front points nearly straight up or

@@ -73,7 +73,7 @@ public final class WheelMotors extends PeriodicService {
     commands = new CommandedActuators(this, Set.of(leftName, rightName), this::stopNow);
     leftSlew = new SlewLimit(variables.slewLimit());
     rightSlew = new SlewLimit(variables.slewLimit());
-    odometry = variables.odometry();
+    odometry = settings(OdometryVariables.class).get().odometry();
     stateEveryMicros = Clock.micros(1.0 / variables.stateRate());
     registerPublisher(Channels.SENSED_STATE);
     registerPublisher(Channels.POWER);

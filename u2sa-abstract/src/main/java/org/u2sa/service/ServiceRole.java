@@ -14,6 +14,7 @@ import static org.u2sa.interfaces.communication.Channels.GOALS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_COMMANDS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_REPORTS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_UPDATES;
+import static org.u2sa.interfaces.communication.Channels.GRID;
 import static org.u2sa.interfaces.communication.Channels.HEALTH;
 import static org.u2sa.interfaces.communication.Channels.LOCAL_STATE;
 import static org.u2sa.interfaces.communication.Channels.NAVIGATION;
@@ -46,9 +47,9 @@ public enum ServiceRole {
   /** Keeps the goals (3.2.3.2). */
   MISSION_MANAGER(List.of(GOALS), List.of(GOAL_REPORTS, GOAL_COMMANDS, STATE)),
   /** Keeps the map of objects (3.2.3.3). */
-  WORLD_MODELER(List.of(OBJECTS), List.of(SENSED_OBJECTS, SCANS, STATE, GOALS)),
+  WORLD_MODELER(List.of(OBJECTS, GRID), List.of(SENSED_OBJECTS, SCANS, STATE, GOALS)),
   /** Decides where to go next (3.2.3.4). */
-  PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS), List.of(STATE, OBJECTS, GOALS)),
+  PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS), List.of(STATE, OBJECTS, GRID, GOALS)),
   /** Turns navigation points into commands (3.2.3.5). */
   CONTROL_SYSTEM(List.of(ACTUATION), List.of(NAVIGATION, STATE, ACTUATORS, GOALS)),
   /** Moves something (3.2.2.5). */
@@ -77,6 +78,7 @@ public enum ServiceRole {
       List.of(
           STATE,
           OBJECTS,
+          GRID,
           GOALS,
           NAVIGATION,
           ACTUATION,

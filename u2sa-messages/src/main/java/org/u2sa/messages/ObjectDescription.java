@@ -3,6 +3,8 @@ package org.u2sa.messages;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.Kind;
@@ -18,6 +20,7 @@ import org.u2sa.messages.schema.ValueField;
  * an ultrasonic or infrared range finder sees it.
  */
 public class ObjectDescription extends U2SAData {
+  private static final double MICROS_PER_SECOND = 1e6;
   private static final Schema<ObjectDescription> SCHEMA =
       Schema.of(ObjectDescription.class, ObjectDescription::new, U2SAData.TYPE);
   private static final ValueField<ObjectDescription, String> UID = SCHEMA.requiredText("uid");
@@ -30,6 +33,11 @@ public class ObjectDescription extends U2SAData {
   private static final NumberField<ObjectDescription> Z = SCHEMA.number("z", "m", 0.0);
   private static final ValueField<ObjectDescription, ObjectLevel> LEVEL =
       SCHEMA.optionalChoice("level", ObjectLevel.class);
+  private static final ObjectMotion.Fields MOTION = ObjectMotion.declare(SCHEMA.since(3));
+  private static final NumberField<ObjectDescription> CONFIDENCE =
+      SCHEMA.optionalNumber("confidence", "", 0.0, 1.0);
+  private static final ValueField<ObjectDescription, String> SENSOR_NAME =
+      SCHEMA.optionalText("sensorName");
 
   static {
     SCHEMA.alias("type", OBJECT_TYPE); // figure 9's name; on the wire "type" is the message's own
@@ -117,6 +125,35 @@ public class ObjectDescription extends U2SAData {
     return put(LEVEL, level);
   }
 
+  /** How certain it is that the object is there [0…1]; empty if nobody said. */
+  public OptionalDouble confidence() {
+    return get(CONFIDENCE);
+  }
+
+  /** Sets {@link #confidence()}. */
+  public ObjectDescription confidence(double value) {
+    return put(CONFIDENCE, value);
+  }
+
+  /** What saw it; empty if nobody said, as of what a file describes. */
+  public String sensorName() {
+    String name = get(SENSOR_NAME);
+    return name == null ? "" : name;
+  }
+
+  /** Sets {@link #sensorName()}. */
+  public ObjectDescription sensorName(String name) {
+    return put(SENSOR_NAME, name);
+  }
+
+  /**
+   * How it moves and how well that is known: velocity, standard deviations, for how long the
+   * velocity holds.
+   */
+  public final ObjectMotion motion() {
+    return new ObjectMotion(MOTION, this);
+  }
+
   /** The centre. */
   public final Point center() {
     return Point.of(x(), y(), z());
@@ -143,7 +180,9 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * The same object in another frame, as a new message.
+   * The same object in another frame, as a new message. Its velocity is turned; its standard
+   * deviations are too, and on a way from or to BODY the vehicle's are added. What is absent stays
+   * absent.
    *
    * @param vehicle where the vehicle is and how it stands, in GLOBAL or UTM for a way between BODY
    *     and the earth, in LOCAL_ENU or LOCAL_NED for one between BODY and local frames; absent roll
@@ -157,21 +196,53 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
+   * Where the object will be if it goes on as it moves, as a new message; the same place if no
+   * velocity is known. Standard deviations grow as the velocity's does.
+   *
+   * @param seconds from the time that the message is of; negative: where it was
+   */
+  public ObjectDescription after(double seconds) {
+    ObjectDescription moved = copy();
+    Optional<Point> velocity = motion().velocity();
+    if (velocity.isPresent()) {
+      Point way = scaled(velocity.get(), seconds);
+      Metric around = metric();
+      moved.eachPoint(point -> around.point(around.metres(point).plus(way)));
+      Point center = around.point(way);
+      moved.x(center.x()).y(center.y()).z(center.z());
+      moved.motion().grow(seconds);
+    }
+    timestamp()
+        .ifPresent(micros -> moved.timestamp(micros + Math.round(seconds * MICROS_PER_SECOND)));
+    return moved;
+  }
+
+  private static Point scaled(Point v, double factor) {
+    return Point.of(factor * v.x(), factor * v.y(), factor * v.z());
+  }
+
+  /**
    * Moves the centre, and the points of every list of points; called while the frame is still the
    * old one.
    */
   protected void move(PointConversion conversion) {
+    eachPoint(conversion::convert);
+    Point center = conversion.convert(center());
+    motion().turn(conversion, center());
+    x(center.x()).y(center.y()).z(center.z());
+  }
+
+  /** Replaces every point of every list of points. */
+  private void eachPoint(UnaryOperator<Point> change) {
     for (MessageField<U2SAData> field : ownType().fields()) {
       if (field.kind() == Kind.POINT_LIST) {
         List<Point> points = new ArrayList<>();
         for (Object point : (List<?>) field.get(this).get()) {
-          points.add(conversion.convert((Point) point));
+          points.add(change.apply((Point) point));
         }
         field.set(this, points);
       }
     }
-    Point center = conversion.convert(center());
-    x(center.x()).y(center.y()).z(center.z());
   }
 
   @Override

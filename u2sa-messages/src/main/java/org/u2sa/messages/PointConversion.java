@@ -92,6 +92,73 @@ public final class PointConversion {
         target.isEarth() ? Math.atan2(after.x(), after.y()) : Math.atan2(after.y(), after.x()));
   }
 
+  /**
+   * A vector, as a velocity, along the axes of the target frame; in GLOBAL along east, north, up.
+   *
+   * @param at where it is, in the source frame
+   */
+  Point vector(Point at, Point vector) {
+    Point[] axes = axes(at);
+    return Point.of(
+        mix(axes[0].x(), axes[1].x(), axes[2].x(), vector),
+        mix(axes[0].y(), axes[1].y(), axes[2].y(), vector),
+        mix(axes[0].z(), axes[1].z(), axes[2].z(), vector));
+  }
+
+  /**
+   * Standard deviations [m] of a place along the axes of the target frame: those of the source, and
+   * what the vehicle's place and attitude add on a way from or to BODY. Correlations are dropped.
+   *
+   * @param at where it is, in the source frame
+   */
+  Point positionSigma(Point at, Point sigma) {
+    Point[] axes = axes(at);
+    Point own =
+        Point.of(
+            root(axes[0].x(), axes[1].x(), axes[2].x(), sigma),
+            root(axes[0].y(), axes[1].y(), axes[2].y(), sigma),
+            root(axes[0].z(), axes[1].z(), axes[2].z(), sigma));
+    if (source.isBody() == target.isBody()) {
+      return own;
+    }
+    Point ned = source.isBody() ? attitude().times(flipped(at, source)) : nedFromVehicle(at);
+    Point vehicles = VehicleUncertainty.of(vehicle).sigmaNed(ned);
+    Point added =
+        target.isBody()
+            ? attitude().transposed().timesSigma(vehicles)
+            : target.equals(ReferenceFrame.LOCAL_NED) ? vehicles : eastFirst(vehicles);
+    return Point.of(
+        Math.hypot(own.x(), added.x()),
+        Math.hypot(own.y(), added.y()),
+        Math.hypot(own.z(), added.z()));
+  }
+
+  private static Point eastFirst(Point ned) {
+    return Point.of(ned.y(), ned.x(), ned.z());
+  }
+
+  /** The source's axes at a place, each a unit vector along the target's axes. */
+  private Point[] axes(Point at) {
+    Metric before = Metric.around(source, at);
+    Metric after = Metric.around(target, convert(at));
+    Point[] axes = new Point[3];
+    for (int i = 0; i < axes.length; i++) {
+      Point metre = Point.of(i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0);
+      Point turned = after.metres(convert(before.point(metre)));
+      double length = turned.distance(); // a grid's metre is not quite the ground's
+      axes[i] = Point.of(turned.x() / length, turned.y() / length, turned.z() / length);
+    }
+    return axes;
+  }
+
+  private static double mix(double x, double y, double z, Point v) {
+    return x * v.x() + y * v.y() + z * v.z();
+  }
+
+  private static double root(double x, double y, double z, Point sigma) {
+    return Point.of(x * sigma.x(), y * sigma.y(), z * sigma.z()).distance();
+  }
+
   private Point fromVehicle(Point frd) {
     Point ned = attitude().times(frd);
     if (target.isEarth()) {
@@ -102,14 +169,16 @@ public final class PointConversion {
   }
 
   private Point toVehicle(Point point) {
-    Point ned;
+    return attitude().transposed().times(nedFromVehicle(point));
+  }
+
+  /** A point of a frame that is fixed as north, east and down from the vehicle. */
+  private Point nedFromVehicle(Point point) {
     if (source.isEarth()) {
-      ned = vehiclePlace().nedOf(toPlace(point));
-    } else {
-      Point local = source.equals(ReferenceFrame.LOCAL_NED) ? point : swapped(point);
-      ned = local.minus(vehiclePosition());
+      return vehiclePlace().nedOf(toPlace(point));
     }
-    return attitude().transposed().times(ned);
+    Point local = source.equals(ReferenceFrame.LOCAL_NED) ? point : swapped(point);
+    return local.minus(vehiclePosition());
   }
 
   /** Absent roll and pitch are level. */

@@ -15,6 +15,9 @@ import android.os.Handler
 import android.os.HandlerThread
 import android.os.SystemClock
 import java.nio.Buffer
+import java.util.Optional
+import org.u2sa.device.Camera
+import org.u2sa.device.CameraFrame
 import org.u2sa.interfaces.time.Clock
 
 private const val WIDTH = 640
@@ -26,18 +29,16 @@ private const val NANOS_PER_MICRO = 1_000L
  * The camera on the phone's back, 640 × 480. Android calls back on a thread of its own, which ends with [close]. A camera that
  * another application takes away is a trouble, not an exception; the next start of the vehicle opens it anew.
  */
-class AndroidPhoneCamera(private val context: Context, private val clock: Clock) : PhoneCamera {
+class AndroidPhoneCamera(private val context: Context, private val clock: Clock) : Camera {
     private val thread = HandlerThread("u2sa-phone-camera").apply { start() }
     private val handler = Handler(thread.looper)
     private val reader = ImageReader.newInstance(WIDTH, HEIGHT, ImageFormat.YUV_420_888, PICTURES_HELD)
     private var device: CameraDevice? = null // touched by that thread only
 
-    @Volatile private var picture: PhoneCamera.Picture? = null
+    @Volatile private var frame: Optional<CameraFrame> = Optional.empty()
     @Volatile private var isClosed = false
-
-    @Volatile
-    override var trouble = "the camera is being opened"
-        private set
+    @Volatile private var trouble = "the camera is being opened"
+    @Volatile private var connections = 0
 
     private val opening = object : CameraDevice.StateCallback() {
         override fun onOpened(camera: CameraDevice) {
@@ -80,6 +81,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
                 override fun onConfigured(session: CameraCaptureSession) = trying {
                     val request = camera.createCaptureRequest(CameraDevice.TEMPLATE_PREVIEW).apply { addTarget(reader.surface) }
                     session.setRepeatingRequest(request.build(), null, handler)
+                    connections++ // by this thread only
                     trouble = ""
                 }
 
@@ -110,7 +112,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
     private fun take(from: ImageReader) {
         from.acquireLatestImage()?.use { image ->
             val ageMicros = (SystemClock.elapsedRealtimeNanos() - image.timestamp) / NANOS_PER_MICRO
-            picture = PhoneCamera.Picture(clock.micros() - maxOf(0L, ageMicros), image.width, image.height, grey(image))
+            frame = Optional.of(CameraFrame.grey(clock.micros() - maxOf(0L, ageMicros), image.width, image.height, grey(image)))
         }
     }
 
@@ -130,7 +132,13 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
         buffer.position(place)
     }
 
-    override fun latest(): PhoneCamera.Picture? = picture
+    override fun read(nowMicros: Long): Optional<CameraFrame> = frame
+
+    override fun isConnected() = trouble.isEmpty()
+
+    override fun connections() = connections
+
+    override fun trouble() = trouble
 
     override fun close() {
         isClosed = true

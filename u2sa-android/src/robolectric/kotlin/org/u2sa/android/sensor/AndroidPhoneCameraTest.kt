@@ -33,7 +33,7 @@ class AndroidPhoneCameraTest {
     fun open_notAllowed_saysSo() {
         has(CameraCharacteristics.LENS_FACING_BACK)
 
-        assertThat(camera().trouble).contains("permission")
+        assertThat(camera().trouble()).contains("permission")
     }
 
     @Test
@@ -41,7 +41,7 @@ class AndroidPhoneCameraTest {
         phone.allow(Manifest.permission.CAMERA)
         has(CameraCharacteristics.LENS_FACING_FRONT)
 
-        assertThat(camera().trouble).contains("no camera on its back")
+        assertThat(camera().trouble()).contains("no camera on its back")
     }
 
     @Test
@@ -50,8 +50,9 @@ class AndroidPhoneCameraTest {
         has(CameraCharacteristics.LENS_FACING_BACK)
         val camera = camera()
 
-        phone.await("the camera") { camera.trouble.isEmpty() }
+        phone.await("the camera") { camera.isConnected() }
 
-        assertThat(camera.latest()).isNull() // Robolectric takes none
+        assertThat(camera.read(0)).isEmpty() // Robolectric takes none
+        assertThat(camera.connections()).isEqualTo(1)
     }
 }

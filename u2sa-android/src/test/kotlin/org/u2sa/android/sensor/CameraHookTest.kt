@@ -9,6 +9,9 @@ import org.junit.jupiter.api.io.TempDir
 import org.u2sa.core.launch.LaunchOptions
 import org.u2sa.core.launch.RunningSystem
 import org.u2sa.core.launch.SystemFile
+import org.u2sa.device.Camera
+import org.u2sa.device.CameraFrame
+import org.u2sa.device.CameraSensor
 import org.u2sa.interfaces.BadInputException
 import org.u2sa.service.ServiceContext
 
@@ -18,13 +21,18 @@ class CameraHookTest {
     lateinit var folder: Path
     private val cameras = mutableListOf<TestCamera>()
 
+    /** Looks, and does nothing else. */
+    class Eye(context: ServiceContext, camera: Camera) : CameraSensor(context, "Eye", camera) {
+        override fun look(frame: CameraFrame) = Unit
+    }
+
     /** Does not want to be made. */
-    class Blind(context: ServiceContext, camera: PhoneCamera) : CameraSensor(context, "Blind", camera) {
+    class Blind(context: ServiceContext, camera: Camera) : CameraSensor(context, "Blind", camera) {
         init {
             throw BadInputException("no eyes")
         }
 
-        override fun look(picture: PhoneCamera.Picture) = Unit
+        override fun look(frame: CameraFrame) = Unit
     }
 
     private fun system(vararg classes: String): SystemFile {
@@ -42,8 +50,8 @@ class CameraHookTest {
 
     @Test
     fun start_serviceThatLooks_isGivenACameraThatItCloses() {
-        run(system(CameraSensorTest.Eye::class.java.name)).use { running ->
-            assertThat(running.services()).hasOnlyElementsOfType(CameraSensorTest.Eye::class.java)
+        run(system(Eye::class.java.name)).use { running ->
+            assertThat(running.services()).hasOnlyElementsOfType(Eye::class.java)
             assertThat(cameras).hasSize(1).noneMatch { it.isClosed }
         }
         assertThat(cameras).allMatch { it.isClosed }
@@ -57,7 +65,7 @@ class CameraHookTest {
 
     @Test
     fun isWanted_onlyWhereAServiceLooks() {
-        assertThat(CameraHook(system(CameraSensorTest.Eye::class.java.name)).isWanted).isTrue()
+        assertThat(CameraHook(system(Eye::class.java.name)).isWanted).isTrue()
         assertThat(CameraHook(system("org.u2sa.core.estimation.PassThroughStateEstimator", "not.There")).isWanted).isFalse()
     }
 }

@@ -1,12 +1,14 @@
 package org.u2sa.android.sensor
 
-/** A camera that sees what a test shows it. */
-class TestCamera : PhoneCamera {
-    @Volatile var picture: PhoneCamera.Picture? = null
-    @Volatile override var trouble = ""
+import java.util.Optional
+import org.u2sa.device.Camera
+import org.u2sa.device.CameraFrame
+
+/** A camera that nothing stands before. */
+class TestCamera : Camera {
     @Volatile var isClosed = false
 
-    override fun latest() = picture
+    override fun read(nowMicros: Long): Optional<CameraFrame> = Optional.empty()
 
     override fun close() {
         isClosed = true

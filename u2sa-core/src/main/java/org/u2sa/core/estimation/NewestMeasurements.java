@@ -51,7 +51,8 @@ final class NewestMeasurements {
    *
    * @param sensed has a timestamp
    * @return empty if another sensor measured later: the state would go back in time. What was
-   *     sensed counts from the next measurement on
+   *     sensed counts from the next measurement on. Empty, too, for what is measured along the
+   *     vehicle's own axes while others know where it is
    */
   Optional<StateInformation> with(StateInformation sensed) {
     long now = sensed.timestamp().orElseThrow();
@@ -66,7 +67,8 @@ final class NewestMeasurements {
         others.add(each);
       }
     }
-    if (others.stream().anyMatch(other -> micros(other) > now)) {
+    boolean isLate = others.stream().anyMatch(other -> micros(other) > now);
+    if (isLate || isOutshone(sensed)) {
       return Optional.empty();
     }
     others.sort(
@@ -76,6 +78,12 @@ final class NewestMeasurements {
     StateInformation state = sensed.copy();
     others.forEach(other -> complete(state, reckoning.at(now, other)));
     return Optional.of(state);
+  }
+
+  /** Speeds of wheels, say, would take the place of the vehicle's position on the state channel. */
+  private boolean isOutshone(StateInformation sensed) {
+    return sensed.referenceFrame().isBody()
+        && bySensor.values().stream().anyMatch(other -> !other.referenceFrame().isBody());
   }
 
   private static void complete(StateInformation state, StateInformation from) {

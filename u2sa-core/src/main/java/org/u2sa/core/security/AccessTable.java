@@ -55,6 +55,7 @@ public final class AccessTable {
           row(Channels.SENSED_OBJECTS, REPORT, SERVICES),
           row(Channels.SCANS, REPORT, SERVICES),
           row(Channels.OBJECTS, REPORT, SERVICES),
+          row(Channels.GRID, REPORT, SERVICES),
           row(Channels.GOALS, REPORT, SERVICES),
           row(Channels.GOAL_REPORTS, REPORT, SERVICES),
           row(Channels.GOAL_UPDATES, REPORT, ANSWERING),

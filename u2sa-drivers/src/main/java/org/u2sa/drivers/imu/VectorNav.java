@@ -10,6 +10,7 @@ import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -22,11 +23,15 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   private static final int YAW = 1;
   private static final int PITCH = 2;
   private static final int ROLL = 3;
+  private static final int X_FORCE = 7;
+  private static final int Y_FORCE = 8;
+  private static final int Z_FORCE = 9;
   private static final int X_RATE = 10;
   private static final int Y_RATE = 11;
   private static final int Z_RATE = 12;
   private static final double HALF_TURN_DEG = 180.0;
   private static final double STEEPEST_DEG = 90.0;
+  private static final double STRONGEST_MPS2 = 200.0; // the sensor ends at 16 g
   private static final double FASTEST_RAD_PER_S = 40.0; // the sensor ends at 2000 deg/s
 
   /** Over that link, which is closed with this. */
@@ -52,7 +57,12 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
             Heading.ofDegrees(nowMicros, yawDeg, false),
             number(sentence, X_RATE, "x rate", FASTEST_RAD_PER_S),
             number(sentence, Y_RATE, "y rate", FASTEST_RAD_PER_S),
-            number(sentence, Z_RATE, "z rate", FASTEST_RAD_PER_S)));
+            number(sentence, Z_RATE, "z rate", FASTEST_RAD_PER_S),
+            Optional.of(
+                Point.of(
+                    number(sentence, X_FORCE, "x acceleration", STRONGEST_MPS2),
+                    number(sentence, Y_FORCE, "y acceleration", STRONGEST_MPS2),
+                    number(sentence, Z_FORCE, "z acceleration", STRONGEST_MPS2)))));
   }
 
   private static double number(NmeaSentence sentence, int field, String what, double most) {

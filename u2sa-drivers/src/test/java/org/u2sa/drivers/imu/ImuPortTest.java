@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.device.Heading;
 import org.u2sa.device.Orientation;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;
 import org.u2sa.drivers.nmea.Nmea;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.device.SimulatedImu;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.testkit.DeviceContract;
@@ -24,7 +26,8 @@ class ImuPortTest extends DeviceContract<Orientation> {
           new Heading(0, Math.PI / 2.0, false),
           0.1,
           0.2,
-          0.3);
+          0.3,
+          Optional.of(Point.of(1.7, -3.3, -9.1)));
 
   @Override
   protected List<Bench<Orientation>> benches() {
@@ -37,7 +40,8 @@ class ImuPortTest extends DeviceContract<Orientation> {
             50_000,
             line ->
                 line.fromDevice(
-                    Nmea.bytes("VNYMR,+090.000,-010.000,+020.000,0,0,0,0,0,0,0.1,0.2,0.3"))),
+                    Nmea.bytes(
+                        "VNYMR,+090.000,-010.000,+020.000,0,0,0,1.7,-3.3,-9.1,0.1,0.2,0.3"))),
         new SimulatedBench<>(
             "simulated",
             new SimulatedImu(SimulatedImu.Errors.vn100(), new NoiseStreams(1), () -> TRUTH)));
@@ -52,5 +56,7 @@ class ImuPortTest extends DeviceContract<Orientation> {
     assertThat(said.xRateRadPerS()).isCloseTo(0.1, within(0.01));
     assertThat(said.yRateRadPerS()).isCloseTo(0.2, within(0.01));
     assertThat(said.zRateRadPerS()).isCloseTo(0.3, within(0.01));
+    assertThat(said.specificForce().orElseThrow().distanceTo(Point.of(1.7, -3.3, -9.1)))
+        .isLessThan(0.05);
   }
 }

@@ -9,6 +9,7 @@ import org.u2sa.device.RangeFinder;
 import org.u2sa.drivers.link.LinkedBench;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.drivers.link.SimulatedBench;
+import org.u2sa.drivers.nmea.Nmea;
 import org.u2sa.sim.device.SimulatedRangeFinder;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.testkit.DeviceContract;
@@ -19,7 +20,14 @@ class RangeFinderPortTest extends DeviceContract<RangeFinder.Distance> {
 
   @Override
   protected List<Bench<RangeFinder.Distance>> benches() {
+    MemoryLink sounder = new MemoryLink();
     return List.of(
+        new LinkedBench<>(
+            "NMEA",
+            sounder,
+            new NmeaDepth(sounder),
+            100_000,
+            line -> line.fromDevice(Nmea.bytes("SDDPT,1.27,0.5,100"))),
         sonar(SonarModel.LV, "R050\r"),
         sonar(SonarModel.XL, "R127\r"),
         sonar(SonarModel.HR, "R1270\r"),

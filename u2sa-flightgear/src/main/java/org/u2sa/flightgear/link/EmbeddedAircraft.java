@@ -23,6 +23,11 @@ public final class EmbeddedAircraft implements AircraftLink {
     this.aircraft = aircraft;
   }
 
+  /** The aircraft, to be looked at only. */
+  Cessna172 aircraft() {
+    return aircraft;
+  }
+
   @Override
   public AircraftReading read(long nowMicros) {
     if (startMicros < 0) {

@@ -3,6 +3,7 @@ package org.u2sa.flightgear.link;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.core.control.fixedwing.AircraftState;
@@ -15,6 +16,7 @@ import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
@@ -57,6 +59,11 @@ public final class Simulator extends ProprioceptiveSensor {
           "RIGHT BRAKE", "brakes the right wheel");
 
   private static final Set<String> BOTH_WAYS = Set.of("AILERON", "ELEVATOR", "RUDDER");
+
+  /** The aircraft itself, if it is embedded in this process; for whoever runs on its clock. */
+  public Optional<Cessna172> embedded() {
+    return link instanceof EmbeddedAircraft here ? Optional.of(here.aircraft()) : Optional.empty();
+  }
 
   @Override
   protected void begin() {

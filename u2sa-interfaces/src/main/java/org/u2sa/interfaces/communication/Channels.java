@@ -11,6 +11,7 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -69,6 +70,10 @@ public final class Channels {
   /** The World Modeler's objects; to the planner. */
   public static final Channel<ObjectList> OBJECTS =
       Channel.latest("objects", ObjectList.TYPE, list -> "").retained();
+
+  /** What is occupied and what is free around the vehicle; to planner and screens. */
+  public static final Channel<OccupancyGrid> GRID =
+      Channel.latest("grid", OccupancyGrid.TYPE, grid -> "").retained();
 
   /** The Mission Manager's current goals; to the planner and whoever changes behaviour by task. */
   public static final Channel<GoalList> GOALS =
@@ -174,6 +179,7 @@ public final class Channels {
           SENSED_OBJECTS,
           SCANS,
           OBJECTS,
+          GRID,
           GOALS,
           GOAL_REPORTS,
           GOAL_UPDATES,

@@ -9,6 +9,7 @@ import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
@@ -46,7 +47,10 @@ import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
+import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.PointCloud;
+import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.ShapeDescription;
 import org.u2sa.messages.shape.Sphere;
@@ -100,7 +104,11 @@ public final class StandardTypes implements MessageTypeProvider {
           ConfigurationTransactionResult.TYPE,
           BatteryState.TYPE,
           RangeScan.TYPE,
-          InertialMeasurement.TYPE);
+          InertialMeasurement.TYPE,
+          Polygon.TYPE,
+          PolyLine.TYPE,
+          MovingSphere.TYPE,
+          OccupancyGrid.TYPE);
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

@@ -100,7 +100,12 @@ public final class Schema<T extends U2SAData> {
 
   /** A number that may be absent and is never less than {@code min}. */
   public NumberField<T> optionalNumber(String field, String unit, double min) {
-    return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, ANY_MORE);
+    return optionalNumber(field, unit, min, ANY_MORE);
+  }
+
+  /** A number that may be absent, within bounds. */
+  public NumberField<T> optionalNumber(String field, String unit, double min, double max) {
+    return number(outline(field, unit, FieldPresence.OPTIONAL), unit, Double.NaN, min, max);
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.u2sa.messages.shape;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.messages.Metric;
 import org.u2sa.messages.frame.Point;
@@ -50,6 +51,61 @@ final class Shapes {
       nearest = Math.min(nearest, toSegment(start, metric.metres(points.get(i)), p));
     }
     return nearest;
+  }
+
+  /** To an upright prism over a polygon, or to the polygon if its height is 0. */
+  static double toPolygon(Metric metric, List<Point> points, double height, Point from) {
+    Point p = metric.metres(from);
+    List<Point> corners = flat(metric, points);
+    double outside = corners.size() > 2 && isInside(corners, p) ? 0.0 : toOutline(corners, p, true);
+    return Math.hypot(outside, beyond(p.z(), height));
+  }
+
+  /** To an upright band along a line through points in order, of width y and height z. */
+  static double toBand(Metric metric, List<Point> points, Point size, Point from) {
+    Point p = metric.metres(from);
+    double outside = Math.max(0.0, toOutline(flat(metric, points), p, false) - size.y() / 2.0);
+    return Math.hypot(outside, beyond(p.z(), size.z()));
+  }
+
+  private static List<Point> flat(Metric metric, List<Point> points) {
+    List<Point> flat = new ArrayList<>(points.size());
+    for (Point point : points) {
+      flat.add(level(metric.metres(point)));
+    }
+    return flat;
+  }
+
+  private static Point level(Point p) {
+    return Point.of(p.x(), p.y(), 0.0);
+  }
+
+  /** In the x-y plane; to the centre if there is no point. */
+  private static double toOutline(List<Point> points, Point from, boolean closed) {
+    Point p = level(from);
+    if (points.isEmpty()) {
+      return p.distance();
+    }
+    double nearest = points.get(0).distanceTo(p);
+    for (int i = closed ? 0 : 1; i < points.size(); i++) {
+      Point start = points.get(i == 0 ? points.size() - 1 : i - 1);
+      nearest = Math.min(nearest, toSegment(start, points.get(i), p));
+    }
+    return nearest;
+  }
+
+  /** True if a ray along x crosses an odd number of edges. */
+  private static boolean isInside(List<Point> corners, Point p) {
+    boolean inside = false;
+    Point a = corners.get(corners.size() - 1);
+    for (Point b : corners) {
+      if (a.y() > p.y() != b.y() > p.y()
+          && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+        inside = !inside;
+      }
+      a = b;
+    }
+    return inside;
   }
 
   private static double toSegment(Point start, Point end, Point p) {

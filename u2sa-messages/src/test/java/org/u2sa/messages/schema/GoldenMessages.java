@@ -19,6 +19,7 @@ final class GoldenMessages {
     GoldenContract.addTo(golden);
     GoldenFormat2.addTo(golden);
     GoldenFormat3.addTo(golden);
+    GoldenWorld.addTo(golden);
     return golden.byName;
   }
 

@@ -50,7 +50,14 @@ class OldReaderTest {
       if (read.className().equals(message.getClass().getSimpleName())) {
         asThemselves.add(read.className());
       } else {
-        assertThat(read.className()).isIn("OpaqueMessage", "HealthReport", "StateInformation");
+        assertThat(read.className())
+            .isIn(
+                "OpaqueMessage",
+                "HealthReport",
+                "StateInformation",
+                "UnknownShape",
+                "Line",
+                "Sphere");
       }
     }
     assertThat(asThemselves).contains("HealthReport", "Waypoint", "DiscoveryResponse");
@@ -118,7 +125,13 @@ class OldReaderTest {
     for (U2SAData message : GoldenMessages.all().values()) {
       OldDataModel.Read read = old.decode(message.typeChain(), message.serialize());
       byte[] written = read.serialize();
-      assertThat(present.decode(read.chain(), written).serialize()).isEqualTo(written);
+      U2SAData again = present.decode(read.chain(), written);
+      boolean sameClass = read.className().equals(message.getClass().getSimpleName());
+      if (sameClass) {
+        assertThat(again.serialize()).isEqualTo(written);
+      } else { // keys that an ancestor does not know come last, and none is lost
+        assertThat(again).isEqualTo(message);
+      }
     }
   }
 }

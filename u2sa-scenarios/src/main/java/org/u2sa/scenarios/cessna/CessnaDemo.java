@@ -100,6 +100,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
             demoWind.applyTo(launch.override("Simulator", "MISSION", DemoFrame.absolute(mission))),
         launch -> {
           launch.override("Simulator", "LINK", "embedded");
+          AircraftSensors.attach(launch, EmbeddedStart.of(mission), seed);
           return new Simulation.Within("embedded Cessna 172", "aircraft");
         },
         launch -> StandInSimulation.of(mission, demoWind.wind(seed), launch));

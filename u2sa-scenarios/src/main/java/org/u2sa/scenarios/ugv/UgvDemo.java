@@ -141,7 +141,10 @@ final class UgvDemo implements Callable<Integer>, Demo {
     return new Trial(
         driven,
         TruthObserver.of(world::truth, world.world().plane(), new UnarmedMotion(world)),
-        this::configure,
+        launch -> {
+          configure(launch);
+          world.sensors(seed).attach(launch);
+        },
         launch -> {
           launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
           return new Simulation.Within(simulator, "vehicle");

@@ -5,7 +5,10 @@ import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.ioio.BoardConnection;
 import org.u2sa.drivers.ioio.LockstepConnection;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.run.SimulatedSensors;
+import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.ground.GroundState;
@@ -29,6 +32,7 @@ final class UgvWorld {
   private static final double MOST_MISMATCH = 0.05;
 
   private final World world;
+  private final VehicleKind kind;
   private final MiniMolle vehicle;
   private final IoioFirmware board;
   private final IoioInProcess cable;
@@ -44,6 +48,7 @@ final class UgvWorld {
       long seed,
       Hazards hazards,
       DriveConditions conditions) {
+    this.kind = kind;
     Geodetic place = new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM());
     world = World.at(place).with(conditions.terrain()).with(conditions.surface());
     double bySeed = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
@@ -88,6 +93,22 @@ final class UgvWorld {
   /** The same with all that turns in the vehicle. */
   GroundState state() {
     return vehicle.state();
+  }
+
+  /** Devices for the sensors that a system file adds to those at the board. */
+  SimulatedSensors sensors(long seed) {
+    SimulatedSensors sensors =
+        new SimulatedSensors(
+            seed, world.plane(), () -> new SimulatedSensors.Moment(vehicle.truth(), Point.ORIGIN));
+    if (kind == VehicleKind.DIFFERENTIAL) {
+      DifferentialParameters measures = DifferentialParameters.miniMolle();
+      sensors.wheels(
+          () -> vehicle.state().leftWheelRad(),
+          () -> vehicle.state().rightWheelRad(),
+          measures.wheelRadiusM(),
+          measures.trackM());
+    }
+    return sensors;
   }
 
   /** What reaches the motors, from whoever drives. Safe from any thread. */

@@ -42,6 +42,11 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
    */
   abstract R measure(double timeS, long measuredAtMicros);
 
+  /** Whether the measurement that is due gets lost. */
+  boolean isDropped() {
+    return false;
+  }
+
   /** Hears from its service: at each read while it is plugged in. */
   void tell(long nowMicros) {}
 
@@ -63,7 +68,9 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
     if (isPlugged && (dueMicros == NOT_YET || nowMicros >= dueMicros)) {
       beganMicros = beganMicros == NOT_YET ? nowMicros : beganMicros;
       dueMicros = (nowMicros / periodMicros + 1) * periodMicros;
-      underWay.add(measure((nowMicros - beganMicros) / MICROS_PER_S, nowMicros + latencyMicros));
+      if (!isDropped()) {
+        underWay.add(measure((nowMicros - beganMicros) / MICROS_PER_S, nowMicros + latencyMicros));
+      }
     }
     while (!underWay.isEmpty() && underWay.peek().measuredAtMicros() <= nowMicros) {
       latest = Optional.of(underWay.remove());

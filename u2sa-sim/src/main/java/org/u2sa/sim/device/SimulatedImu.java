@@ -1,19 +1,23 @@
 package org.u2sa.sim.device;
 
+import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
 import org.u2sa.device.Heading;
 import org.u2sa.device.Imu;
 import org.u2sa.device.Orientation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** An IMU with white noise, and gyroscopes with a constant bias. */
+/** An IMU with white noise, and gyroscopes and accelerometers with a constant bias. */
 public final class SimulatedImu extends SimulatedDevice<Orientation> implements Imu {
   private final Errors errors;
   private final Supplier<Orientation> truth;
   private final Random noise;
   private final double[] biasRadPerS = new double[3];
+  private final double[] biasMps2 = new double[3];
 
   /**
    * How good it is; standard deviations.
@@ -23,19 +27,23 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
    * @param headingRad of the heading [rad]
    * @param rateRadPerS of each reading's rates [rad/s]
    * @param biasRadPerS of the gyroscopes' biases, drawn once [rad/s]
+   * @param forceMps2 of each reading's specific forces [m/s²]
+   * @param biasMps2 of the accelerometers' biases, drawn once [m/s²]
    */
   public record Errors(
       double rateHz,
       double attitudeRad,
       double headingRad,
       double rateRadPerS,
-      double biasRadPerS) {
+      double biasRadPerS,
+      double forceMps2,
+      double biasMps2) {
     /**
      * VectorNav's VN-100 by its data sheet: 0.5° roll and pitch, 2° magnetic heading, 0.0035
-     * °/s/√Hz over 40 Hz; 10°/h of bias.
+     * °/s/√Hz and 0.14 mg/√Hz over 40 Hz; 10°/h and 0.04 mg of bias.
      */
     public static Errors vn100() {
-      return new Errors(40.0, 8.7e-3, 3.5e-2, 2.8e-4, 4.8e-5);
+      return new Errors(40.0, 8.7e-3, 3.5e-2, 2.8e-4, 4.8e-5, 6.1e-3, 4e-4);
     }
   }
 
@@ -55,6 +63,22 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
     for (int i = 0; i < biasRadPerS.length; i++) {
       biasRadPerS[i] = errors.biasRadPerS() * noise.nextGaussian();
     }
+    for (int i = 0; i < biasMps2.length; i++) {
+      biasMps2[i] = errors.biasMps2() * noise.nextGaussian();
+    }
+  }
+
+  /** What an IMU without errors, at a vehicle's reference point, would read now; to true north. */
+  public static Orientation readingOf(VehicleTruth truth) {
+    return new Orientation(
+        0,
+        truth.attitude().phi(),
+        truth.attitude().theta(),
+        new Heading(0, truth.headingRad(), true),
+        truth.rates().x(),
+        truth.rates().y(),
+        truth.rates().z(),
+        Optional.of(truth.specificForce()));
   }
 
   @Override
@@ -68,7 +92,15 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
         Heading.ofDegrees(measuredAtMicros, headingDeg, o.heading().isTrue()),
         noisy(o.xRateRadPerS() + biasRadPerS[0], errors.rateRadPerS()),
         noisy(o.yRateRadPerS() + biasRadPerS[1], errors.rateRadPerS()),
-        noisy(o.zRateRadPerS() + biasRadPerS[2], errors.rateRadPerS()));
+        noisy(o.zRateRadPerS() + biasRadPerS[2], errors.rateRadPerS()),
+        o.specificForce().map(this::noisy));
+  }
+
+  private Point noisy(Point force) {
+    return Point.of(
+        noisy(force.x() + biasMps2[0], errors.forceMps2()),
+        noisy(force.y() + biasMps2[1], errors.forceMps2()),
+        noisy(force.z() + biasMps2[2], errors.forceMps2()));
   }
 
   private double noisy(double value, double sigma) {

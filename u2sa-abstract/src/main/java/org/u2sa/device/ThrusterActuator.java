@@ -1,0 +1,186 @@
+package org.u2sa.device;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.HandOver;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * One thruster, such as a boat has two of and an underwater vehicle six (thesis 3.2.2.5). In:
+ * actuation, emergency-stop, arming-state. Out: actuators, its announcement with its place and
+ * direction (thesis 5.1); power, if the thruster measures its battery.
+ */
+public final class ThrusterActuator extends PeriodicService {
+  private static final double STEPS_PER_S = 50.0;
+  private static final double BATTERY_EVERY_S = 1.0;
+  private static final double SURELY_TURNING_PERCENT = 20.0; // more than any motor needs to start
+  private static final double STANDING_RPM = 10.0;
+  private static final String SLEW = "SLEW";
+
+  private static final Devices.Usual USUAL =
+      new Devices.Usual("thruster", "THRUSTER", "VESC", "serial:/dev/ttyACM0?baud=115200");
+
+  private final ThrusterVariables variables;
+  private final MountingPose mounted;
+  private final String actuatorName;
+  private final double sign;
+  private final CommandedActuators commands;
+  private final SlewLimit slew;
+  private final Thruster thruster;
+  private final DeviceReader<Thruster.Turning> reader;
+  private double batteryDueS;
+  private double stalledSinceS = Double.NaN;
+  private boolean isStallTold;
+
+  /** Called by the launcher: the thruster is the one that the configuration names. */
+  public ThrusterActuator(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** With a thruster that the host made: a simulated one. */
+  public ThrusterActuator(ServiceContext context, Thruster thruster) {
+    this(context, Optional.of(thruster));
+  }
+
+  private ThrusterActuator(ServiceContext context, Optional<Thruster> made) {
+    super(context, ServiceRole.ACTUATOR, "ThrusterActuator", STEPS_PER_S);
+    variables = settings(ThrusterVariables.class).get();
+    mounted = settings(MountingPose.class).get();
+    actuatorName = variables.actuatorName().isEmpty() ? getServiceName() : variables.actuatorName();
+    sign = variables.reversed() ? -1.0 : 1.0;
+    commands = new CommandedActuators(this, Set.of(actuatorName), this::stopNow);
+    slew = new SlewLimit(variables.slewLimit());
+    registerPublisher(Channels.POWER);
+    thruster = Devices.open(Thruster.class, USUAL, context, made);
+    reader = new DeviceReader<>(this, "the thruster", thruster, variables.timeout());
+  }
+
+  @Override
+  protected void begin() {
+    commands.announce(List.of(announcement()));
+    if (!commands.isCommanded()) {
+      thruster.stop(clock().micros());
+    }
+  }
+
+  private ActuatorAnnouncement announcement() {
+    return new ActuatorAnnouncement()
+        .actuatorName(actuatorName)
+        .minimum(variables.minimum())
+        .maximum(variables.maximum())
+        .effect(effect());
+  }
+
+  /** In words, with numbers in BODY: x forward, y left, z down. */
+  private String effect() {
+    Point push = mounted.turn().toBody(Point.of(1.0, 0.0, 0.0));
+    Point place = Point.of(mounted.x(), mounted.y(), mounted.z());
+    double ahead = variables.fullThrust();
+    double astern = variables.reverseThrust() > 0.0 ? variables.reverseThrust() : ahead;
+    String strength =
+        ahead > 0.0
+            ? String.format(Locale.ROOT, " with up to %.1f N, backwards %.1f N", ahead, astern)
+            : "";
+    return "pushes along "
+        + inBody(push.minus(place))
+        + " at "
+        + inBody(place)
+        + " m in BODY"
+        + strength;
+  }
+
+  private static String inBody(Point point) {
+    return String.format(Locale.ROOT, "(%.3f, %.3f, %.3f)", point.x(), point.y(), point.z());
+  }
+
+  private void stopNow() {
+    slew.rest(clock().micros());
+    thruster.stop(clock().micros());
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    double percent = wanted(now);
+    thruster.thrust(sign * percent);
+    Optional<Thruster.Turning> news = reader.next(now);
+    if (!thruster.isConnected()) {
+      slew.rest(now); // it comes back from 0, whatever is commanded then
+    }
+    news.ifPresent(turning -> use(turning, percent, nowS));
+    commands.step(nowS);
+  }
+
+  private double wanted(long nowMicros) {
+    OptionalDouble commanded = commands.percentage(actuatorName);
+    if (commanded.isEmpty()) {
+      slew.rest(nowMicros);
+      return 0.0;
+    }
+    double percent = slew.towards(commanded.getAsDouble(), nowMicros);
+    return Math.abs(percent) < variables.deadband() ? 0.0 : percent;
+  }
+
+  private void use(Thruster.Turning turning, double percent, double nowS) {
+    watchForStall(turning.rpm(), percent, nowS);
+    if (nowS >= batteryDueS && turning.batteryV().isPresent()) {
+      batteryDueS = nowS + BATTERY_EVERY_S;
+      BatteryState battery =
+          new BatteryState().sensorName(getServiceName()).voltage(turning.batteryV().getAsDouble());
+      turning.currentA().ifPresent(battery::current);
+      publish(Channels.POWER, battery);
+    }
+  }
+
+  /** A propeller that is caught in weeds, or whose motor is broken, does not turn. */
+  private void watchForStall(OptionalDouble rpm, double percent, double nowS) {
+    boolean stands = rpm.isPresent() && Math.abs(rpm.getAsDouble()) < STANDING_RPM;
+    if (!stands || Math.abs(percent) < SURELY_TURNING_PERCENT) {
+      stalledSinceS = Double.NaN;
+      if (isStallTold && rpm.isPresent() && !stands) {
+        isStallTold = false;
+        log("the thruster turns again");
+      }
+      return;
+    }
+    stalledSinceS = Double.isNaN(stalledSinceS) ? nowS : stalledSinceS;
+    if (nowS - stalledSinceS >= variables.timeout() && !isStallTold) {
+      isStallTold = true;
+      trouble(
+          String.format(
+              Locale.ROOT, "the thruster does not turn at a command of %.0f %%", percent));
+    }
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+    state.number(SLEW, slew.percent());
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
+    state.number(SLEW).ifPresent(slew::goOnFrom);
+  }
+
+  @Override
+  protected void releaseToSuccessor() {
+    thruster.leave();
+  }
+
+  @Override
+  protected void release() {
+    thruster.close();
+  }
+}

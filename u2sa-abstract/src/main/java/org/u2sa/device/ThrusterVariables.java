@@ -1,0 +1,58 @@
+package org.u2sa.device;
+
+import org.u2sa.interfaces.configuration.Variable;
+
+/** The configuration variables of {@link ThrusterActuator}, its {@link MountingPose} aside. */
+record ThrusterVariables(
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Name to which commands are addressed, unique in the system; empty: the service's name.")
+        String actuatorName,
+    @Variable(ifAbsentText = "false", text = "Whether positive power pushes backwards.")
+        boolean reversed,
+    @Variable(
+            unit = "%",
+            min = -100,
+            max = 0,
+            ifAbsent = -100,
+            text = "Strongest command backwards; 0 for a propeller that turns one way.")
+        double minimum,
+    @Variable(unit = "%", min = 1, max = 100, ifAbsent = 100, text = "Strongest command forward.")
+        double maximum,
+    @Variable(
+            unit = "%",
+            min = 0,
+            max = 50,
+            ifAbsent = 0,
+            text = "Commands smaller than this count as 0: the motor does not start below it.")
+        double deadband,
+    @Variable(
+            unit = "%/s",
+            min = 1,
+            max = 100_000,
+            ifAbsent = 400,
+            text = "Fastest change of a command; stops are not limited.")
+        double slewLimit,
+    @Variable(
+            unit = "N",
+            min = 0,
+            max = 1.0e6,
+            ifAbsent = 0,
+            text = "Thrust at 100 %, from the data sheet, for the announcement; 0: unknown.")
+        double fullThrust,
+    @Variable(
+            unit = "N",
+            min = 0,
+            max = 1.0e6,
+            ifAbsent = 0,
+            text = "Thrust backwards at -100 %, for the announcement; 0: as FULL THRUST.")
+        double reverseThrust,
+    @Variable(
+            unit = "s",
+            min = 0.05,
+            max = 60,
+            ifAbsent = 1,
+            text =
+                "Time after which a thruster that is connected counts as silent, or as stalled if it is commanded and does not turn.")
+        double timeout) {}

@@ -1,0 +1,41 @@
+package org.u2sa.device;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.u2sa.interfaces.time.Clock;
+
+/**
+ * The newest report of each target, for receivers that hear one at a time. Not for several threads.
+ */
+public final class TrafficPicture {
+  private static final long FORGOTTEN_AFTER_MICROS = Clock.micros(60.0);
+  private static final int MOST = 1_000; // a liar must not fill the memory
+
+  private final Map<String, TrafficTarget> targets = new TreeMap<>();
+  private Optional<TrafficReceiver.Traffic> latest = Optional.empty();
+
+  /**
+   * Takes a report; of an unknown target only while there are fewer than a thousand.
+   *
+   * @param nowMicros time of the run's clock [µs], never less than at the last call
+   */
+  public void heard(TrafficTarget target, long nowMicros) {
+    targets.values().removeIf(each -> nowMicros - each.heardAtMicros() > FORGOTTEN_AFTER_MICROS);
+    if (targets.size() < MOST || targets.containsKey(target.id())) {
+      targets.put(target.id(), target);
+    }
+    alive(nowMicros);
+  }
+
+  /** Takes note that the receiver is alive: the same targets are now known to be all. */
+  public void alive(long nowMicros) {
+    latest = Optional.of(new TrafficReceiver.Traffic(nowMicros, List.copyOf(targets.values())));
+  }
+
+  /** The picture after the last report; empty before the first. */
+  public Optional<TrafficReceiver.Traffic> latest() {
+    return latest;
+  }
+}

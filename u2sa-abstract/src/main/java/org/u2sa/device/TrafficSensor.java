@@ -1,0 +1,186 @@
+package org.u2sa.device;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.service.ExteroceptiveSensor;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Publishes other traffic as balls that move and that nobody may enter, in GLOBAL, each once for
+ * each report of it (thesis 4.4.1.3). In: state, whose altitude is assumed of a target that does
+ * not say its own. Out: sensed-objects, uid {@code traffic} and the target's id.
+ */
+public final class TrafficSensor extends ExteroceptiveSensor {
+  private static final double STEPS_PER_S = 20.0;
+  private static final double UNKNOWN_ALTITUDE_SIGMA_M = 3_000.0;
+
+  private static final Devices.Usual USUAL =
+      new Devices.Usual("traffic receiver", "RECEIVER", "GDL90", "udp:4000");
+
+  private record Tuning(
+      @Variable(
+              unit = "s",
+              min = 0.5,
+              max = 600,
+              ifAbsent = 10,
+              text = "Time without a message after which the receiver counts as silent.")
+          double timeout,
+      @Variable(
+              unit = "m",
+              min = 1,
+              max = 100_000,
+              ifAbsent = 150,
+              text = "Distance to be kept from other traffic: the radius of the ball.")
+          double separation,
+      @Variable(
+              unit = "s",
+              min = 0.1,
+              max = 600,
+              ifAbsent = 30,
+              text = "How long the velocity of a target may be relied on.")
+          double horizon,
+      @Variable(
+              unit = "m",
+              min = 0.1,
+              max = 10_000,
+              ifAbsent = 30,
+              text = "Standard deviation of a position, where the target does not say one.")
+          double positionSigma,
+      @Variable(
+              unit = "m",
+              min = 0.1,
+              max = 10_000,
+              ifAbsent = 30,
+              text =
+                  "Standard deviation of an altitude; weather moves pressure altitudes by 100 m while QNH is not today's.")
+          double altitudeSigma,
+      @Variable(
+              unit = "m/s",
+              min = 0.01,
+              max = 1000,
+              ifAbsent = 5,
+              text = "Standard deviation of each component of a target's velocity.")
+          double velocitySigma,
+      @Variable(
+              unit = "Pa",
+              min = 85_000,
+              max = 110_000,
+              ifAbsent = PressureAltitude.SEA_LEVEL_PA,
+              text = "Pressure at sea level today, for targets that say pressure altitudes.")
+          double qnh,
+      @Variable(
+              ifAbsentText = "",
+              text =
+                  "Id of the vehicle's own transponder, which is no traffic; empty: it has none.")
+          String ownId) {}
+
+  private final TrafficReceiver receiver;
+  private final DeviceReader<TrafficReceiver.Traffic> reader;
+  private final Settings<Tuning> tuning;
+  private final Map<String, Long> published = new HashMap<>(); // when each was heard
+  private double ownAltitudeM;
+
+  /** Called by the launcher: the receiver is the one that the configuration names. */
+  public TrafficSensor(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** With a receiver that the host made: a simulated one. */
+  public TrafficSensor(ServiceContext context, TrafficReceiver receiver) {
+    this(context, Optional.of(receiver));
+  }
+
+  private TrafficSensor(ServiceContext context, Optional<TrafficReceiver> made) {
+    super(context, "TrafficSensor", STEPS_PER_S);
+    tuning = settings(Tuning.class);
+    registerSubscriber(Channels.STATE);
+    receiver = Devices.open(TrafficReceiver.class, USUAL, context, made);
+    reader = new DeviceReader<>(this, "the traffic receiver", receiver, tuning.get().timeout());
+  }
+
+  @Override
+  public void callback(U2SAData data) {
+    if (data instanceof StateInformation state) {
+      if (state.referenceFrame().isEarth()) {
+        ownAltitudeM = state.z().orElse(ownAltitudeM);
+      }
+    } else {
+      unexpected(data);
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    reader.next(clock().micros()).ifPresent(this::publishNews);
+  }
+
+  private void publishNews(TrafficReceiver.Traffic traffic) {
+    for (TrafficTarget target : traffic.targets()) {
+      Long before = published.put(target.id(), target.heardAtMicros());
+      boolean isNew = before == null || before != target.heardAtMicros();
+      if (isNew && !target.id().equalsIgnoreCase(tuning.get().ownId())) {
+        publish(Channels.SENSED_OBJECTS, object(target));
+      }
+    }
+    long oldest = traffic.measuredAtMicros() - Clock.micros(2.0 * 60.0);
+    published.values().removeIf(heard -> heard < oldest);
+  }
+
+  private MovingSphere object(TrafficTarget target) {
+    Tuning now = tuning.get();
+    double sigmaM = target.horizontalSigmaM().orElse(now.positionSigma());
+    OptionalDouble altitudeM = altitudeM(target, now.qnh());
+    MovingSphere sphere = new MovingSphere().radius(now.separation());
+    sphere
+        .uid("traffic " + target.id())
+        .objectType(target.kind())
+        .referenceFrame(ReferenceFrame.GLOBAL)
+        .x(target.longitudeDeg())
+        .y(target.latitudeDeg())
+        .z(altitudeM.orElse(ownAltitudeM))
+        .level(ObjectLevel.AVOID_ALWAYS)
+        .sensorName(sensorName());
+    sphere
+        .motion()
+        .sigma(
+            Point.of(
+                sigmaM,
+                sigmaM,
+                altitudeM.isPresent() ? now.altitudeSigma() : UNKNOWN_ALTITUDE_SIGMA_M));
+    target
+        .velocity()
+        .ifPresent(
+            velocity ->
+                sphere
+                    .motion()
+                    .velocity(velocity)
+                    .velocitySigma(now.velocitySigma())
+                    .horizon(now.horizon()));
+    sphere.timestamp(target.heardAtMicros());
+    return sphere;
+  }
+
+  private static OptionalDouble altitudeM(TrafficTarget target, double qnhPa) {
+    if (target.altitudeM().isEmpty() || !target.isPressureAltitude()) {
+      return target.altitudeM();
+    }
+    return OptionalDouble.of(PressureAltitude.aboveSeaM(target.altitudeM().getAsDouble(), qnhPa));
+  }
+
+  @Override
+  protected void release() {
+    receiver.close();
+  }
+}

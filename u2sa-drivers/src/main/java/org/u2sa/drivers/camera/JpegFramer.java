@@ -1,0 +1,174 @@
+package org.u2sa.drivers.camera;
+
+import java.util.Arrays;
+import java.util.Optional;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.drivers.link.ByteParser;
+
+/**
+ * Cuts JPEG files out of a stream of bytes, whatever stands between them, by the lengths of their
+ * segments: pictures within a picture's header do not end it (ITU-T T.81, B.1 and B.2).
+ */
+final class JpegFramer implements ByteParser<CameraFrame> {
+  private static final int LARGEST_BYTES = 1 << 24;
+  private static final int FIRST_ROOM_BYTES = 1 << 16;
+  private static final int MARKER = 0xFF;
+  private static final int START_OF_IMAGE = 0xD8;
+  private static final int END_OF_IMAGE = 0xD9;
+  private static final int START_OF_SCAN = 0xDA;
+  private static final int FIRST_RESTART = 0xD0;
+  private static final int FIRST_START_OF_FRAME = 0xC0;
+  private static final int LAST_START_OF_FRAME = 0xCF;
+  private static final int HUFFMAN_TABLE = 0xC4;
+  private static final int EXTENSION = 0xC8;
+  private static final int ARITHMETIC_TABLE = 0xCC;
+  private static final int SIZE_END =
+      9; // of a frame header: marker, length, precision, height, width
+
+  private byte[] bytes = new byte[FIRST_ROOM_BYTES];
+  private int length;
+  private int segment; // where the next segment begins; behind START_OF_SCAN: where data begin
+  private boolean isScan;
+  private int frameHeader; // where the last one begins; 0: none yet
+  private long beganMicros;
+  private Optional<CameraFrame> latest = Optional.empty();
+  private long refused;
+  private String lastRefusal = "";
+
+  @Override
+  public void accept(byte[] from, int count, long nowMicros) {
+    for (int i = 0; i < count; i++) {
+      accept(from[i], nowMicros);
+    }
+  }
+
+  private void accept(byte each, long nowMicros) {
+    if (length == 0) {
+      beganMicros = nowMicros;
+    }
+    if (length == bytes.length) {
+      bytes = Arrays.copyOf(bytes, 2 * length);
+    }
+    bytes[length++] = each;
+    if (length <= 2) {
+      begin(each & 0xFF);
+    } else if (isScan) {
+      scan(each & 0xFF);
+    } else if (length == segment + 2) {
+      mark();
+    } else if (length == segment + 4) {
+      segmentLength();
+    }
+    if (length >= LARGEST_BYTES) {
+      refuse("a picture of more than " + LARGEST_BYTES + " bytes");
+    }
+  }
+
+  private void begin(int each) {
+    boolean fits = length == 1 ? each == MARKER : each == START_OF_IMAGE;
+    segment = 2;
+    if (!fits) {
+      length = each == MARKER ? 1 : 0;
+      bytes[0] = (byte) MARKER;
+    }
+  }
+
+  private int unsigned(int at) {
+    return bytes[at] & 0xFF;
+  }
+
+  private int unsigned16(int at) {
+    return unsigned(at) << 8 | unsigned(at + 1);
+  }
+
+  private void mark() {
+    int marker = unsigned(segment + 1);
+    if (unsigned(segment) != MARKER || marker < FIRST_START_OF_FRAME) {
+      refuse("no marker where a segment ends");
+    } else if (marker == MARKER) {
+      length--; // fill bytes may stand before a marker
+    } else if (marker >= FIRST_RESTART && marker <= END_OF_IMAGE) {
+      refuse("a picture without data");
+    }
+  }
+
+  private void segmentLength() {
+    int marker = unsigned(segment + 1);
+    boolean isFrame =
+        marker <= LAST_START_OF_FRAME
+            && marker != HUFFMAN_TABLE
+            && marker != EXTENSION
+            && marker != ARITHMETIC_TABLE;
+    int segmentBytes = unsigned16(segment + 2);
+    if (segmentBytes < (isFrame ? SIZE_END - 2 : 2)) {
+      refuse("a segment of " + segmentBytes + " bytes");
+      return;
+    }
+    isScan = marker == START_OF_SCAN;
+    if (isFrame) {
+      frameHeader = segment;
+    }
+    segment += 2 + segmentBytes;
+  }
+
+  private void scan(int each) {
+    if (length <= segment || unsigned(length - 2) != MARKER) {
+      return;
+    }
+    if (each == END_OF_IMAGE) {
+      end();
+    } else if (each >= FIRST_START_OF_FRAME
+        && each != MARKER
+        && (each < FIRST_RESTART || each > END_OF_IMAGE)) {
+      isScan = false; // another scan of a progressive picture
+      segment = length - 2;
+    }
+  }
+
+  private void end() {
+    int height = frameHeader == 0 ? 0 : unsigned16(frameHeader + 5);
+    int width = frameHeader == 0 ? 0 : unsigned16(frameHeader + 7);
+    if (width == 0 || height == 0) {
+      refuse("a picture without a size");
+      return;
+    }
+    latest =
+        Optional.of(
+            new CameraFrame(
+                beganMicros,
+                width,
+                height,
+                CameraFrame.PixelFormat.JPEG,
+                Arrays.copyOf(bytes, length),
+                Optional.empty()));
+    reset();
+  }
+
+  private void refuse(String why) {
+    refused++;
+    lastRefusal = why;
+    reset();
+  }
+
+  @Override
+  public void reset() {
+    length = 0;
+    isScan = false;
+    frameHeader = 0;
+  }
+
+  @Override
+  public Optional<CameraFrame> latest() {
+    return latest;
+  }
+
+  @Override
+  public long refused() {
+    return refused;
+  }
+
+  @Override
+  public String lastRefusal() {
+    return lastRefusal;
+  }
+}

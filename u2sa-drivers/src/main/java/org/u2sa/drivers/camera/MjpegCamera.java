@@ -1,0 +1,78 @@
+package org.u2sa.drivers.camera;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+
+import java.util.List;
+import org.u2sa.device.Camera;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.ParsedDevice;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * A camera that answers an HTTP request with one JPEG picture after another ({@code
+ * multipart/x-mixed-replace}), as most network cameras, ESP32-CAM boards and mjpg-streamer do. It
+ * is asked by HTTP 1.0, so that its answer is not cut into chunks (RFC 9112, 7.1). A frame has the
+ * time at which its first byte arrived.
+ */
+public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Camera {
+  private final byte[] request;
+  private boolean isAsked;
+
+  /**
+   * Over that link, which is closed with this.
+   *
+   * @param path of the stream on the camera, such as {@code /?action=stream}
+   */
+  public MjpegCamera(ByteLink link, String path) {
+    super(link, new JpegFramer());
+    if (!path.matches("/[!-~]*")) {
+      throw new BadInputException(
+          "STREAM PATH: \"" + path + "\" is not a slash and printable characters without blanks");
+    }
+    request =
+        ("GET " + path + " HTTP/1.0\r\nAccept: multipart/*, image/jpeg\r\n\r\n").getBytes(US_ASCII);
+  }
+
+  @Override
+  protected void found(long nowMicros) {
+    super.found(nowMicros);
+    isAsked = false;
+  }
+
+  @Override
+  protected void act(long nowMicros) {
+    if (!isAsked && link.isConnected()) {
+      isAsked = link.write(request);
+    }
+  }
+
+  /** CAMERA MJPEG in a configuration. */
+  public static final class Provider extends DeviceProvider<Camera> {
+    private record Tuning(
+        @Variable(
+                ifAbsentText = "/?action=stream",
+                text = "MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
+            String streamPath) {}
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(Camera.class, "MJPEG");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
+    }
+
+    @Override
+    protected Camera open(String name, ServiceContext context) {
+      return new MjpegCamera(
+          ByteLinks.of(context), context.configuration().settings(Tuning.class).get().streamPath());
+    }
+  }
+}

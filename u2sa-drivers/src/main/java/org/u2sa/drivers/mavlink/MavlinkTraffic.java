@@ -1,0 +1,133 @@
+package org.u2sa.drivers.mavlink;
+
+import io.dronefleet.mavlink.common.AdsbFlags;
+import io.dronefleet.mavlink.common.AdsbVehicle;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.TrafficPicture;
+import org.u2sa.device.TrafficReceiver;
+import org.u2sa.device.TrafficTarget;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * A transponder or receiver that sends MAVLink's ADSB_VEHICLE (246), such as uAvionix's ping
+ * family, or an autopilot that passes it on (mavlink.io/en/messages/common.html). It only listens.
+ */
+public final class MavlinkTraffic extends LinkedDevice<TrafficReceiver.Traffic>
+    implements TrafficReceiver {
+  private static final int OWN_SYSTEM = 255;
+  private static final int OWN_COMPONENT = 191;
+  private static final double DEGREES = 1.0e-7;
+  private static final double MILLI = 1.0e-3;
+  private static final double CENTI = 1.0e-2;
+  private static final int GEOMETRIC = 1;
+  private static final double MOST_LATITUDE_DEG = 90.0;
+  private static final double MOST_LONGITUDE_DEG = 180.0;
+
+  private final MavlinkStream stream = new MavlinkStream(OWN_SYSTEM, OWN_COMPONENT);
+  private final TrafficPicture picture = new TrafficPicture();
+  private long refused;
+
+  /** Over that link, which is closed with this. */
+  public MavlinkTraffic(ByteLink link) {
+    super(link);
+  }
+
+  @Override
+  protected void found(long nowMicros) {
+    stream.beginAnew();
+  }
+
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    stream.accept(bytes, length, message -> take(message.payload(), nowMicros));
+  }
+
+  private void take(Object payload, long nowMicros) {
+    if (payload instanceof AdsbVehicle vehicle) {
+      vehicle(vehicle, nowMicros);
+    } else {
+      picture.alive(nowMicros);
+    }
+  }
+
+  private void vehicle(AdsbVehicle vehicle, long nowMicros) {
+    double latitudeDeg = vehicle.lat() * DEGREES;
+    double longitudeDeg = vehicle.lon() * DEGREES;
+    boolean isOnEarth =
+        Math.abs(latitudeDeg) <= MOST_LATITUDE_DEG && Math.abs(longitudeDeg) <= MOST_LONGITUDE_DEG;
+    if (!isOnEarth) {
+      refused++;
+    }
+    if (!isOnEarth || !has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_COORDS)) {
+      picture.alive(nowMicros);
+      return;
+    }
+    TrafficTarget target =
+        new TrafficTarget(
+            String.format(Locale.ROOT, "%06X", vehicle.icaoAddress() & 0xFFFFFF),
+            has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_CALLSIGN) ? vehicle.callsign().trim() : "",
+            "aircraft",
+            Math.max(0, nowMicros - Clock.micros(vehicle.tslc())),
+            latitudeDeg,
+            longitudeDeg,
+            has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_ALTITUDE)
+                ? OptionalDouble.of(vehicle.altitude() * MILLI)
+                : OptionalDouble.empty(),
+            // "QNH" by the message's text, but what transponders send is the setting 1013.25 hPa
+            vehicle.altitudeType().value() != GEOMETRIC,
+            velocity(vehicle),
+            OptionalDouble.empty());
+    picture.heard(target, nowMicros);
+  }
+
+  private static Optional<Point> velocity(AdsbVehicle vehicle) {
+    boolean isKnown =
+        has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_VELOCITY)
+            && has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_HEADING);
+    if (!isKnown) {
+      return Optional.empty();
+    }
+    double mps = vehicle.horVelocity() * CENTI;
+    double course = Math.toRadians(vehicle.heading() * CENTI); // course over ground
+    double upMps =
+        has(vehicle, AdsbFlags.ADSB_FLAGS_VERTICAL_VELOCITY_VALID)
+            ? vehicle.verVelocity() * CENTI
+            : 0.0;
+    return Optional.of(Point.of(mps * Math.sin(course), mps * Math.cos(course), upMps));
+  }
+
+  private static boolean has(AdsbVehicle vehicle, AdsbFlags flag) {
+    return vehicle.flags().flagsEnabled(flag);
+  }
+
+  @Override
+  protected Optional<Traffic> latest() {
+    return picture.latest();
+  }
+
+  @Override
+  public long malformed() {
+    return stream.malformed() + refused;
+  }
+
+  /** RECEIVER MAVLINK in a configuration. */
+  public static final class Provider extends DeviceProvider<TrafficReceiver> {
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(TrafficReceiver.class, "MAVLINK");
+    }
+
+    @Override
+    protected TrafficReceiver open(String name, ServiceContext context) {
+      return new MavlinkTraffic(ByteLinks.of(context));
+    }
+  }
+}

@@ -1,0 +1,172 @@
+package org.u2sa.drivers.motor;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.Thruster;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * A VESC motor controller on USB or a UART, which turns a propeller: duty cycles out, values in
+ * (vedderb/bldc, {@code comm/commands.c}). It stops by itself when it hears nothing for the timeout
+ * of its own application settings (from the factory 1 s).
+ */
+public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thruster {
+  private static final byte GET_VALUES = 4;
+  private static final byte SET_DUTY = 5;
+  private static final double DUTY_PER_PERCENT = 1000.0; // 100 000 is full
+  private static final long ASK_EVERY_MICROS = Clock.micros(0.1);
+  private static final int VALUES_BYTES = 54; // up to the fault code; newer firmware appends
+  private static final int INPUT_CURRENT = 9;
+  private static final int ELECTRICAL_RPM = 23;
+  private static final int INPUT_VOLTAGE = 27;
+  private static final int FAULT = 53;
+  private static final double CURRENT_STEP_A = 0.01;
+  private static final double VOLTAGE_STEP_V = 0.1;
+
+  private final VescPacket packet = new VescPacket();
+  private final double polePairs;
+  private double percent;
+  private long askDueMicros = Long.MIN_VALUE;
+  private int fault;
+  private Optional<Turning> latest = Optional.empty();
+
+  /**
+   * Over that link, which is closed with this.
+   *
+   * @param polePairs of the motor: electrical turns for each turn of it
+   */
+  public Vesc(ByteLink link, int polePairs) {
+    super(link);
+    this.polePairs = polePairs;
+  }
+
+  @Override
+  protected void found(long nowMicros) {
+    packet.reset();
+    askDueMicros = Long.MIN_VALUE;
+    fault = 0;
+  }
+
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    for (int i = 0; i < length; i++) {
+      byte[] payload = packet.accept(bytes[i]);
+      if (payload.length >= VALUES_BYTES && payload[0] == GET_VALUES) {
+        take(payload, nowMicros);
+      }
+    }
+  }
+
+  private void take(byte[] values, long nowMicros) {
+    fault = values[FAULT];
+    double rpm = RoboClawRequest.signed32(values, ELECTRICAL_RPM) / polePairs;
+    double currentA = RoboClawRequest.signed32(values, INPUT_CURRENT) * CURRENT_STEP_A;
+    double batteryV = (short) RoboClawRequest.unsigned16(values, INPUT_VOLTAGE) * VOLTAGE_STEP_V;
+    latest =
+        Optional.of(
+            new Turning(
+                nowMicros,
+                OptionalDouble.of(rpm),
+                OptionalDouble.empty(),
+                OptionalDouble.of(currentA),
+                OptionalDouble.of(batteryV)));
+  }
+
+  @Override
+  protected void act(long nowMicros) {
+    if (!link.isConnected()) {
+      return;
+    }
+    link.write(duty(percent));
+    if (nowMicros >= askDueMicros) {
+      askDueMicros = nowMicros + ASK_EVERY_MICROS;
+      link.write(VescPacket.of(GET_VALUES));
+    }
+  }
+
+  private static byte[] duty(double percent) {
+    int duty = (int) Math.round(percent * DUTY_PER_PERCENT);
+    return VescPacket.of(
+        SET_DUTY, (byte) (duty >> 24), (byte) (duty >> 16), (byte) (duty >> 8), (byte) duty);
+  }
+
+  @Override
+  protected Optional<Turning> latest() {
+    return latest;
+  }
+
+  @Override
+  protected String ownTrouble() {
+    return fault == 0 ? "" : "the VESC reports fault " + fault;
+  }
+
+  @Override
+  public long malformed() {
+    return packet.refused();
+  }
+
+  @Override
+  public String lastRefusal() {
+    return packet.refused() == 0 ? "" : "a packet with a wrong checksum";
+  }
+
+  @Override
+  public void thrust(double newPercent) {
+    percent = Math.max(-100.0, Math.min(100.0, newPercent));
+  }
+
+  @Override
+  public void stop(long nowMicros) {
+    percent = 0.0;
+    link.write(duty(0.0));
+  }
+
+  @Override
+  public void leave() {
+    link.close();
+  }
+
+  @Override
+  public void close() {
+    try {
+      link.write(duty(0.0));
+    } finally {
+      link.close();
+    }
+  }
+
+  /** THRUSTER VESC in a configuration. */
+  public static final class Provider extends DeviceProvider<Thruster> {
+    private record Tuning(
+        @Variable(
+                min = 1,
+                max = 100,
+                ifAbsent = 7,
+                text =
+                    "VESC: pairs of magnetic poles of the motor; half the number of its magnets.")
+            int polePairs) {}
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(Thruster.class, "VESC");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
+    }
+
+    @Override
+    protected Thruster open(String name, ServiceContext context) {
+      return new Vesc(
+          ByteLinks.of(context), context.configuration().settings(Tuning.class).get().polePairs());
+    }
+  }
+}

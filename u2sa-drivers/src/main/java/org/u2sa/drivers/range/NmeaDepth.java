@@ -1,0 +1,54 @@
+package org.u2sa.drivers.range;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.RangeFinder;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.ParsedDevice;
+import org.u2sa.drivers.nmea.NmeaParser;
+import org.u2sa.drivers.nmea.NmeaSentence;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * An echo sounder with NMEA 0183: water below its transducer, from DPT, or from DBT in metres. One
+ * that sends both says the same twice.
+ */
+public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
+  private static final double DEEPEST_M = 12_000.0;
+
+  /** Over that link, which is closed with this. */
+  public NmeaDepth(ByteLink link) {
+    super(link, new NmeaParser<>(NmeaDepth::distance));
+  }
+
+  private static Optional<Distance> distance(NmeaSentence sentence, long nowMicros) {
+    int field = sentence.is("DPT") ? 1 : sentence.is("DBT") ? 3 : 0;
+    if (field == 0) {
+      return Optional.empty();
+    }
+    String text = sentence.field(field);
+    if (text.isEmpty()) {
+      return Optional.of(new Distance(nowMicros, OptionalDouble.empty())); // no bottom in reach
+    }
+    double metres = Double.parseDouble(text);
+    if (!(metres >= 0.0 && metres <= DEEPEST_M)) {
+      throw new IllegalArgumentException("depth " + text + " is outside 0…" + DEEPEST_M + " m");
+    }
+    return Optional.of(new Distance(nowMicros, OptionalDouble.of(metres)));
+  }
+
+  /** MODEL NMEA DEPTH in a configuration. */
+  public static final class Provider extends DeviceProvider<RangeFinder> {
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(RangeFinder.class, "NMEA DEPTH");
+    }
+
+    @Override
+    protected RangeFinder open(String name, ServiceContext context) {
+      return new NmeaDepth(ByteLinks.of(context));
+    }
+  }
+}

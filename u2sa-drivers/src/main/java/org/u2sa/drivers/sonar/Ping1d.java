@@ -1,0 +1,112 @@
+package org.u2sa.drivers.sonar;
+
+import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.RangeFinder;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Blue Robotics' Ping echo sounder, an altimeter of one beam, asked for its distance: message 1211
+ * by request 6 (bluerobotics/ping-protocol, ping1d.json).
+ */
+public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements RangeFinder {
+  private static final int REQUEST = 6;
+  private static final int DISTANCE = 1211;
+  private static final int DISTANCE_BYTES = 5;
+  private static final double MILLI = 1e-3;
+  private static final long ASK_EVERY_MICROS = Clock.micros(0.1);
+  private static final byte[] AUTO_BAUD = {'U', 'U', 'U', 'U', 'U', 'U', 'U'};
+
+  private final PingFramer framer = new PingFramer();
+  private final int leastConfidence;
+  private long askDueMicros = Long.MIN_VALUE;
+  private Optional<Distance> latest = Optional.empty();
+
+  /**
+   * Over that link, which is closed with this.
+   *
+   * @param leastConfidence below which an echo is none [%]
+   */
+  public Ping1d(ByteLink link, int leastConfidence) {
+    super(link);
+    this.leastConfidence = leastConfidence;
+  }
+
+  @Override
+  protected void found(long nowMicros) {
+    framer.reset();
+    askDueMicros = Long.MIN_VALUE;
+    link.write(AUTO_BAUD);
+  }
+
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    framer.accept(bytes, length, (payload, id) -> take(payload, id, nowMicros));
+  }
+
+  private void take(ByteBuffer distance, int id, long nowMicros) {
+    if (id != DISTANCE || distance.capacity() != DISTANCE_BYTES) {
+      return;
+    }
+    boolean isSure = (distance.get(4) & 0xFF) >= leastConfidence;
+    double rangeM = (distance.getInt(0) & 0xFFFFFFFFL) * MILLI;
+    latest =
+        Optional.of(
+            new Distance(nowMicros, isSure ? OptionalDouble.of(rangeM) : OptionalDouble.empty()));
+  }
+
+  @Override
+  protected void act(long nowMicros) {
+    if (link.isConnected() && nowMicros >= askDueMicros) {
+      askDueMicros = nowMicros + ASK_EVERY_MICROS;
+      link.write(PingFramer.of(REQUEST, (byte) DISTANCE, (byte) (DISTANCE >> 8)));
+    }
+  }
+
+  @Override
+  protected Optional<Distance> latest() {
+    return latest;
+  }
+
+  @Override
+  public long malformed() {
+    return framer.refused();
+  }
+
+  /** MODEL PING1D in a configuration. */
+  public static final class Provider extends DeviceProvider<RangeFinder> {
+    private record Tuning(
+        @Variable(
+                unit = "%",
+                min = 0,
+                max = 100,
+                ifAbsent = 50,
+                text = "PING1D: least confidence of an echo that counts.")
+            int leastConfidence) {}
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(RangeFinder.class, "PING1D");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
+    }
+
+    @Override
+    protected RangeFinder open(String name, ServiceContext context) {
+      return new Ping1d(
+          ByteLinks.of(context),
+          context.configuration().settings(Tuning.class).get().leastConfidence());
+    }
+  }
+}

@@ -1,0 +1,182 @@
+package org.u2sa.drivers.sonar;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.Sonar;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Blue Robotics' Ping360, which is told to turn and ping, and answers with the echo's strengths:
+ * messages 2601 and 2300 (bluerobotics/ping-protocol, ping360.json). Angles grow clockwise as seen
+ * from above with the transducer on top; the sonar's ahead is its angle 0.
+ */
+public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
+  private static final int TRANSDUCER = 2601;
+  private static final int DEVICE_DATA = 2300;
+  private static final int DATA_HEAD_BYTES = 14;
+  private static final int GRADIANS = 400;
+  private static final double RAD_PER_GRADIAN = 2.0 * Math.PI / GRADIANS;
+  private static final double PERIOD_STEP_S = 25e-9;
+  private static final int LEAST_PERIOD = 80;
+  private static final int MOST_PERIOD = 40_000;
+  private static final int SAMPLES = 600;
+  private static final int FREQUENCY_KHZ = 740;
+  private static final double MICROS_PER_S = 1e6;
+  private static final double CYCLE_SHARE = 0.01; // of the echo's time, for the pulse
+  private static final long ANSWER_WITHIN_MICROS = Clock.micros(4.0); // as the messages' text says
+  private static final byte[] AUTO_BAUD = {'U', 'U', 'U', 'U', 'U', 'U', 'U'};
+
+  private final PingFramer framer = new PingFramer();
+  private final double soundMps;
+  private final int stepGradians;
+  private final int gain;
+  private final int period; // of samples [25 ns]
+  private int angle;
+  private boolean isAsked;
+  private long askedMicros;
+  private Optional<Ping> latest = Optional.empty();
+  private long refused;
+
+  /**
+   * Over that link, which is closed with this.
+   *
+   * @param reachM how far it listens [m]
+   * @param soundMps speed of sound in the water [m/s]
+   * @param stepGradians from each ping to the next, clockwise; 400 are a turn
+   * @param gain 0 low, 1 normal, 2 high
+   */
+  public Ping360(ByteLink link, double reachM, double soundMps, int stepGradians, int gain) {
+    super(link);
+    this.soundMps = soundMps;
+    this.stepGradians = stepGradians;
+    this.gain = gain;
+    // the way out and back: 2 r = c · n · T
+    double exact = 2.0 * reachM / (soundMps * SAMPLES * PERIOD_STEP_S);
+    period = (int) Math.max(LEAST_PERIOD, Math.min(MOST_PERIOD, Math.round(exact)));
+  }
+
+  @Override
+  protected void found(long nowMicros) {
+    framer.reset();
+    isAsked = false;
+    link.write(AUTO_BAUD); // it takes a line's speed from these
+  }
+
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    framer.accept(bytes, length, (payload, id) -> take(payload, id, nowMicros));
+  }
+
+  private void take(ByteBuffer data, int id, long nowMicros) {
+    if (id != DEVICE_DATA || data.capacity() < DATA_HEAD_BYTES) {
+      return;
+    }
+    int said = data.getShort(2) & 0xFFFF;
+    int saidPeriod = data.getShort(6) & 0xFFFF;
+    int count = data.getShort(12) & 0xFFFF;
+    if (said >= GRADIANS || count > data.capacity() - DATA_HEAD_BYTES || saidPeriod == 0) {
+      refused++;
+      return;
+    }
+    isAsked = false;
+    angle = (said + stepGradians) % GRADIANS;
+    if (count == 0) {
+      return; // it has only turned
+    }
+    byte[] strengths = Arrays.copyOfRange(data.array(), DATA_HEAD_BYTES, DATA_HEAD_BYTES + count);
+    double bearing = -Math.IEEEremainder(said * RAD_PER_GRADIAN, 2.0 * Math.PI);
+    double metres = 0.5 * soundMps * saidPeriod * PERIOD_STEP_S;
+    latest = Optional.of(new Ping(nowMicros, bearing, metres, strengths));
+  }
+
+  @Override
+  protected void act(long nowMicros) {
+    boolean isLate = isAsked && nowMicros - askedMicros > ANSWER_WITHIN_MICROS;
+    refused += isLate ? 1 : 0;
+    if (link.isConnected() && (!isAsked || isLate)) {
+      isAsked = link.write(PingFramer.of(TRANSDUCER, settings()));
+      askedMicros = nowMicros;
+    }
+  }
+
+  private byte[] settings() {
+    double echoS = SAMPLES * period * PERIOD_STEP_S;
+    int pulseMicros = (int) Math.max(5, Math.min(500, CYCLE_SHARE * echoS * MICROS_PER_S));
+    ByteBuffer settings = ByteBuffer.allocate(14).order(ByteOrder.LITTLE_ENDIAN);
+    settings.put((byte) 1).put((byte) gain).putShort((short) angle).putShort((short) pulseMicros);
+    settings.putShort((short) period).putShort((short) FREQUENCY_KHZ).putShort((short) SAMPLES);
+    return settings.put((byte) 1).put((byte) 0).array();
+  }
+
+  @Override
+  protected Optional<Ping> latest() {
+    return latest;
+  }
+
+  @Override
+  public long malformed() {
+    return framer.refused() + refused;
+  }
+
+  /** SONAR PING360 in a configuration. */
+  public static final class Provider extends DeviceProvider<Sonar> {
+    private record Tuning(
+        @Variable(
+                unit = "m",
+                min = 1,
+                max = 75,
+                ifAbsent = 20,
+                text = "PING360: how far it listens.")
+            double sonarReach,
+        @Variable(
+                unit = "m/s",
+                min = 1300,
+                max = 1700,
+                ifAbsent = 1500,
+                text =
+                    "PING360: speed of sound in the water: 1500 in the sea, 1450 in a cold lake.")
+            double soundSpeed,
+        @Variable(
+                min = 1,
+                max = 100,
+                ifAbsent = 4,
+                text = "PING360: gradians from each ping to the next; 400 are a turn.")
+            int stepGradians,
+        @Variable(
+                min = 0,
+                max = 2,
+                ifAbsent = 1,
+                text = "PING360: analog gain: 0 low, 1 normal, 2 high.")
+            int gain) {}
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(Sonar.class, "PING360");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Tuning.class);
+    }
+
+    @Override
+    protected Sonar open(String name, ServiceContext context) {
+      Tuning tuning = context.configuration().settings(Tuning.class).get();
+      return new Ping360(
+          ByteLinks.of(context),
+          tuning.sonarReach(),
+          tuning.soundSpeed(),
+          tuning.stepGradians(),
+          tuning.gain());
+    }
+  }
+}

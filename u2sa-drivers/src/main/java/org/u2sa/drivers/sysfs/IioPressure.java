@@ -1,0 +1,96 @@
+package org.u2sa.drivers.sysfs;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.device.Barometer;
+import org.u2sa.device.DepthGauge;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.Pressure;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * A pressure sensor that Linux's industrial I/O reads, such as BMP280, MS5611 or MS5837. {@code
+ * in_pressure_input} is in kilopascal, {@code in_pressure_raw} times {@code in_pressure_scale} too
+ * (Documentation/ABI/testing/sysfs-bus-iio).
+ */
+public final class IioPressure extends FileDevice<Pressure> implements Barometer, DepthGauge {
+  private static final double PASCALS = 1000.0;
+
+  private final double scale;
+
+  /**
+   * @param file of the pressure; need not be there
+   * @param scale kilopascals of its unit; 1 for a file whose name ends in {@code input}
+   */
+  IioPressure(Path file, double scale) {
+    super(List.of(file));
+    this.scale = scale;
+  }
+
+  @Override
+  Pressure reading(long nowMicros, double[] numbers) {
+    return new Pressure(nowMicros, PASCALS * scale * numbers[0], OptionalDouble.empty());
+  }
+
+  /** The variable of all pressure files. */
+  record Scale(
+      @Variable(
+              unit = "kPa",
+              min = 0,
+              minExcluded = true,
+              ifAbsent = 1,
+              text = "IIO: kilopascals of one unit of the file; 1 for in_pressure_input.")
+          double fileScale) {}
+
+  private static IioPressure open(ServiceContext context) {
+    return new IioPressure(file(context), scale(context));
+  }
+
+  static Path file(ServiceContext context) {
+    return context
+        .configuration()
+        .resolve((String) context.configuration().getVariable("CONNECTION"));
+  }
+
+  static double scale(ServiceContext context) {
+    return context.configuration().settings(Scale.class).get().fileScale();
+  }
+
+  /** BAROMETER IIO in a configuration. */
+  public static final class BarometerProvider extends DeviceProvider<Barometer> {
+    /** For {@link java.util.ServiceLoader}. */
+    public BarometerProvider() {
+      super(Barometer.class, "IIO");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Scale.class);
+    }
+
+    @Override
+    protected Barometer open(String name, ServiceContext context) {
+      return IioPressure.open(context);
+    }
+  }
+
+  /** DEPTH GAUGE IIO in a configuration. */
+  public static final class DepthGaugeProvider extends DeviceProvider<DepthGauge> {
+    /** For {@link java.util.ServiceLoader}. */
+    public DepthGaugeProvider() {
+      super(DepthGauge.class, "IIO");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Scale.class);
+    }
+
+    @Override
+    protected DepthGauge open(String name, ServiceContext context) {
+      return IioPressure.open(context);
+    }
+  }
+}

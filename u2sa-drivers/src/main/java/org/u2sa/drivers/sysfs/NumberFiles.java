@@ -1,0 +1,57 @@
+package org.u2sa.drivers.sysfs;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.device.Attached;
+
+/** Files with one number each that belong to one device: readable all together, or not at all. */
+final class NumberFiles implements Attached {
+  private final List<Path> files;
+  private String trouble = "not read yet";
+  private int connections;
+
+  /** Of files that need not be there yet. */
+  NumberFiles(List<Path> files) {
+    this.files = List.copyOf(files);
+  }
+
+  /** Their numbers in their order; empty if one cannot be read. */
+  Optional<double[]> read() {
+    double[] numbers = new double[files.size()];
+    try {
+      for (int i = 0; i < numbers.length; i++) {
+        Path file = files.get(i);
+        numbers[i] = Double.parseDouble(new String(Files.readAllBytes(file), US_ASCII).trim());
+        if (!Double.isFinite(numbers[i])) {
+          throw new NumberFormatException(file + ": " + numbers[i] + " is not a finite number");
+        }
+      }
+    } catch (IOException | NumberFormatException e) { // a lost device is a state, no exception
+      trouble = e.toString();
+      return Optional.empty();
+    }
+    connections += isConnected() ? 0 : 1;
+    trouble = "";
+    return Optional.of(numbers);
+  }
+
+  @Override
+  public boolean isConnected() {
+    return trouble.isEmpty();
+  }
+
+  @Override
+  public int connections() {
+    return connections;
+  }
+
+  @Override
+  public String trouble() {
+    return trouble;
+  }
+}

@@ -1,0 +1,91 @@
+package org.u2sa.messages;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.zip.DataFormatException;
+import java.util.zip.Deflater;
+import java.util.zip.Inflater;
+
+/**
+ * A grid's cells as they travel: compressed by zlib (RFC 1950), the bytes written as Base64 (RFC
+ * 4648, with padding) in texts to be read one behind the other. Text, so that whoever reads
+ * messages as JSON reads these too.
+ */
+final class GridCells {
+  static final int MAX_SIDE = 4_096;
+  static final int MAX_CELLS = MAX_SIDE * MAX_SIDE;
+  private static final int PIECE_BYTES = 48_000; // a multiple of 3: Base64 pads the last piece only
+  private static final int BUFFER_BYTES = 16_384;
+
+  private GridCells() {}
+
+  static int side(String name, long cells) {
+    if (cells < 0 || cells > MAX_SIDE) {
+      throw new IllegalArgumentException(
+          "OccupancyGrid." + name + ": " + cells + "; expected 0…" + MAX_SIDE);
+    }
+    return (int) cells;
+  }
+
+  static List<String> pack(byte[] cells) {
+    Deflater deflater = new Deflater(Deflater.BEST_SPEED);
+    try {
+      deflater.setInput(cells);
+      deflater.finish();
+      ByteArrayOutputStream packed = new ByteArrayOutputStream();
+      byte[] buffer = new byte[BUFFER_BYTES];
+      while (!deflater.finished()) {
+        packed.write(buffer, 0, deflater.deflate(buffer));
+      }
+      return pieces(packed.toByteArray());
+    } finally {
+      deflater.end();
+    }
+  }
+
+  private static List<String> pieces(byte[] packed) {
+    List<String> pieces = new ArrayList<>();
+    for (int from = 0; from < packed.length; from += PIECE_BYTES) {
+      int length = Math.min(PIECE_BYTES, packed.length - from);
+      byte[] piece = new byte[length];
+      System.arraycopy(packed, from, piece, 0, length);
+      pieces.add(Base64.getEncoder().encodeToString(piece));
+    }
+    return pieces;
+  }
+
+  /**
+   * The cells of a message from elsewhere; never takes more memory than columns and rows say.
+   *
+   * @throws IllegalStateException naming what is wrong
+   */
+  static byte[] unpack(List<String> pieces, int columns, int rows) {
+    byte[] cells = new byte[columns * rows];
+    Inflater inflater = new Inflater();
+    try {
+      inflater.setInput(Base64.getDecoder().decode(String.join("", pieces)));
+      int filled = 0;
+      while (filled < cells.length) {
+        int more = inflater.inflate(cells, filled, cells.length - filled);
+        if (more == 0) {
+          throw broken("end after " + filled + " of " + cells.length, null);
+        }
+        filled += more;
+      }
+      if (inflater.inflate(new byte[1]) != 0) {
+        throw broken("are more than " + columns + " × " + rows, null);
+      }
+      return cells;
+    } catch (DataFormatException | IllegalArgumentException e) {
+      throw broken("are no Base64 of zlib data", e);
+    } finally {
+      inflater.end();
+    }
+  }
+
+  private static IllegalStateException broken(String what, Exception cause) {
+    return new IllegalStateException("OccupancyGrid.cells: " + what, cause);
+  }
+}

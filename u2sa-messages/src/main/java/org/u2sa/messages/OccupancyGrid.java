@@ -1,0 +1,181 @@
+package org.u2sa.messages;
+
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
+
+/**
+ * Which places around the vehicle are occupied, free or never seen, cell by cell (Moravec and
+ * Elfes, "High resolution maps from wide angle sonar", ICRA 1985).
+ *
+ * <p>Cells lie along the x axis (columns) and the y axis (rows) of the frame, in GLOBAL along east
+ * and north of the anchor. Cell (0, 0) has its corner {@link #left()} and {@link #bottom()} metres
+ * from the anchor; a grid that rolls with the vehicle keeps the anchor and moves by whole cells.
+ *
+ * <p>A cell is a byte: {@link #UNKNOWN}, or the natural logarithm of the odds that it is occupied
+ * in steps of {@link #LOG_ODDS_STEP}, positive: rather occupied.
+ */
+public final class OccupancyGrid extends U2SAData {
+  /** A cell that nothing is known of. */
+  public static final byte UNKNOWN = Byte.MIN_VALUE;
+
+  /** What one step of a cell's byte is worth in log odds. */
+  public static final double LOG_ODDS_STEP = 0.05;
+
+  private static final Schema<OccupancyGrid> SCHEMA =
+      Schema.of(OccupancyGrid.class, OccupancyGrid::new, U2SAData.TYPE).since(3);
+  private static final ValueField<OccupancyGrid, ReferenceFrame> REFERENCE_FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
+  private static final NumberField<OccupancyGrid> X = SCHEMA.requiredCoordinate("x");
+  private static final NumberField<OccupancyGrid> Y = SCHEMA.requiredCoordinate("y");
+  private static final NumberField<OccupancyGrid> Z = SCHEMA.number("z", "m", 0.0);
+  private static final NumberField<OccupancyGrid> LEFT = SCHEMA.number("left", "m", 0.0);
+  private static final NumberField<OccupancyGrid> BOTTOM = SCHEMA.number("bottom", "m", 0.0);
+  private static final NumberField<OccupancyGrid> RESOLUTION =
+      SCHEMA.requiredNumber("resolution", "m", 0.01, 1_000.0);
+  private static final ValueField<OccupancyGrid, Long> COLUMNS = SCHEMA.count("columns", "");
+  private static final ValueField<OccupancyGrid, Long> ROWS = SCHEMA.count("rows", "");
+  private static final ValueField<OccupancyGrid, List<String>> CELLS = SCHEMA.texts("cells");
+
+  /** The schema. */
+  public static final MessageType<OccupancyGrid> TYPE = SCHEMA.build();
+
+  private volatile byte[] unpacked; // what CELLS hold; null until somebody asks
+
+  @Override
+  public MessageType<OccupancyGrid> type() {
+    return TYPE;
+  }
+
+  /** The axes of the anchor and the cells; GLOBAL until set. */
+  public ReferenceFrame referenceFrame() {
+    return get(REFERENCE_FRAME);
+  }
+
+  /** The place that the cells are counted from; longitude, latitude [deg], altitude in GLOBAL. */
+  public Point anchor() {
+    return Point.of(require(X), require(Y), require(Z));
+  }
+
+  /** Sets {@link #referenceFrame()} and {@link #anchor()}. */
+  public OccupancyGrid anchor(ReferenceFrame frame, Point anchor) {
+    put(REFERENCE_FRAME, frame);
+    put(X, anchor.x());
+    put(Y, anchor.y());
+    return put(Z, anchor.z());
+  }
+
+  /** From the anchor to the edge of column 0, along x [m]. */
+  public double left() {
+    return require(LEFT);
+  }
+
+  /** From the anchor to the edge of row 0, along y [m]. */
+  public double bottom() {
+    return require(BOTTOM);
+  }
+
+  /** Sets {@link #left()} and {@link #bottom()}. */
+  public OccupancyGrid corner(double left, double bottom) {
+    put(LEFT, left);
+    return put(BOTTOM, bottom);
+  }
+
+  /** Side of a cell [m]. */
+  public double resolution() {
+    return require(RESOLUTION);
+  }
+
+  /** Sets {@link #resolution()}. */
+  public OccupancyGrid resolution(double metres) {
+    return put(RESOLUTION, metres);
+  }
+
+  /** How many cells along x. */
+  public int columns() {
+    return GridCells.side("columns", require(COLUMNS));
+  }
+
+  /** How many cells along y. */
+  public int rows() {
+    return GridCells.side("rows", require(ROWS));
+  }
+
+  /**
+   * All cells, row by row from the bottom: that of (column, row) is at {@code row * columns +
+   * column}.
+   *
+   * @throws IllegalStateException if columns, rows and packed cells of a message from elsewhere do
+   *     not fit or are more than {@value GridCells#MAX_CELLS}
+   */
+  public byte[] cells() {
+    return unpacked().clone();
+  }
+
+  /**
+   * Sets columns, rows and cells.
+   *
+   * @throws IllegalArgumentException if they do not fit, or are too many
+   */
+  public OccupancyGrid cells(int columns, byte[] cells) {
+    if (columns < 1 || cells.length % columns != 0) {
+      throw new IllegalArgumentException(
+          "OccupancyGrid.cells: " + cells.length + " are no rows of " + columns);
+    }
+    GridCells.side("columns", columns);
+    GridCells.side("rows", cells.length / columns);
+    put(COLUMNS, (long) columns);
+    put(ROWS, (long) (cells.length / columns));
+    put(CELLS, GridCells.pack(cells));
+    unpacked = cells.clone();
+    return this;
+  }
+
+  /** One cell; {@link #UNKNOWN} beyond the edges. */
+  public byte cell(int column, int row) {
+    boolean within = column >= 0 && row >= 0 && column < columns() && row < rows();
+    return within ? unpacked()[row * columns() + column] : UNKNOWN;
+  }
+
+  /** The cell at a point of the frame; {@link #UNKNOWN} beyond the edges. */
+  public byte cellAt(Point point) {
+    Point metres = Metric.around(referenceFrame(), anchor()).metres(point);
+    double column = Math.floor((metres.x() - left()) / resolution());
+    double row = Math.floor((metres.y() - bottom()) / resolution());
+    return Math.abs(column) < GridCells.MAX_SIDE && Math.abs(row) < GridCells.MAX_SIDE
+        ? cell((int) column, (int) row)
+        : UNKNOWN;
+  }
+
+  /** The middle of a cell, in the frame. */
+  public Point centerOf(int column, int row) {
+    Point metres =
+        Point.of(
+            left() + (column + 0.5) * resolution(), bottom() + (row + 0.5) * resolution(), 0.0);
+    return Metric.around(referenceFrame(), anchor()).point(metres);
+  }
+
+  /** How probable it is that a cell is occupied [0…1]; ½ if nothing is known. */
+  public static double probability(byte cell) {
+    return cell == UNKNOWN ? 0.5 : 1.0 / (1.0 + Math.exp(-LOG_ODDS_STEP * cell));
+  }
+
+  private byte[] unpacked() {
+    byte[] cells = unpacked;
+    if (cells == null) {
+      cells = GridCells.unpack(require(CELLS), columns(), rows());
+      unpacked = cells;
+    }
+    return cells;
+  }
+
+  @Override
+  public OccupancyGrid copy() {
+    return (OccupancyGrid) super.copy();
+  }
+}

@@ -1,0 +1,66 @@
+package org.u2sa.messages;
+
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.Rotation;
+
+/**
+ * What the vehicle's own uncertainty does to a place that is known from the vehicle alone: the
+ * place of the vehicle, and a lever arm that its attitude turns. Absent standard deviations count
+ * as 0: nothing is known to be added.
+ *
+ * @param place standard deviations along north, east and down [m]
+ * @param yaw about down [rad]
+ * @param pitch about the axis to the right of the heading, level [rad]
+ * @param roll about the vehicle's forward axis [rad]
+ * @param right that axis in north, east, down
+ * @param forward that axis in north, east, down
+ */
+record VehicleUncertainty(
+    Point place, double yaw, double pitch, double roll, Point right, Point forward) {
+  private static final Point DOWN = Point.of(0.0, 0.0, 1.0);
+
+  /** Of a state in GLOBAL or LOCAL_NED that has a heading. */
+  static VehicleUncertainty of(StateInformation vehicle) {
+    double psi = vehicle.psi().orElseThrow();
+    Point sigma = StateTriple.POSITION_SIGMA.values(vehicle);
+    Rotation nedFromFrd =
+        Rotation.nedFromFrd(vehicle.phi().orElse(0.0), vehicle.theta().orElse(0.0), psi);
+    return new VehicleUncertainty(
+        vehicle.referenceFrame().equals(ReferenceFrame.GLOBAL)
+            ? Point.of(sigma.y(), sigma.x(), sigma.z())
+            : sigma,
+        vehicle.psiSigma().orElse(0.0),
+        vehicle.thetaSigma().orElse(0.0),
+        vehicle.phiSigma().orElse(0.0),
+        Point.of(-Math.sin(psi), Math.cos(psi), 0.0),
+        nedFromFrd.times(Point.of(1.0, 0.0, 0.0)));
+  }
+
+  /**
+   * Standard deviations along north, east and down [m] that the vehicle adds to a place.
+   *
+   * @param arm from the vehicle to the place, north, east, down [m]
+   */
+  Point sigmaNed(Point arm) {
+    // A small turn δ about an axis a moves the end of the arm r by δ·(a × r).
+    Point byYaw = cross(DOWN, arm);
+    Point byPitch = cross(right, arm);
+    Point byRoll = cross(forward, arm);
+    return Point.of(
+        length(place.x(), byYaw.x(), byPitch.x(), byRoll.x()),
+        length(place.y(), byYaw.y(), byPitch.y(), byRoll.y()),
+        length(place.z(), byYaw.z(), byPitch.z(), byRoll.z()));
+  }
+
+  private double length(double moved, double byYaw, double byPitch, double byRoll) {
+    return Math.hypot(moved, Point.of(yaw * byYaw, pitch * byPitch, roll * byRoll).distance());
+  }
+
+  private static Point cross(Point a, Point b) {
+    return Point.of(
+        a.y() * b.z() - a.z() * b.y(),
+        a.z() * b.x() - a.x() * b.z(),
+        a.x() * b.y() - a.y() * b.x());
+  }
+}

@@ -1,0 +1,92 @@
+package org.u2sa.messages.shape;
+
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.ValueField;
+
+/**
+ * Something that moves, as other traffic, in the middle of a ball that nobody may enter: its radius
+ * is the distance to be kept from the centre (thesis 4.4.1.3). Its velocity is that of {@link
+ * #motion()}; where it is known to turn, {@link #trajectory()} says more.
+ */
+public class MovingSphere extends Sphere {
+  private static final Schema<MovingSphere> SCHEMA =
+      Schema.of(MovingSphere.class, MovingSphere::new, Sphere.TYPE).since(3);
+  private static final NumberField<MovingSphere> TIME_STEP =
+      SCHEMA.number("timeStep", "s", 1.0, 0.0);
+  private static final ValueField<MovingSphere, List<Point>> TRAJECTORY =
+      SCHEMA.points("trajectory", "m");
+
+  /** The schema. */
+  public static final MessageType<MovingSphere> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends MovingSphere> type() {
+    return TYPE;
+  }
+
+  /** Time from one point of the trajectory to the next [s]. */
+  public double timeStep() {
+    return require(TIME_STEP);
+  }
+
+  /** Sets {@link #timeStep()}. */
+  public MovingSphere timeStep(double value) {
+    return put(TIME_STEP, value);
+  }
+
+  /**
+   * Where the centre will be after one time step, two and so on, in the message's frame; empty if
+   * all that is known is the velocity.
+   */
+  public List<Point> trajectory() {
+    return require(TRAJECTORY);
+  }
+
+  /** Sets {@link #trajectory()}. */
+  public MovingSphere trajectory(List<Point> value) {
+    return put(TRAJECTORY, value);
+  }
+
+  @Override
+  public MovingSphere radius(double value) {
+    super.radius(value);
+    return this;
+  }
+
+  /**
+   * Where the centre will be: along the trajectory, and behind its end, or without one, on with the
+   * velocity.
+   *
+   * @param seconds from the time that the message is of, not negative
+   */
+  public Point centerAfter(double seconds) {
+    List<Point> points = trajectory();
+    int passed = timeStep() > 0.0 ? (int) Math.min(points.size(), seconds / timeStep()) : 0;
+    Point from = passed == 0 ? center() : points.get(passed - 1);
+    double rest = seconds - passed * timeStep();
+    if (passed == points.size() || timeStep() == 0.0) {
+      return moved(from, motion().velocity().orElse(Point.ORIGIN), rest);
+    }
+    Point metres = metres(points.get(passed)).minus(metres(from));
+    return moved(from, metres, rest / timeStep());
+  }
+
+  /** Distance from a point to the ball, when some time has passed [m]; 0 inside. */
+  public double distanceAfter(double seconds, Point from) {
+    return Math.max(0.0, metres(from).distanceTo(metres(centerAfter(seconds))) - radius());
+  }
+
+  private Point moved(Point from, Point way, double share) {
+    Point metres = metres(from);
+    return metric()
+        .point(
+            Point.of(
+                metres.x() + share * way.x(),
+                metres.y() + share * way.y(),
+                metres.z() + share * way.z()));
+  }
+}

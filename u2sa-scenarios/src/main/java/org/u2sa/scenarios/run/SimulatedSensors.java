@@ -1,0 +1,216 @@
+package org.u2sa.scenarios.run;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.DoubleSupplier;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.device.AirspeedSensor;
+import org.u2sa.device.BarometerSensor;
+import org.u2sa.device.CompassSensor;
+import org.u2sa.device.Devices;
+import org.u2sa.device.GpsSensor;
+import org.u2sa.device.ImuSensor;
+import org.u2sa.device.MagneticModel;
+import org.u2sa.device.PressureAltitude;
+import org.u2sa.device.WheelEncoderSensor;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.U2SAService;
+import org.u2sa.sim.device.SensorErrors;
+import org.u2sa.sim.device.SimulatedBarometer;
+import org.u2sa.sim.device.SimulatedCompass;
+import org.u2sa.sim.device.SimulatedEncoder;
+import org.u2sa.sim.device.SimulatedGps;
+import org.u2sa.sim.device.SimulatedImu;
+import org.u2sa.sim.device.SimulatedPitotTube;
+import org.u2sa.sim.sensor.CompassModel;
+import org.u2sa.sim.sensor.CompassParameters;
+import org.u2sa.sim.sensor.GpsParameters;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.LocalPlane;
+
+/**
+ * Gives a simulated device to every sensor that a demo's system file names: one line there adds an
+ * IMU, a second receiver or a barometer. A service whose configuration names another device than
+ * {@code SIMULATED} gets that one. Each service has random numbers of its own.
+ */
+public final class SimulatedSensors {
+  private static final double ENCODER_HZ = 50.0;
+  private static final double COUNTS_PER_TURN = 2_000.0;
+
+  private final long seed;
+  private final LocalPlane plane;
+  private final Supplier<Moment> now;
+  private Optional<Wheels> wheels = Optional.empty();
+
+  /**
+   * What the sensors are to measure.
+   *
+   * @param vehicle that carries them
+   * @param wind where the air around it goes to: east, north, up [m/s]
+   */
+  public record Moment(VehicleTruth vehicle, Point wind) {}
+
+  private record Wheels(
+      DoubleSupplier leftRad, DoubleSupplier rightRad, double radiusM, double trackM) {}
+
+  /**
+   * @param plane on which the truth is
+   * @param now the truth, on the thread of whichever service reads
+   */
+  public SimulatedSensors(long seed, LocalPlane plane, Supplier<Moment> now) {
+    this.seed = seed;
+    this.plane = plane;
+    this.now = now;
+  }
+
+  /**
+   * Adds wheels whose turns encoders may count.
+   *
+   * @param leftRad by which the left wheel has turned forward since the start, now [rad]
+   * @param rightRad by which the right wheel has turned forward since the start, now [rad]
+   */
+  public SimulatedSensors wheels(
+      DoubleSupplier leftRad, DoubleSupplier rightRad, double radiusM, double trackM) {
+    wheels = Optional.of(new Wheels(leftRad, rightRad, radiusM, trackM));
+    return this;
+  }
+
+  /** Has the launcher make all sensors so. */
+  public void attach(LaunchOptions launch) {
+    make(launch, GpsSensor.class, "RECEIVER", GpsSensor::new, c -> new GpsSensor(c, gps(c)));
+    make(
+        launch,
+        CompassSensor.class,
+        "COMPASS",
+        CompassSensor::new,
+        c -> new CompassSensor(c, compass(c)));
+    make(launch, ImuSensor.class, "IMU", ImuSensor::new, c -> new ImuSensor(c, imu(c)));
+    make(
+        launch,
+        BarometerSensor.class,
+        "BAROMETER",
+        BarometerSensor::new,
+        c -> new BarometerSensor(c, barometer(c)));
+    make(
+        launch,
+        AirspeedSensor.class,
+        "PITOT TUBE",
+        AirspeedSensor::new,
+        c -> new AirspeedSensor(c, pitotTube(c)));
+    wheels.ifPresent(
+        each ->
+            make(
+                launch,
+                WheelEncoderSensor.class,
+                "ENCODERS",
+                WheelEncoderSensor::new,
+                c -> new WheelEncoderSensor(c, encoder(c, each))));
+  }
+
+  private static <S extends U2SAService> void make(
+      LaunchOptions launch,
+      Class<S> service,
+      String variable,
+      Function<ServiceContext, S> configured,
+      Function<ServiceContext, S> simulated) {
+    launch.making(
+        service,
+        context ->
+            stated(context, variable).filter(name -> !name.equals(Devices.SIMULATED)).isPresent()
+                ? configured.apply(context)
+                : simulated.apply(context));
+  }
+
+  /** What the service's file says of a variable; empty if nothing. */
+  private static Optional<Object> stated(ServiceContext context, String variable) {
+    return context.configuration().enumerateFields().stream()
+        .filter(each -> each.getKey().equals(variable))
+        .map(Map.Entry::getValue)
+        .findFirst();
+  }
+
+  private NoiseStreams streams(ServiceContext context, String service) {
+    String name = stated(context, "SERVICE NAME").map(Object::toString).orElse(service);
+    return new NoiseStreams(new NoiseStreams(seed).of("sensor " + name).nextLong());
+  }
+
+  private VehicleTruth truth() {
+    return now.get().vehicle();
+  }
+
+  private double altitudeM() {
+    Point place = truth().position();
+    return plane.at(place.x(), place.y(), place.z()).altitudeM();
+  }
+
+  private SimulatedGps gps(ServiceContext context) {
+    NoiseStreams streams = streams(context, "GpsSensor");
+    return new SimulatedGps(GpsParameters.survey(), plane, streams, this::truth, () -> false);
+  }
+
+  private SimulatedCompass compass(ServiceContext context) {
+    Geodetic origin = plane.origin();
+    double declinationRad =
+        MagneticModel.declinationRad(
+            origin.latitudeDeg(),
+            origin.longitudeDeg(),
+            origin.altitudeM(),
+            MagneticModel.FIRST_YEAR);
+    return new SimulatedCompass(
+        CompassParameters.calibrated(declinationRad),
+        streams(context, "CompassSensor"),
+        this::truth,
+        CompassModel.Disturbance::none);
+  }
+
+  private SimulatedImu imu(ServiceContext context) {
+    return new SimulatedImu(
+        SimulatedImu.Errors.vn100(),
+        streams(context, "ImuSensor"),
+        () -> SimulatedImu.readingOf(truth()));
+  }
+
+  private SimulatedBarometer barometer(ServiceContext context) {
+    return new SimulatedBarometer(
+        SensorErrors.barometer(),
+        PressureAltitude.SEA_LEVEL_PA,
+        streams(context, "BarometerSensor"),
+        this::altitudeM);
+  }
+
+  private SimulatedPitotTube pitotTube(ServiceContext context) {
+    return new SimulatedPitotTube(
+        SensorErrors.pitotTube(),
+        streams(context, "AirspeedSensor"),
+        this::truth,
+        () -> now.get().wind(),
+        this::altitudeM);
+  }
+
+  /** With the wheels' measures as the service's variables, where its file says nothing else. */
+  private SimulatedEncoder encoder(ServiceContext context, Wheels each) {
+    unlessStated(context, "COUNTS PER TURN", COUNTS_PER_TURN);
+    unlessStated(context, "WHEEL DIAMETER", 2.0 * each.radiusM());
+    unlessStated(context, "TRACK", each.trackM());
+    return new SimulatedEncoder(
+        ENCODER_HZ,
+        (Double) stated(context, "COUNTS PER TURN").orElseThrow(),
+        0.0,
+        streams(context, "WheelEncoderSensor"),
+        each.leftRad(),
+        each.rightRad());
+  }
+
+  private static void unlessStated(ServiceContext context, String variable, double value) {
+    XmlConfiguration configuration = context.configuration();
+    if (stated(context, variable).isEmpty()) {
+      configuration.override(variable, value);
+    }
+  }
+}

@@ -1,0 +1,33 @@
+package org.u2sa.sim.device;
+
+import java.util.Random;
+import org.u2sa.device.Device;
+import org.u2sa.sim.sensor.NoiseStreams;
+
+/** A device with {@link SensorErrors}. */
+public abstract class NoisyDevice<R extends Device.Reading> extends SimulatedDevice<R> {
+  private final SensorErrors errors;
+  private final Random noise;
+
+  /** Takes the stream {@code name}. */
+  NoisyDevice(SensorErrors errors, NoiseStreams streams, String name) {
+    super(errors.rateHz(), errors.latencyS());
+    this.errors = errors;
+    noise = streams.of(name);
+  }
+
+  /** A bias of one of its numbers, to be drawn once. */
+  final double bias() {
+    return errors.biasSigma() * noise.nextGaussian();
+  }
+
+  /** A number with noise. */
+  final double noisy(double exact) {
+    return exact + errors.sigma() * noise.nextGaussian();
+  }
+
+  @Override
+  final boolean isDropped() {
+    return errors.lost() > 0.0 && noise.nextDouble() < errors.lost();
+  }
+}

@@ -1,0 +1,39 @@
+package org.u2sa.sim.device;
+
+import java.util.OptionalDouble;
+import java.util.function.DoubleSupplier;
+import org.u2sa.device.Barometer;
+import org.u2sa.device.Pressure;
+import org.u2sa.device.PressureAltitude;
+import org.u2sa.sim.sensor.NoiseStreams;
+
+/** A barometer in the standard atmosphere, moved by the weather. */
+public final class SimulatedBarometer extends NoisyDevice<Pressure> implements Barometer {
+  private final double biasPa;
+  private final double qnhPa;
+  private final DoubleSupplier altitudeM;
+
+  /**
+   * Takes the stream {@code barometer}.
+   *
+   * @param errors in Pa
+   * @param qnhPa pressure at sea level today [Pa]
+   * @param altitudeM above mean sea level, now [m]
+   */
+  public SimulatedBarometer(
+      SensorErrors errors, double qnhPa, NoiseStreams streams, DoubleSupplier altitudeM) {
+    super(errors, streams, "barometer");
+    this.qnhPa = qnhPa;
+    this.altitudeM = altitudeM;
+    biasPa = bias();
+  }
+
+  @Override
+  Pressure measure(double timeS, long measuredAtMicros) {
+    double altitude = altitudeM.getAsDouble();
+    return new Pressure(
+        measuredAtMicros,
+        noisy(PressureAltitude.pascalsAt(altitude, qnhPa) + biasPa),
+        OptionalDouble.of(PressureAltitude.temperatureAt(altitude)));
+  }
+}

@@ -1,0 +1,127 @@
+package org.u2sa.sim.device;
+
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.Supplier;
+import org.u2sa.device.Camera;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.device.CameraFrame.Intrinsics;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.motion.Arguments;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Ray;
+import org.u2sa.sim.world.World;
+
+/** A pinhole camera in shades of grey with noise in each pixel. */
+public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implements Camera {
+  private static final double WHITE = 255.0;
+  private static final double SKY = 0.9;
+  private static final double GROUND = 0.5;
+  private static final double OBSTACLE = 0.1;
+
+  private final Lens lens;
+  private final Intrinsics intrinsics;
+  private final Supplier<Scene> scene;
+  private final Random noise;
+
+  /** What a camera sees at one moment. */
+  @FunctionalInterface
+  public interface Scene {
+    /**
+     * How bright it is in a direction, 0 black to 1 white.
+     *
+     * @param direction of length 1 along the camera's axes: x ahead, y right, z down
+     */
+    double brightness(Point direction);
+  }
+
+  /**
+   * How it is built.
+   *
+   * @param rateHz frames a second
+   * @param width pixels of a row
+   * @param height rows
+   * @param viewRad angle from the left edge to the right one [rad]
+   * @param sigma standard deviation of a pixel's brightness, of white
+   */
+  public record Lens(double rateHz, int width, int height, double viewRad, double sigma) {
+    /**
+     * @throws IllegalArgumentException if a value is outside its range
+     */
+    public Lens {
+      Arguments.requireInside("width", width, 1.0, 10_000.0);
+      Arguments.requireInside("height", height, 1.0, 10_000.0);
+      Arguments.requireInside("angle of view", viewRad, 0.01, 3.0);
+      Arguments.requireInside("noise of a pixel", sigma, 0.0, 1.0);
+    }
+
+    /** Pixels are square, the axis is in the middle. */
+    Intrinsics intrinsics() {
+      double focal = 0.5 * width / StrictMath.tan(0.5 * viewRad);
+      return new Intrinsics(focal, focal, 0.5 * (width - 1), 0.5 * (height - 1));
+    }
+  }
+
+  /**
+   * Takes the stream {@code camera}.
+   *
+   * @param scene before the camera, now
+   */
+  public SimulatedCamera(Lens lens, NoiseStreams streams, Supplier<Scene> scene) {
+    super(lens.rateHz(), 0.0);
+    this.lens = lens;
+    intrinsics = lens.intrinsics();
+    this.scene = scene;
+    noise = streams.of("camera");
+  }
+
+  /**
+   * What a camera at a vehicle's reference point sees straight ahead: bright sky, grey ground, dark
+   * obstacles.
+   *
+   * @param rangeM beyond which there is only sky [m]
+   */
+  public static Scene ahead(World world, VehicleTruth truth, double rangeM) {
+    return direction -> {
+      Point ned = truth.attitude().nedFromFrd().times(direction);
+      double length = ned.distance();
+      Ray ray =
+          new Ray(
+              truth.position().x(),
+              truth.position().y(),
+              truth.position().z(),
+              ned.y() / length,
+              ned.x() / length,
+              -ned.z() / length);
+      return world
+          .cast(ray, rangeM)
+          .map(hit -> hit.object().isPresent() ? OBSTACLE : GROUND)
+          .orElse(SKY);
+    };
+  }
+
+  @Override
+  CameraFrame measure(double timeS, long measuredAtMicros) {
+    Scene now = scene.get();
+    byte[] pixels = new byte[lens.width() * lens.height()];
+    for (int row = 0; row < lens.height(); row++) {
+      double down = (row - intrinsics.centreY()) / intrinsics.focalY();
+      for (int column = 0; column < lens.width(); column++) {
+        double right = (column - intrinsics.centreX()) / intrinsics.focalX();
+        double length = StrictMath.sqrt(1.0 + right * right + down * down);
+        double bright = now.brightness(Point.of(1.0 / length, right / length, down / length));
+        double noisy = bright + lens.sigma() * noise.nextGaussian();
+        pixels[row * lens.width() + column] =
+            (byte) Math.round(WHITE * Math.max(0.0, Math.min(1.0, noisy)));
+      }
+    }
+    return new CameraFrame(
+        measuredAtMicros,
+        lens.width(),
+        lens.height(),
+        CameraFrame.PixelFormat.GREY8,
+        pixels,
+        Optional.of(intrinsics));
+  }
+}

@@ -1,0 +1,93 @@
+package org.u2sa.sim.device;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import java.util.function.Supplier;
+import org.u2sa.device.TrafficPicture;
+import org.u2sa.device.TrafficReceiver;
+import org.u2sa.device.TrafficTarget;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.world.LocalPlane;
+
+/** A receiver that hears all traffic within its reach; each report may be lost. */
+public final class SimulatedTraffic extends SimulatedDevice<TrafficReceiver.Traffic>
+    implements TrafficReceiver {
+  private final SensorErrors errors;
+  private final double reachM;
+  private final LocalPlane plane;
+  private final Supplier<Point> own;
+  private final Supplier<List<Other>> others;
+  private final Random noise;
+  private final TrafficPicture picture = new TrafficPicture();
+
+  /**
+   * One of the others, as it truly is.
+   *
+   * @param id as reports have it
+   * @param position east, north, up on the world's plane [m]
+   * @param velocity east, north, up [m/s]
+   */
+  public record Other(String id, String kind, Point position, Point velocity) {}
+
+  /**
+   * Takes the stream {@code traffic}.
+   *
+   * @param errors in metres, of each axis of a position; lost is that of each report
+   * @param reachM distance at which it still hears [m]
+   * @param own where the receiver is, now
+   * @param others all others, now
+   */
+  public SimulatedTraffic(
+      SensorErrors errors,
+      double reachM,
+      LocalPlane plane,
+      NoiseStreams streams,
+      Supplier<Point> own,
+      Supplier<List<Other>> others) {
+    super(errors.rateHz(), errors.latencyS());
+    this.errors = errors;
+    this.reachM = reachM;
+    this.plane = plane;
+    this.own = own;
+    this.others = others;
+    noise = streams.of("traffic");
+  }
+
+  @Override
+  Traffic measure(double timeS, long measuredAtMicros) {
+    Point here = own.get();
+    for (Other other : others.get()) {
+      boolean isLost = noise.nextDouble() < errors.lost();
+      Geodetic place =
+          plane.at(
+              noisy(other.position().x()),
+              noisy(other.position().y()),
+              noisy(other.position().z()));
+      if (!isLost && other.position().distanceTo(here) <= reachM) {
+        picture.heard(
+            new TrafficTarget(
+                other.id(),
+                "",
+                other.kind(),
+                measuredAtMicros,
+                place.latitudeDeg(),
+                place.longitudeDeg(),
+                OptionalDouble.of(place.altitudeM()),
+                false,
+                Optional.of(other.velocity()),
+                OptionalDouble.of(errors.sigma())),
+            measuredAtMicros);
+      }
+    }
+    picture.alive(measuredAtMicros);
+    return picture.latest().orElseThrow();
+  }
+
+  private double noisy(double metres) {
+    return metres + errors.sigma() * noise.nextGaussian();
+  }
+}
