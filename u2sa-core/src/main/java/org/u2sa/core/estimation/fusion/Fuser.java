@@ -128,7 +128,7 @@ final class Fuser {
       return;
     }
     trust.learn(s, at, model, update.expected);
-    SourceTrust.notedNis(s, at, nis, model.rows);
+    SourceTrust.notedNis(s, at, nis);
     if (nis > gates[model.rows]) {
       gated(s, m, source, quantity, at);
     } else if (passes(s, at)) {
