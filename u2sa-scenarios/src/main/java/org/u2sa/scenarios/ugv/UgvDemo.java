@@ -48,8 +48,10 @@ final class UgvDemo implements Callable<Integer>, Demo {
   enum EstimatorKind {
     /** What GPS and compass measured. */
     PASS_THROUGH,
-    /** An error-state Kalman filter of all that is measured. */
-    FUSING
+    /** An error-state Kalman filter of GPS and compass. */
+    FUSING,
+    /** The same of an IMU and wheel encoders too. */
+    FUSING_INERTIAL
   }
 
   private static final int LAPS = 4;
@@ -76,7 +78,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--estimator",
       description =
-          "One of ${COMPLETION-CANDIDATES}; fusing with --control pursuit. Default: ${DEFAULT-VALUE}.")
+          "One of ${COMPLETION-CANDIDATES}; the fusing ones with --control pursuit. Default: ${DEFAULT-VALUE}.")
   private EstimatorKind estimator = EstimatorKind.PASS_THROUGH;
 
   private Integer laps; // null: not given
@@ -105,13 +107,13 @@ final class UgvDemo implements Callable<Integer>, Demo {
 
   @Override
   public String systemFile() {
-    if (estimator == EstimatorKind.FUSING) {
+    if (estimator != EstimatorKind.PASS_THROUGH) {
       if (vehicle == VehicleKind.ACKERMANN || control == ControlKind.PROPORTIONAL) {
         throw new ParameterException(
             command.commandLine(),
-            "--estimator fusing: expected --vehicle differential and --control pursuit");
+            "--estimator " + estimator + ": expected --vehicle differential and --control pursuit");
       }
-      return "system-fused.xml";
+      return estimator == EstimatorKind.FUSING ? "system-fused.xml" : "system-fused-inertial.xml";
     }
     if (vehicle == VehicleKind.ACKERMANN) {
       if (control == ControlKind.PROPORTIONAL) {

@@ -67,16 +67,30 @@ final class Fuser {
     constrain(s);
   }
 
-  /** An inertial sensor whose noise stands still does not measure. */
+  /** An inertial sensor whose noise stands still does not measure, if others say so too. */
   private boolean isStuck(FilterState s, int source) {
     double[] t = s.trust;
     int at = trust.of(s, source);
-    boolean isStuck = t[at + SourceTrust.RUN] >= 10.0 * FROZEN_RUN;
+    boolean isStuck = t[at + SourceTrust.RUN] >= 10.0 * FROZEN_RUN && isContradicted(s, source);
     if (isStuck) {
       t[at + SourceTrust.IS_FROZEN] = 1.0;
       count(s, trust.of(s, source, SensedQuantity.BODY_RATES), SourceTrust.GATED);
     }
     return isStuck;
+  }
+
+  private boolean isContradicted(FilterState s, int source) {
+    for (int other = 0; other < trust.sources(); other++) {
+      for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
+        SensedQuantity quantity = SensedQuantity.at(q);
+        if (other != source
+            && trust.isKnown(other, quantity)
+            && s.trust[trust.of(s, other, quantity) + SourceTrust.STREAK] >= RESET_AFTER) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   private static void count(FilterState s, int at, int what) {
@@ -114,7 +128,7 @@ final class Fuser {
       return;
     }
     trust.learn(s, at, model, update.expected);
-    SourceTrust.notedNis(s, at, nis, model.rows);
+    SourceTrust.notedNis(s, at, nis);
     if (nis > gates[model.rows]) {
       gated(s, m, source, quantity, at);
     } else if (passes(s, at)) {
@@ -334,8 +348,11 @@ final class Fuser {
   private boolean isFrozen(FilterState s, int source, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     int own = trust.of(s, source);
+    double began = t[own + SourceTrust.MESSAGES] - t[own + SourceTrust.RUN];
+    boolean isFirst = t[at + SourceTrust.RUN_OF] != began;
+    t[at + SourceTrust.RUN_OF] = began;
     for (int i = 0; i < model.rows; i++) {
-      if (t[own + SourceTrust.RUN] == 0.0) {
+      if (isFirst) {
         t[at + SourceTrust.RUN_START + i] = model.predicted[i];
         continue;
       }
@@ -349,7 +366,10 @@ final class Fuser {
           quantity == SensedQuantity.PLACE
               ? model.variance[i]
               : 4.0 * model.variance[i] + 16.0 * update.expected[i];
-      if (t[own + SourceTrust.RUN] >= FROZEN_RUN && moved * moved > limit2) {
+      boolean isApart =
+          quantity == SensedQuantity.PLACE
+              || model.innovation[i] * model.innovation[i] > limit2; // not drawn there by itself
+      if (t[own + SourceTrust.RUN] >= FROZEN_RUN && isApart && moved * moved > limit2) {
         t[own + SourceTrust.IS_FROZEN] = 1.0;
       }
     }

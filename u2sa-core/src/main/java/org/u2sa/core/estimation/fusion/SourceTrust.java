@@ -40,8 +40,9 @@ final class SourceTrust {
   static final int RUN_START = 16; // predicted when the values began to stand still: three
   static final int OFFSET = 19; // of a local frame that is not the filter's: three
   static final int HAS_OFFSET = 22;
-  static final int NIS = 23; // running mean of NIS over its expectation
-  private static final int QUANTITY_SIZE = 24;
+  static final int NIS = 23; // normalised squared innovation of the newest vector
+  static final int RUN_OF = 24; // message at which the run began that RUN_START is of
+  private static final int QUANTITY_SIZE = 25;
 
   private static final double PRIOR = 10.0; // innovations that the claim is worth
   private static final double LARGEST = 25.0; // multiple of the variance that one innovation shows
@@ -163,7 +164,7 @@ final class SourceTrust {
     }
   }
 
-  static void notedNis(FilterState s, int at, double nis, int rows) {
-    s.trust[at + NIS] += MEAN_SHARE * (nis / rows - s.trust[at + NIS]);
+  static void notedNis(FilterState s, int at, double nis) {
+    s.trust[at + NIS] = nis;
   }
 }

@@ -88,17 +88,16 @@ class ConsistencyTest {
       nis += outcome.nis() / runs;
       heading += outcome.headingNees() / runs;
     }
-    System.out.printf("NEES %.2f heading %.2f NIS %.3f%n", nees, heading, nis);
+    System.out.printf("NEES %.2f heading %.2f NIS %.2f%n", nees, heading, nis);
     assertThat(nees)
         .as("NEES")
         .isBetween(bound(4 * runs, -1.96) / runs, bound(4 * runs, 1.96) / runs);
     assertThat(heading)
         .as("heading")
         .isBetween(bound(runs, -1.96) / runs, bound(runs, 1.96) / runs);
-    int samples = 39 * runs; // the filter keeps an exponential mean: 39 innovations' worth
     assertThat(nis)
         .as("NIS")
-        .isBetween(bound(2 * samples, -1.96) / 2 / samples, bound(2 * samples, 1.96) / 2 / samples);
+        .isBetween(bound(2 * runs, -1.96) / runs, bound(2 * runs, 1.96) / runs);
   }
 
   private static double bound(int degrees, double z) {
