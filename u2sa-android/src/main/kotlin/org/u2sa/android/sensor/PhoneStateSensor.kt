@@ -2,6 +2,7 @@ package org.u2sa.android.sensor
 
 import org.u2sa.device.MagneticModel
 import org.u2sa.device.GpsFix
+import org.u2sa.device.PressureAltitude
 import org.u2sa.interfaces.time.Clock
 import org.u2sa.interfaces.log.LogLevelEnum
 import org.u2sa.interfaces.configuration.Variable
@@ -16,6 +17,7 @@ private const val STEPS_PER_S = 20.0
 private const val GRAVITY_MPS2 = 9.80665
 private const val MICROS_PER_YEAR = 365.2425 * 86_400.0e6
 private const val EPOCH_YEAR = 1970.0
+private const val WEATHER_M = 100.0 // the pressure at sea level moves by some 12 hPa, 1 sigma
 
 private class PhoneTuning(
     @Variable(
@@ -96,7 +98,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private fun place(fix: GpsFix, reading: PhoneSensors.Reading): StateInformation {
         val state = fix.toState().sensorName(gpsName)
         if (!fix.altitudeM().isPresent) {
-            reading.pressure?.let { state.z(Barometer.altitudeM(it.pascals)).zSigma(Barometer.SIGMA_M) }
+            reading.pressure?.let { state.z(PressureAltitude.altitudeM(it.pascals, PressureAltitude.SEA_LEVEL_PA)).zSigma(WEATHER_M) }
         }
         return state
     }

@@ -1,10 +1,12 @@
 package org.u2sa.core.estimation;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.StateInformation;
@@ -66,5 +68,25 @@ class OtherFramesTest {
     inertial.sensorName("IMU inertial");
     kit.publish(Channels.SENSED_STATE, inertial);
     assertThat(kit.published(Channels.STATE)).hasSize(1);
+  }
+
+  @Test
+  void estimate_plainSensorBesideARicherOne_keepsWhatOnlyThatSays() {
+    AircraftState aircraft = new AircraftState().weightOnWheels(true).engineRpm(900.0);
+    aircraft.sensorName("aircraft").x(8.0).y(50.0).z(7.0).zSigma(0.5);
+    kit.publish(Channels.SENSED_STATE, aircraft);
+    kit.advance(0.05);
+    kit.publish(Channels.SENSED_STATE, new StateInformation().sensorName("barometer").z(9.0));
+    assertThat(kit.latest(Channels.STATE).orElseThrow())
+        .isInstanceOfSatisfying(
+            AircraftState.class,
+            state -> {
+              assertThat(state.weightOnWheels()).isTrue();
+              assertThat(state.engineRpm()).hasValue(900.0);
+              assertThat(state.z()).hasValue(9.0);
+              assertThat(state.zSigma()).as("it said none").isEmpty();
+              assertThat(state.x().orElseThrow()).isCloseTo(8.0, within(1e-9));
+              assertThat(state.timestamp()).hasValue(50_000L);
+            });
   }
 }
