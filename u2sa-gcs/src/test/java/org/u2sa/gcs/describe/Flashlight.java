@@ -2,8 +2,8 @@ package org.u2sa.gcs.describe;
 
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
