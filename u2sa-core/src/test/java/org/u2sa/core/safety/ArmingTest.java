@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.EmergencyStop;
@@ -71,6 +72,21 @@ class ArmingTest extends WatchedVehicle {
     arm(false);
 
     live(1.0);
+
+    assertThat(arm(true).reasons()).containsExactly("actuators: none announced");
+  }
+
+  @Test
+  void arm_actuatorThatIsWithdrawn_isNotThere() {
+    start();
+    live(0.3);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("MOTOR")
+            .minimum(0.0)
+            .maximum(100.0)
+            .available(0.0));
 
     assertThat(arm(true).reasons()).containsExactly("actuators: none announced");
   }

@@ -122,6 +122,18 @@ final class SixThrusterDive implements AutoCloseable {
     return tuning;
   }
 
+  /** Puts another control of the same configuration in the place of the one that dives. */
+  void swap() {
+    kit.withoutVariables();
+    tuning().forEach(kit::with);
+    control = kit.swap(control, AllocatingControl::new);
+  }
+
+  /** What the thrusters are commanded now [%]. */
+  double[] percents() {
+    return thrusters.keySet().stream().mapToDouble(kit::percent).toArray();
+  }
+
   void dive(double seconds) {
     for (double end = kit.nowS() + seconds - 1e-9; kit.nowS() < end; ) {
       step();

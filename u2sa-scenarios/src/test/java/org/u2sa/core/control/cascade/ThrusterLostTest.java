@@ -1,11 +1,13 @@
 package org.u2sa.core.control.cascade;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ForceCommand;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.marine.BlueRov2;
 
@@ -114,6 +116,36 @@ class ThrusterLostTest {
           .anySatisfy(line -> assertThat(line).contains("all control authority is there"))
           .noneSatisfy(line -> assertThat(line).contains("does not respond"));
       assertThat(dive.lastDrivenS("THRUSTER 4")).isGreaterThan(60.0);
+    }
+  }
+
+  @Test
+  void swap_whileHoldingStation_noThrusterJumps() {
+    try (SixThrusterDive dive = new SixThrusterDive(0.2, -0.15)) {
+      dive.dive(SETTLING_S);
+      double[] before = dive.percents();
+      dive.swap();
+      dive.dive(SixThrusterDive.STEP_S);
+      double[] after = dive.percents();
+
+      for (int i = 0; i < before.length; i++) {
+        assertThat(after[i]).isCloseTo(before[i], within(1.0));
+      }
+      dive.dive(5.0);
+      assertThat(dive.worstM(5.0)).isLessThan(0.02);
+    }
+  }
+
+  @Test
+  void commandByForce_isTheSameDive() {
+    try (SixThrusterDive dive = new SixThrusterDive(0.2, -0.15)) {
+      dive.control.setVariable("COMMANDS", "FORCE");
+      dive.dive(SETTLING_S);
+
+      assertThat(dive.kit.published(Channels.ACTUATION))
+          .anySatisfy(command -> assertThat(command).isInstanceOf(ForceCommand.class));
+      assertThat(dive.worstM(2.0)).isLessThan(0.02);
+      assertThat(dive.health()).isEmpty();
     }
   }
 

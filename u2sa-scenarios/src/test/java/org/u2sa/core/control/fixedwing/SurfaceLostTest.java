@@ -2,6 +2,7 @@ package org.u2sa.core.control.fixedwing;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.u2sa.sim.atmosphere.Wind;
 
@@ -38,11 +39,13 @@ class SurfaceLostTest {
   }
 
   /** The same, and control does not hear of it: what the announcement is worth. */
+  @Tag("long")
   @Test
   void fly_aileronsLostUnheard_doesNotGetAround() {
     assertThat(flown(new SurfaceMixing(0.0, 1.0, 1.0), false).worstMissM()).isGreaterThan(1000.0);
   }
 
+  @Tag("long")
   @Test
   void fly_oneOfTwoAileronsLost_everyWaypointIsCaptured() {
     FlightScore score = flown(new SurfaceMixing(0.5, 1.0, 1.0), true);
@@ -52,6 +55,7 @@ class SurfaceLostTest {
     assertThat(score.crossRmsM()).as("%s", score).isLessThan(5.0);
   }
 
+  @Tag("long")
   @Test
   void fly_rudderLost_everyWaypointIsCaptured() {
     FlightScore score = flown(new SurfaceMixing(1.0, 1.0, 0.0), true);
