@@ -92,8 +92,8 @@ public final class HybridAStar {
   /**
    * The cheapest way found.
    *
-   * @param within what the vehicle's discs must keep from obstacles [m]; where it already is nearer,
-   *     no nearer than it is
+   * @param within what the vehicle's discs must keep from obstacles [m]; where it already is
+   *     nearer, no nearer than it is
    */
   public Optional<Way> plan(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {
@@ -202,8 +202,7 @@ public final class HybridAStar {
     }
     int move = 2 * HEADINGS + shots.size();
     shots.add(curve);
-    nodes.push(
-        nodes.add(0L, at, nodes.cost(node) + metres, node, move), nodes.cost(node) + metres);
+    nodes.push(nodes.add(0L, at, nodes.cost(node) + metres, node, move), nodes.cost(node) + metres);
   }
 
   private Curve shortest(Pose from) {
