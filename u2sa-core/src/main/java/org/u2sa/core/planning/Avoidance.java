@@ -29,8 +29,8 @@ import org.u2sa.messages.frame.Point;
 
 /**
  * Leads a vehicle around what the World Modeler sees: plans a route, follows it past traffic, plans
- * anew when it is blocked or a better one is there, frees the vehicle when it is stuck, and gives up
- * with a reason. Belongs to the planner's thread.
+ * anew when it is blocked or a better one is there, frees the vehicle when it is stuck, and gives
+ * up with a reason. Belongs to the planner's thread.
  */
 final class Avoidance {
   private static final String NONE = "NONE";
@@ -118,6 +118,16 @@ final class Avoidance {
     return world;
   }
 
+  /** Whether the vehicle turns on the spot. */
+  boolean turnsOnTheSpot() {
+    return turnRadiusM(0.0) == 0.0;
+  }
+
+  /** Way left on the route [m]; empty without one. */
+  OptionalDouble remainingM() {
+    return track.isPresent() ? OptionalDouble.of(track.get().remainingM()) : OptionalDouble.empty();
+  }
+
   /** The way to another goal begins. */
   void begin() {
     track = Optional.empty();
@@ -161,7 +171,8 @@ final class Avoidance {
       triedRevision = -1;
     }
     MotionLimits limits = limits(vehicle, wanted, now);
-    double off = track.map(t -> t.follow(at.x(), at.y(), reachedM(limits), limits.lookAheadM())).orElse(0.0);
+    double off =
+        track.map(t -> t.follow(at.x(), at.y(), reachedM(limits), limits.lookAheadM())).orElse(0.0);
     maintain(pose, wanted, limits, now, micros, off);
     Choice choice = choose(pose, vehicle, limits, now, micros);
     Optional<String> givenUp = progress(choice, now, micros);
@@ -178,8 +189,7 @@ final class Avoidance {
   }
 
   private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceSettings now) {
-    double speed =
-        Math.max(now.leastSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
+    double speed = Math.max(now.leastSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
     return new MotionLimits(
         speed,
         now.plannedAcceleration(),
@@ -238,8 +248,7 @@ final class Avoidance {
                 goalEastM,
                 wanted.headingRad(),
                 wanted.thresholdM(),
-                new Mobility(
-                    now.body(), now.clearance(), 1.05 * turnRadiusM(0.0), now.reverses()),
+                new Mobility(now.body(), now.clearance(), 1.05 * turnRadiusM(0.0), now.reverses()),
                 world.costs(),
                 world.shapes(),
                 world.corridors()));
@@ -341,7 +350,8 @@ final class Avoidance {
     }
     String reason = "";
     if (status == PathStatus.BRAKING) {
-      reason = settings.get().stops() ? "a collision is near: brakes" : "a collision is near: turns";
+      reason =
+          settings.get().stops() ? "a collision is near: brakes" : "a collision is near: turns";
     } else if (status == PathStatus.WAITING) {
       reason = track.isEmpty() ? obstacle : "waits for traffic or a way";
     } else if (status == PathStatus.GIVEN_UP) {

@@ -136,12 +136,16 @@ record AvoidanceSettings(
             ifAbsent = 0.3,
             text = "Distance to keep from traffic, beyond its own radius and the vehicle's.")
         double trafficClearance,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 4,
-            text = "How far ahead in time traffic is avoided.")
+    @Variable(unit = "s", min = 0, ifAbsent = 4, text = "How far ahead in time traffic is avoided.")
         double trafficHorizon,
+    @Variable(
+            unit = "deg",
+            min = 0,
+            minExcluded = true,
+            max = 180,
+            ifAbsent = 10,
+            text = "How near to a waypoint's heading the vehicle must arrive.")
+        double arrivalAngle,
     @Variable(
             unit = "s",
             min = 0,

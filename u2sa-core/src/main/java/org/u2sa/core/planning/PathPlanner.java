@@ -11,8 +11,10 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.FailsafeAction;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
@@ -40,6 +42,8 @@ public class PathPlanner extends EventDrivenService {
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private String foreseen = ""; // UID of the goal that the pursuit expects next
   private long reportedMicros;
+  private long stateMicros = Long.MIN_VALUE; // when the last state came
+  private long missionMicros = Long.MIN_VALUE; // when the first goals came
   private String complaint = ""; // the last one logged, so that it is logged once
 
   /** Called by the launcher. */
@@ -55,15 +59,20 @@ public class PathPlanner extends EventDrivenService {
   PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
     WaypointGuidance guidance = guide.apply(this);
-    avoidance = new Avoidance(this, settings(AvoidanceSettings.class), this::lines, this::say);
-    states = new PlannerStates(List.of(new WaypointState(guidance, settings, avoidance)));
+    Settings<AvoidanceSettings> seeing = settings(AvoidanceSettings.class);
+    avoidance = new Avoidance(this, seeing, this::lines, this::say);
+    states =
+        new PlannerStates(
+            List.of(
+                new WaypointState(guidance, settings, avoidance, seeing),
+                new ObjectGoalState(avoidance, seeing)));
     states.discover(this);
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerPublisher(Channels.PLANS);
     subscribe(Channels.GOALS, this::onGoals);
-    subscribe(Channels.OBJECTS, list -> avoidance.world().see(list));
+    subscribe(Channels.OBJECTS, this::onObjects);
     subscribe(Channels.GRID, grid -> avoidance.world().see(grid));
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
     subscribe(Channels.FAILSAFE, state -> react(state.action()));
@@ -83,6 +92,9 @@ public class PathPlanner extends EventDrivenService {
     goal.ifPresent(pursued -> state.message("GOAL", pursued));
     finished.ifPresent(done -> state.message("FINISHED", done));
     holdAt.ifPresent(place -> place.handOver(state, "HOLD AT"));
+    if (missionMicros != Long.MIN_VALUE) {
+      state.number("MISSION SINCE", Clock.seconds(missionMicros));
+    }
     state.number("REPORTED AT", Clock.seconds(reportedMicros)).text("FORESEEN", foreseen);
     goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
     end.handOver(state);
@@ -95,6 +107,7 @@ public class PathPlanner extends EventDrivenService {
     takenOver = goals;
     finished = state.message("FINISHED", GoalInformation.class);
     reportedMicros = Clock.micros(state.number("REPORTED AT").orElse(0.0));
+    state.number("MISSION SINCE").ifPresent(seconds -> missionMicros = Clock.micros(seconds));
     holdAt = Place.takenOver(state, "HOLD AT");
     foreseen = state.text("FORESEEN").orElse("");
     goal = state.message("GOAL", GoalInformation.class);
@@ -119,12 +132,39 @@ public class PathPlanner extends EventDrivenService {
       return; // the retained one, on which the planner before has acted
     }
     goals = Optional.of(list);
+    if (missionMicros == Long.MIN_VALUE && !list.goals().isEmpty()) {
+      missionMicros = clock().micros();
+    }
     if (goal.isPresent() && isFinished(goal.get().uid())) {
       goal = Optional.empty(); // if the list names it again, it is to be reached once more
     }
   }
 
+  /**
+   * Takes what the World Modeler sees. Where no State Estimator says where the vehicle is, objects
+   * in the vehicle's own axes are enough: it is at their origin (thesis 4.3.2).
+   */
+  private void onObjects(ObjectList list) {
+    avoidance.world().see(list);
+    long now = clock().micros();
+    boolean stateless =
+        stateMicros == Long.MIN_VALUE
+            || now - stateMicros > Clock.micros(settings.get().staleAfter());
+    if (stateless && list.timestamp().isPresent() && avoidance.world().isSeenFromVehicle()) {
+      StateInformation origin =
+          new StateInformation()
+              .referenceFrame(ReferenceFrame.LOCAL_NED)
+              .x(0.0)
+              .y(0.0)
+              .z(0.0)
+              .psi(0.0);
+      origin.timestamp(list.timestamp().getAsLong());
+      plan(origin);
+    }
+  }
+
   private void onState(StateInformation state) {
+    stateMicros = clock().micros();
     if (Vehicle.of(state).isPresent()) {
       plan(state);
     } else {
@@ -174,6 +214,11 @@ public class PathPlanner extends EventDrivenService {
     return new GoalChoice(goals.get()).goal(preferred, option -> distanceM(option, state));
   }
 
+  /** Time since the first goals came [s]. */
+  private double missionS() {
+    return missionMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(clock().micros() - missionMicros);
+  }
+
   private boolean isFinished(String uid) {
     return finished.filter(done -> done.uid().equals(uid)).isPresent();
   }
@@ -203,7 +248,8 @@ public class PathPlanner extends EventDrivenService {
     Optional<GoalInformation> after =
         new GoalChoice(goals.get()).after(chosen, foreseen, option -> distanceM(option, state));
     boolean begins = goal.filter(current -> current.uid().equals(chosen.uid())).isEmpty();
-    Pursuit pursuit = new Pursuit(chosen, begins ? finished : Optional.empty(), after, state);
+    Pursuit pursuit =
+        new Pursuit(chosen, begins ? finished : Optional.empty(), after, state, missionS());
     if (begins) {
       log(
           "goal \""

@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.HandOver;
 
@@ -33,6 +34,15 @@ record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, OptionalDouble
    */
   static Place of(StateInformation state) {
     return of(state.referenceFrame(), state.x(), state.y(), state.z());
+  }
+
+  /** A point of GLOBAL or LOCAL_NED. */
+  static Place of(ReferenceFrame frame, Point point) {
+    return of(
+        frame,
+        OptionalDouble.of(point.x()),
+        OptionalDouble.of(point.y()),
+        OptionalDouble.of(point.z()));
   }
 
   private static Place of(

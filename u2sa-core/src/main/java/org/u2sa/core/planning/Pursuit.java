@@ -12,9 +12,20 @@ import org.u2sa.messages.StateInformation;
  *     start of a mission and after an order to change goals
  * @param after the goal that most likely comes next, for acting ahead of time; empty at the end
  * @param state the newest estimate
+ * @param missionS time since the mission began [s], as goals' own times are counted
  */
 public record Pursuit(
     GoalInformation goal,
     Optional<GoalInformation> before,
     Optional<GoalInformation> after,
-    StateInformation state) {}
+    StateInformation state,
+    double missionS) {
+  /** A pursuit at the mission's begin. */
+  public Pursuit(
+      GoalInformation goal,
+      Optional<GoalInformation> before,
+      Optional<GoalInformation> after,
+      StateInformation state) {
+    this(goal, before, after, state, 0.0);
+  }
+}

@@ -3,6 +3,7 @@ package org.u2sa.core.planning;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.GoalInformation;
@@ -26,9 +27,15 @@ final class WaypointState implements PlannerState {
    */
   private static final long LONGEST_STEP_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
+  /** Slower than this is standing [m/s]. */
+  private static final double CREEPS_MPS = 0.1;
+
+  private static final double TURNS_TO_M = 2.0; // how far away the point to turn to is
+
   private final WaypointGuidance guidance;
   private final Supplier<PlanningSettings> settings;
   private final Avoidance avoidance;
+  private final Supplier<AvoidanceSettings> seeing;
   private int attempts;
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
@@ -37,10 +44,14 @@ final class WaypointState implements PlannerState {
   private Optional<StateInformation> last = Optional.empty();
 
   WaypointState(
-      WaypointGuidance guidance, Supplier<PlanningSettings> settings, Avoidance avoidance) {
+      WaypointGuidance guidance,
+      Supplier<PlanningSettings> settings,
+      Avoidance avoidance,
+      Supplier<AvoidanceSettings> seeing) {
     this.guidance = guidance;
     this.settings = settings;
     this.avoidance = avoidance;
+    this.seeing = seeing;
   }
 
   @Override
@@ -109,7 +120,8 @@ final class WaypointState implements PlannerState {
         NavigationPoint.at(
             guidance.towards(
                 vehicle, target, waypoint.horizontalThreshold(), placeOf(pursuit.after())));
-    waypoint.speed().ifPresent(point::speed);
+    double toGoM = distanceM(waypoint, pursuit.state());
+    speed(waypoint, toGoM, pursuit.missionS()).ifPresent(point::speed);
     double downM = vehicle.nedOf(target).z();
     look(vehicle, target, waypoint, downM);
     last = Optional.of(pursuit.state());
@@ -123,6 +135,57 @@ final class WaypointState implements PlannerState {
     return missed(points, passing(waypoint, downM));
   }
 
+  /**
+   * The waypoint's speed; if it has a time to be there, the one that arrives then, as far as the
+   * vehicle can.
+   */
+  private OptionalDouble speed(Waypoint waypoint, double toGoM, double missionS) {
+    if (waypoint.time().isEmpty()) {
+      return waypoint.speed();
+    }
+    AvoidanceSettings now = seeing.get();
+    double most = waypoint.speed().orElse(Math.max(now.mostSpeed(), now.plannedSpeed()));
+    double leftS = waypoint.time().getAsDouble() - missionS;
+    double needed = leftS > 0.0 ? toGoM / leftS : most; // late already: as fast as it may
+    return OptionalDouble.of(
+        Math.max(Math.max(now.leastSpeed(), CREEPS_MPS), Math.min(most, needed)));
+  }
+
+  /**
+   * At a waypoint with a heading: done if the vehicle has it; one that turns on the spot turns,
+   * others come again.
+   */
+  private Plan turned(
+      Waypoint waypoint, Vehicle vehicle, Place target, NavigationPoint point, double downM) {
+    double psi = waypoint.psi().getAsDouble();
+    double off = Math.abs(Leg.wrapped(psi - vehicle.headingRad()));
+    if (off <= Math.toRadians(seeing.get().arrivalAngle())) {
+      String remark =
+          String.format(
+              Locale.ROOT, "reached, %.0f degrees off its heading, ", Math.toDegrees(off));
+      return new Plan(List.of(point), Plan.Progress.COMPLETED, remark + passing(waypoint, downM));
+    }
+    if (avoidance.turnsOnTheSpot()) {
+      Point there = Point.of(TURNS_TO_M * Math.cos(psi), TURNS_TO_M * Math.sin(psi), 0.0);
+      return Plan.underWay(List.of(NavigationPoint.at(vehicle.body(there)).speed(CREEPS_MPS)));
+    }
+    Point to = vehicle.nedOf(target);
+    if (Math.hypot(to.x(), to.y()) <= waypoint.horizontalThreshold()) {
+      return Plan.underWay(List.of(point));
+    }
+    if (attempts >= settings.get().attempts()) {
+      return new Plan(
+          List.of(point),
+          Plan.Progress.ABANDONED,
+          "given up: " + attempts + " times there without its heading");
+    }
+    attempts++;
+    reached = false;
+    avoidance.begin();
+    return new Plan(
+        List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: comes again");
+  }
+
   /** The next step on a route around what stands in the way. */
   private Plan around(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
     Avoidance.Step step =
@@ -134,22 +197,26 @@ final class WaypointState implements PlannerState {
                 target,
                 waypoint.horizontalThreshold(),
                 waypoint.psi(),
-                waypoint.speed()));
+                speed(
+                    waypoint,
+                    avoidance.remainingM().orElse(distanceM(waypoint, pursuit.state())),
+                    pursuit.missionS())));
     double downM = vehicle.nedOf(target).z();
     look(vehicle, target, waypoint, downM);
     last = Optional.of(pursuit.state());
-    NavigationPoint point =
-        NavigationPoint.at(vehicle.body(step.ned())).speed(step.speedMps());
+    NavigationPoint point = NavigationPoint.at(vehicle.body(step.ned())).speed(step.speedMps());
     if (step.backwards()) {
       point.backwards(true);
+    }
+    if (reached && waypoint.psi().isPresent()) {
+      return turned(waypoint, vehicle, target, point, downM);
     }
     List<NavigationPoint> points = List.of(point);
     if (reached) {
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
     return step.givenUp().isPresent()
-        ? new Plan(
-            points, Plan.Progress.ABANDONED, "given up: " + step.givenUp().get())
+        ? new Plan(points, Plan.Progress.ABANDONED, "given up: " + step.givenUp().get())
         : Plan.underWay(points);
   }
 

@@ -10,6 +10,7 @@ import org.u2sa.messages.GoalList;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectGoal;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
@@ -118,6 +119,7 @@ public final class StandardTypes implements MessageTypeProvider {
           MovingSphere.TYPE,
           OccupancyGrid.TYPE,
           PlannedPath.TYPE,
+          ObjectGoal.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,

@@ -2,6 +2,7 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectGoal;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
@@ -23,6 +24,14 @@ final class GoldenPlans {
             .referenceFrame(ReferenceFrame.LOCAL_NED)
             .points(List.of(Point.of(0.0, 0.0, 0.0), Point.of(4.5, -2.0, 0.0)))
             .cost(6.25));
+    golden.add(
+        "ObjectGoal",
+        new ObjectGoal()
+            .uid("7")
+            .objectType("buoy")
+            .within(1.5)
+            .speed(0.5)
+            .pointed(List.of("GIMBAL")));
     golden.add(
         "NavigationPoint-backwards",
         NavigationPoint.at(Point.of(-1.5, 0.25, 0.0)).speed(0.5).backwards(true));

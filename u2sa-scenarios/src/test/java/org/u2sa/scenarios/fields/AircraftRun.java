@@ -119,8 +119,7 @@ final class AircraftRun implements AutoCloseable {
       double limited = Math.max(-Math.PI / 2.0, Math.min(Math.PI / 2.0, off));
       // a = 2 V² / L · sin η
       wanted =
-          Math.atan(
-              2.0 * SPEED_MPS * SPEED_MPS / away * Math.sin(limited) / Gravity.STANDARD_MPS2);
+          Math.atan(2.0 * SPEED_MPS * SPEED_MPS / away * Math.sin(limited) / Gravity.STANDARD_MPS2);
       wanted = Math.max(-BANK_RAD, Math.min(BANK_RAD, wanted));
     }
     bank += (wanted - bank) * STEP_S / ROLL_S;
@@ -164,9 +163,7 @@ final class AircraftRun implements AutoCloseable {
     double now = kit.nowS();
     for (int i = 0; i < field.traffic.size(); i++) {
       RandomField.Traffic other = field.traffic.get(i);
-      MovingSphere sphere =
-          new MovingSphere()
-              .radius(other.radiusM);
+      MovingSphere sphere = new MovingSphere().radius(other.radiusM);
       sphere
           .uid("T" + i)
           .referenceFrame(ReferenceFrame.LOCAL_ENU)
@@ -189,8 +186,7 @@ final class AircraftRun implements AutoCloseable {
     }
     for (int i = 0; i < field.traffic.size(); i++) {
       RandomField.Traffic other = field.traffic.get(i);
-      double away =
-          Math.hypot(other.eastM(kit.nowS()) - east, other.northM(kit.nowS()) - north);
+      double away = Math.hypot(other.eastM(kit.nowS()) - east, other.northM(kit.nowS()) - north);
       if (away < other.radiusM && !contacts.contains("T" + i)) {
         contacts.add("T" + i);
       }

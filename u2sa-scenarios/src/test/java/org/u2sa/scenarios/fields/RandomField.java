@@ -126,8 +126,7 @@ final class RandomField {
     startNorth = edge + random.nextDouble() * (kind.sideM - 2.0 * edge);
     goalEast = kind.sideM - edge - random.nextDouble() * 0.15 * kind.sideM;
     goalNorth = edge + random.nextDouble() * (kind.sideM - 2.0 * edge);
-    startHeading =
-        Math.PI / 2.0 + (random.nextDouble() - 0.5) * (kind.walls ? 2.0 * Math.PI : 1.0);
+    startHeading = Math.PI / 2.0 + (random.nextDouble() - 0.5) * (kind.walls ? 2.0 * Math.PI : 1.0);
     if (kind.walls) {
       double s = kind.sideM;
       box(0.5 * s, -0.1, s + 0.4, 0.2, 0.0);

@@ -59,7 +59,9 @@ final class RoverRun implements AutoCloseable {
   private final DifferentialVehicle vehicle;
   private final LidarMap map;
   private final List<String> contacts = new ArrayList<>();
-  private final ContactWatch watch = new ContactWatch(c -> contacts.add(c.object().uid() + " at " + Math.round(10.0 * c.timeS()) / 10.0));
+  private final ContactWatch watch =
+      new ContactWatch(
+          c -> contacts.add(c.object().uid() + " at " + Math.round(10.0 * c.timeS()) / 10.0));
 
   RoverRun(RandomField field) {
     this.field = field;
@@ -96,8 +98,7 @@ final class RoverRun implements AutoCloseable {
       track.add(new double[] {east, north});
       kit.publish(Channels.STATE, state(truth));
       for (ActuatorCommand command : kit.published(Channels.ACTUATION)) {
-        vehicle.command(
-            command.actuatorName(), ((PercentageCommand) command).percentage() / 100.0);
+        vehicle.command(command.actuatorName(), ((PercentageCommand) command).percentage() / 100.0);
       }
       Optional<GoalInformation> report = kit.latest(Channels.GOAL_REPORTS);
       if (report.isPresent()) {
@@ -112,8 +113,7 @@ final class RoverRun implements AutoCloseable {
     }
     VehicleTruth truth = vehicle.truth();
     boolean there =
-        Math.hypot(
-                truth.position().x() - field.goalEast, truth.position().y() - field.goalNorth)
+        Math.hypot(truth.position().x() - field.goalEast, truth.position().y() - field.goalNorth)
             < 0.7;
     return new FieldResult(
         reported && reason.isEmpty() && there, reason, contacts, kit.nowS(), track);
@@ -171,7 +171,10 @@ final class RoverRun implements AutoCloseable {
       double dn = other.northM(kit.nowS()) - truth.position().y();
       double ahead = de * sin + dn * cos;
       double right = de * cos - dn * sin;
-      double beyond = Math.hypot(Math.max(0.0, Math.max(ahead - 0.46, -0.1 - ahead)), Math.max(0.0, Math.abs(right) - 0.26));
+      double beyond =
+          Math.hypot(
+              Math.max(0.0, Math.max(ahead - 0.46, -0.1 - ahead)),
+              Math.max(0.0, Math.abs(right) - 0.26));
       if (beyond < other.radiusM && !contacts.contains("T" + i)) {
         contacts.add("T" + i);
       }

@@ -24,8 +24,7 @@ final class KeepOut {
    * @param clearanceM to be kept from shapes [m]
    * @param start what is nearer to it than that counts as just so near
    */
-  KeepOut(
-      List<PlanarShape> shapes, List<PlanarShape> corridors, double clearanceM, Pose start) {
+  KeepOut(List<PlanarShape> shapes, List<PlanarShape> corridors, double clearanceM, Pose start) {
     this.corridors = corridors;
     sampleM = Math.max(1.0, clearanceM);
     for (PlanarShape shape : shapes) {

@@ -31,7 +31,8 @@ public final class TangentGraph {
   private record Ring(double northM, double eastM, double radiusM, int sense) {}
 
   /** Where the way has come to a ring, and from where. */
-  private record Node(int ring, double headingRad, double cost, double estimate, Node from, int id) {}
+  private record Node(
+      int ring, double headingRad, double cost, double estimate, Node from, int id) {}
 
   private final KeepOut keepOut;
   private final Pose start;
@@ -107,8 +108,7 @@ public final class TangentGraph {
 
   private Optional<Curve> search() {
     PriorityQueue<Node> open =
-        new PriorityQueue<>(
-            Comparator.comparingDouble(Node::estimate).thenComparingInt(Node::id));
+        new PriorityQueue<>(Comparator.comparingDouble(Node::estimate).thenComparingInt(Node::id));
     double[] reached = new double[rings.size() * rings.size()]; // from ring to ring
     Arrays.fill(reached, Double.POSITIVE_INFINITY);
     int ids = 0;
@@ -205,7 +205,8 @@ public final class TangentGraph {
       double e = onRing(ring, heading, false);
       // the chord lies inside the ring; its own shape would seem touched
       double bulge = ring.radiusM() * (1.0 - Math.cos(0.5 * turned / steps));
-      if (!keepOut.isFree(n, e, n, e) || (bulge > 0.5 && !keepOut.isFree(north, east, north, east))) {
+      if (!keepOut.isFree(n, e, n, e)
+          || (bulge > 0.5 && !keepOut.isFree(north, east, north, east))) {
         return false;
       }
       north = n;

@@ -25,6 +25,7 @@ public final class ArcChooser {
   private static final int FAN = 10; // arcs to each side
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double GROWTH = 0.08; // of traffic's way: how well its velocity is known
+  private static final double DEAD_END = 10.0; // look-aheads that a motion without escape costs
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
@@ -37,7 +38,7 @@ public final class ArcChooser {
   private final double dtS;
 
   /** What comes of a motion. */
-  private record Outcome(double freeM, double meetsS, double endNorthM, double endEastM) {}
+  private record Outcome(double freeM, double meetsS, boolean escapes) {}
 
   /**
    * @param speedMps of the vehicle along its heading [m/s]; negative backwards
@@ -86,8 +87,7 @@ public final class ArcChooser {
                 ? allowed > 0.0 && (last || outcome.freeM() >= ahead)
                 : outcome.freeM() == NEVER;
         if (free && outcome.meetsS() >= limits.horizonS()) {
-          return new Choice(
-              north, east, Math.min(speed, allowed), backwards, Choice.Kind.FOLLOW);
+          return new Choice(north, east, Math.min(speed, allowed), backwards, Choice.Kind.FOLLOW);
         }
         if (free && outcome.meetsS() > latest) {
           latest = outcome.meetsS();
@@ -112,6 +112,8 @@ public final class ArcChooser {
     double now = pose.distanceM(goalNorth, goalEast);
     Choice best = null;
     double least = NEVER;
+    Choice freest = null; // of those that meet something that stands
+    double freestM = -1.0;
     Choice resort = lastResort;
     double latest = latestS;
     double reach = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
@@ -124,14 +126,19 @@ public final class ArcChooser {
           Outcome outcome = drive(curvature, backwards, speed, reach, null);
           double allowed = allowedMps(outcome.freeM());
           boolean free = limits.stops() ? allowed >= 0.5 * speed : outcome.freeM() == NEVER;
+          Pose end = pose.along((backwards ? -1.0 : 1.0) * reach, curvature);
           if (!free) {
+            if (!limits.stops() && outcome.freeM() > freestM) {
+              freestM = outcome.freeM();
+              freest = new Choice(end.northM(), end.eastM(), speed, backwards, Choice.Kind.BRAKE);
+            }
             continue;
           }
-          Pose end = pose.along((backwards ? -1.0 : 1.0) * reach, curvature);
           double score =
               Math.hypot(end.northM() - goalNorth, end.eastM() - goalEast)
                   + 0.3 * reach * Math.abs(k) / FAN
                   + (backwards ? reach : 0.0)
+                  + (outcome.escapes() ? 0.0 : DEAD_END * reach)
                   + 0.2 * reach * (1.0 - share);
           Choice choice =
               new Choice(
@@ -161,12 +168,14 @@ public final class ArcChooser {
       }
     }
     double waiting = limits.stops() ? meetsS(standing()) : -1.0;
-    if (best != null && (least < 1.2 * now || waiting < limits.horizonS())) {
+    if (best != null && (!limits.stops() || least < 1.2 * now || waiting < limits.horizonS())) {
       return best;
     }
+    if (resort == null && freest != null) {
+      return freest;
+    }
     if (waiting >= limits.horizonS() || (limits.stops() && waiting >= latest) || resort == null) {
-      return stand(
-          waiting >= limits.horizonS() ? Choice.Kind.WAIT : Choice.Kind.BRAKE);
+      return stand(waiting >= limits.horizonS() ? Choice.Kind.WAIT : Choice.Kind.BRAKE);
     }
     return resort;
   }
@@ -191,10 +200,7 @@ public final class ArcChooser {
   /** A route that leads nowhere else. */
   private RouteTrack here() {
     return new RouteTrack(
-        Route.of(
-            List.of(
-new Route.Point(pose.northM(), pose.eastM(), false)),
-            0.0));
+        Route.of(List.of(new Route.Point(pose.northM(), pose.eastM(), false)), 0.0));
   }
 
   /** The longest free way backwards or, if need be, forwards, to get out of a corner. */
@@ -214,11 +220,7 @@ new Route.Point(pose.northM(), pose.eastM(), false)),
           Pose end = pose.along((backwards ? -1.0 : 1.0) * free, curvature);
           best =
               new Choice(
-                  end.northM(),
-                  end.eastM(),
-                  0.5 * limits.speedMps(),
-                  backwards,
-                  Choice.Kind.EVADE);
+                  end.northM(), end.eastM(), 0.5 * limits.speedMps(), backwards, Choice.Kind.EVADE);
         }
       }
     }
@@ -281,7 +283,7 @@ new Route.Point(pose.northM(), pose.eastM(), false)),
         break;
       }
     }
-    return new Outcome(NEVER, meets, at.northM(), at.eastM());
+    return new Outcome(NEVER, meets, true);
   }
 
   private static double meetsS(Outcome outcome) {
@@ -297,7 +299,8 @@ new Route.Point(pose.northM(), pose.eastM(), false)),
     double sign = backwards ? -1.0 : 1.0;
     double v = Math.max(0.0, sign * speedMps);
     double stopping = limits.stops() ? limits.stoppingM(Math.max(v, wantedMps)) : 0.0;
-    double farM = Math.max(arcM, stopping + 2.0 * costs.frame().cellM());
+    double far = limits.stops() ? stopping + 2.0 * costs.frame().cellM() : turnBackM(track);
+    double farM = Math.max(arcM, far);
     double gone = 0.0;
     double freeM = NEVER;
     double meets = NEVER;
@@ -324,10 +327,16 @@ new Route.Point(pose.northM(), pose.eastM(), false)),
         break;
       }
     }
-    if (!limits.stops() && freeM == NEVER && !circles(pose.along(sign * arcM, curvature))) {
-      freeM = arcM;
-    }
-    return new Outcome(freeM, meets, at.northM(), at.eastM());
+    boolean escapes =
+        limits.stops()
+            || track != null // planned as it can be flown, to the goal
+            || (freeM == NEVER && circles(pose.along(sign * arcM, curvature)));
+    return new Outcome(freeM, meets, escapes);
+  }
+
+  /** How far what cannot stop looks ahead: on its route as far as it takes to turn back [m]. */
+  private double turnBackM(RouteTrack track) {
+    return track == null ? 0.0 : Math.min(4.0 * limits.turnRadiusM(), track.remainingM());
   }
 
   private Pose next(

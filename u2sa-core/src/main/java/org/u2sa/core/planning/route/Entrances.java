@@ -17,8 +17,7 @@ final class Entrances {
   /** The cell in which a way begins: the vehicle's own or the nearest free one; −1 if none. */
   static int start(CostGrid costs, Pose start) {
     double within =
-        Math.max(
-            ESCAPE_RADII * costs.inflation().radiusM(), 2.0 * costs.frame().cellM());
+        Math.max(ESCAPE_RADII * costs.inflation().radiusM(), 2.0 * costs.frame().cellM());
     return costs.nearestFree(start.northM(), start.eastM(), within);
   }
 }

@@ -23,8 +23,7 @@ final class HybridRoutes implements RoutePlanner {
     CostGrid costs = request.costs();
     GridFrame frame = costs.frame();
     if (frame.contains(request.goalNorthM(), request.goalEastM())
-        && costs.nearestFree(request.goalNorthM(), request.goalEastM(), request.toleranceM())
-            < 0) {
+        && costs.nearestFree(request.goalNorthM(), request.goalEastM(), request.toleranceM()) < 0) {
       return Route.none(Entrances.GOAL_OCCUPIED);
     }
     Mobility can = request.mobility();

@@ -10,5 +10,4 @@ import org.u2sa.core.planning.search.BodyDiscs;
  * @param turnRadiusM of its tightest turn at its present speed [m]; 0 if it turns on the spot
  * @param reverses whether it can go backwards
  */
-public record Mobility(
-    BodyDiscs body, double clearanceM, double turnRadiusM, boolean reverses) {}
+public record Mobility(BodyDiscs body, double clearanceM, double turnRadiusM, boolean reverses) {}

@@ -18,7 +18,8 @@ import org.u2sa.core.planning.seen.PlanarShape;
  * @param mobility the vehicle
  * @param costs what ways around the vehicle cost; the goal may lie outside
  * @param shapes what stands in the way, as shapes; what only a grid shows is not among them
- * @param corridors areas of which one must always be around the vehicle; empty if it may go anywhere
+ * @param corridors areas of which one must always be around the vehicle; empty if it may go
+ *     anywhere
  */
 public record RouteRequest(
     Pose start,

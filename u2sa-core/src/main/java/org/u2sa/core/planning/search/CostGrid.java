@@ -134,8 +134,7 @@ public final class CostGrid {
    */
   public double straightCost(double north, double east, double toNorth, double toEast) {
     double length =
-        Math.sqrt(
-            (toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));
+        Math.sqrt((toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));
     int steps = Math.max(1, (int) Math.ceil(length / (0.5 * frame.cellM())));
     double sum = 0.0;
     for (int k = 0; k < steps; k++) {

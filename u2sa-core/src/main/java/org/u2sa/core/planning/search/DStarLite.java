@@ -7,12 +7,12 @@ import java.util.Optional;
 
 /**
  * The cheapest way through a {@link CostGrid} that changes while the vehicle moves: D* Lite
- * (Koenig, Likhachev: D* Lite, AAAI 2002, figure 4). It searches from the goal, keeps what it found,
- * and repairs only what a change concerns. Legs lead from cell to neighbouring cell; the way is then
- * straightened where that costs no more.
+ * (Koenig, Likhachev: D* Lite, AAAI 2002, figure 4). It searches from the goal, keeps what it
+ * found, and repairs only what a change concerns. Legs lead from cell to neighbouring cell; the way
+ * is then straightened where that costs no more.
  *
- * <p>Where the goal lies outside the grid every cell of the edge is one, at the price of the rest as
- * the crow flies. Belongs to one thread.
+ * <p>Where the goal lies outside the grid every cell of the edge is one, at the price of the rest
+ * as the crow flies. Belongs to one thread.
  */
 public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);
@@ -147,7 +147,8 @@ public final class DStarLite {
 
   private void updateVertex(int cell) {
     if (g[cell] != rhs[cell]) {
-      open.put(cell, Math.min(g[cell], rhs[cell]) + h(start, cell) + km, Math.min(g[cell], rhs[cell]));
+      open.put(
+          cell, Math.min(g[cell], rhs[cell]) + h(start, cell) + km, Math.min(g[cell], rhs[cell]));
     } else {
       open.remove(cell);
     }
@@ -205,8 +206,7 @@ public final class DStarLite {
     for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
       for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
         int near = frame.index(r, c);
-        double through =
-            near == cell ? NEVER : before + step(cell, near, r != row && c != column);
+        double through = near == cell ? NEVER : before + step(cell, near, r != row && c != column);
         if (near == cell || Math.abs(rhs[near] - through) <= ROUNDING) {
           rhs[near] = cost[near] == NEVER ? NEVER : best(near);
         }
@@ -238,8 +238,7 @@ public final class DStarLite {
   private double h(int a, int b) {
     int rows = Math.abs(a / frame.columns() - b / frame.columns());
     int columns = Math.abs(a % frame.columns() - b % frame.columns());
-    return frame.cellM()
-        * (Math.max(rows, columns) + (DIAGONAL - 1.0) * Math.min(rows, columns));
+    return frame.cellM() * (Math.max(rows, columns) + (DIAGONAL - 1.0) * Math.min(rows, columns));
   }
 
   private Optional<GridPath> path() {
@@ -308,7 +307,10 @@ public final class DStarLite {
     int b = cells.get(to);
     double straight =
         grid.straightCost(
-            frame.centreNorthM(a), frame.centreEastM(a), frame.centreNorthM(b), frame.centreEastM(b));
+            frame.centreNorthM(a),
+            frame.centreEastM(a),
+            frame.centreNorthM(b),
+            frame.centreEastM(b));
     return straight <= togo.get(from) - togo.get(to) + 1.0e-3 * frame.cellM();
   }
 

@@ -153,8 +153,7 @@ public final class ThetaStar {
     double grown = cost - g[cell];
     g[cell] = cost;
     parent[cell] = from;
-    double rest =
-        length(frame.centreNorthM(cell) - goalNorth, frame.centreEastM(cell) - goalEast);
+    double rest = length(frame.centreNorthM(cell) - goalNorth, frame.centreEastM(cell) - goalEast);
     if (grown > 1.0e-9 && !open.isEmpty() && cost + rest > open.leastKey()) {
       open.put(cell, cost + rest);
       return true;

@@ -86,10 +86,15 @@ final class ObjectReader {
     double farthest = 0.0;
     for (int i = 0; i < shape.count(); i++) {
       farthest =
-          Math.max(
-              farthest, Math.hypot(shape.northM(i) - centre.x(), shape.eastM(i) - centre.y()));
+          Math.max(farthest, Math.hypot(shape.northM(i) - centre.x(), shape.eastM(i) - centre.y()));
     }
     return farthest + shape.radiusM();
+  }
+
+  /** Where its centre lies on the plane: north, east, down [m]. */
+  Point centre(ObjectDescription raw) {
+    ObjectDescription object = placed(raw);
+    return plane.ned(object.referenceFrame(), object.center());
   }
 
   /** The object as it stands. */
@@ -105,8 +110,7 @@ final class ObjectReader {
     }
     if (object instanceof Cylinder) {
       Cylinder cylinder = (Cylinder) object;
-      return points(
-          object, List.of(object.center()), cylinder.radius(), cylinder.height(), centre);
+      return points(object, List.of(object.center()), cylinder.radius(), cylinder.height(), centre);
     }
     if (object instanceof Circle) {
       return points(object, List.of(object.center()), ((Circle) object).radius(), 0.0, centre);
@@ -121,18 +125,12 @@ final class ObjectReader {
     }
     if (object instanceof Polygon) {
       Polygon polygon = (Polygon) object;
-      return joined(
-          object, PlanarShape.Kind.AREA, polygon.points(), 0.0, polygon.height(), centre);
+      return joined(object, PlanarShape.Kind.AREA, polygon.points(), 0.0, polygon.height(), centre);
     }
     if (object instanceof PolyLine) {
       PolyLine band = (PolyLine) object;
       return joined(
-          object,
-          PlanarShape.Kind.CHAIN,
-          band.points(),
-          0.5 * band.width(),
-          band.height(),
-          centre);
+          object, PlanarShape.Kind.CHAIN, band.points(), 0.5 * band.width(), band.height(), centre);
     }
     if (object instanceof Line) {
       return joined(object, PlanarShape.Kind.CHAIN, ((Line) object).points(), 0.0, 0.0, centre);

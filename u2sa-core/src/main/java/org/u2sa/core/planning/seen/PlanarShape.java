@@ -1,8 +1,8 @@
 package org.u2sa.core.planning.seen;
 
 /**
- * What stands in the way, on the planning plane: everything within a radius of points, of a chain of
- * lines, or of an area. Immutable.
+ * What stands in the way, on the planning plane: everything within a radius of points, of a chain
+ * of lines, or of an area. Immutable.
  */
 public final class PlanarShape {
   /** What the points mean. */

@@ -28,8 +28,7 @@ public final class PlanningPlane {
     }
     StateInformation global = state.in(ReferenceFrame.GLOBAL);
     return new PlanningPlane(
-        new Geodetic(
-            global.x().orElseThrow(), global.y().orElseThrow(), global.z().orElse(0.0)));
+        new Geodetic(global.x().orElseThrow(), global.y().orElseThrow(), global.z().orElse(0.0)));
   }
 
   /** Whether places on the earth lie on it, rather than those of local frames. */
@@ -54,7 +53,10 @@ public final class PlanningPlane {
       return Point.of(point.y(), point.x(), -point.z());
     }
     throw new IllegalArgumentException(
-        "a point in " + frame + " does not lie on a plane " + (origin == null ? "of local frames" : "on the earth"));
+        "a point in "
+            + frame
+            + " does not lie on a plane "
+            + (origin == null ? "of local frames" : "on the earth"));
   }
 
   /** The frame in which {@link #point} says where something is. */

@@ -12,6 +12,7 @@ import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 
 /**
  * The World Modeler's newest objects and grid, on one plane: what stands, what moves, and what ways
@@ -111,6 +112,41 @@ public final class SeenWorld {
     return costs;
   }
 
+  /** The nearest object of a type; empty if none is seen, or none lies on the state's plane. */
+  public Optional<SeenTarget> nearest(String type, StateInformation state) {
+    if (objects == null) {
+      return Optional.empty();
+    }
+    PlanningPlane here = plane(state);
+    ObjectReader reader = new ObjectReader(here, state);
+    Point at =
+        here.ned(
+            here.frame(),
+            Point.of(
+                state.in(here.frame()).x().orElseThrow(),
+                state.in(here.frame()).y().orElseThrow(),
+                state.in(here.frame()).z().orElse(0.0)));
+    SeenTarget nearest = null;
+    for (ObjectDescription object : objects.objects()) {
+      if (object.objectType().equals(type)) {
+        PlanarShape shape = reader.shape(object);
+        Point ned = reader.centre(object).minus(at);
+        double away = shape.distanceM(at.x(), at.y());
+        if (nearest == null || away < nearest.distanceM()) {
+          double radius = Math.max(0.0, Math.hypot(ned.x(), ned.y()) - away);
+          nearest = new SeenTarget(ned, away, radius);
+        }
+      }
+    }
+    return Optional.ofNullable(nearest);
+  }
+
+  /** Whether an object is told in the vehicle's own axes: then no State Estimator is needed. */
+  public boolean isSeenFromVehicle() {
+    return objects != null
+        && objects.objects().stream().anyMatch(object -> object.referenceFrame().isBody());
+  }
+
   /**
    * Brings everything up to date.
    *
@@ -140,8 +176,7 @@ public final class SeenWorld {
       double north = now.cellM() * Math.rint((northM - half) / now.cellM());
       double east = now.cellM() * Math.rint((eastM - half) / now.cellM());
       int cells = (int) Math.ceil(now.spanM() / now.cellM());
-      costs =
-          new CostGrid(new GridFrame(north, east, now.cellM(), cells, cells), now.inflation());
+      costs = new CostGrid(new GridFrame(north, east, now.cellM(), cells, cells), now.inflation());
       costsRead = now;
     }
     GridRaster raster = new GridRaster(costs.frame());

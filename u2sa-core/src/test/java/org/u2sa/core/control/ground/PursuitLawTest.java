@@ -126,7 +126,9 @@ class PursuitLawTest {
 
   @Test
   void step_goalWithASpeed_isThatFast() {
-    assertThat(settled(Optional.of(new GroundTarget(9.0, 0.0, OptionalDouble.of(0.4), false))).speedMps())
+    assertThat(
+            settled(Optional.of(new GroundTarget(9.0, 0.0, OptionalDouble.of(0.4), false)))
+                .speedMps())
         .isEqualTo(0.4);
   }
 

@@ -32,7 +32,9 @@ class TangentGraphProperties {
     }
     Pose start = new Pose(0.0, 0.0, random.nextDouble() - 0.5);
     OptionalDouble heading =
-        random.nextBoolean() ? OptionalDouble.of(6.0 * random.nextDouble()) : OptionalDouble.empty();
+        random.nextBoolean()
+            ? OptionalDouble.of(6.0 * random.nextDouble())
+            : OptionalDouble.empty();
 
     Optional<Curve> way =
         TangentGraph.shortest(discs, List.of(), CLEARANCE, start, 1300.0, 0.0, heading, RADIUS);

@@ -132,11 +132,13 @@ class SearchProperties {
       int start = free(grid, random);
       Optional<GridPath> path = search.plan(start);
 
-      double expected = search.isFor(grid, FRAME.centreNorthM(goal), FRAME.centreEastM(goal))
-          ? bellmanFord(grid, start)[goal]
-          : new ThetaStar(false).plan(grid, start, search.goalNorthM(), search.goalEastM())
-              .map(GridPath::cost)
-              .orElse(Double.POSITIVE_INFINITY);
+      double expected =
+          search.isFor(grid, FRAME.centreNorthM(goal), FRAME.centreEastM(goal))
+              ? bellmanFord(grid, start)[goal]
+              : new ThetaStar(false)
+                  .plan(grid, start, search.goalNorthM(), search.goalEastM())
+                  .map(GridPath::cost)
+                  .orElse(Double.POSITIVE_INFINITY);
       assertThat(path.isPresent()).as("round %d", round).isEqualTo(expected < 1e9);
       path.ifPresent(way -> assertThat(way.cost()).isCloseTo(expected, within(1e-3)));
       int row = random.nextInt(SIZE);
@@ -145,7 +147,9 @@ class SearchProperties {
       grid.update(
           i ->
               Math.abs(i / SIZE - row) < 3 && Math.abs(i % SIZE - column) < 3
-                  ? full && i != goal && Math.hypot(i / SIZE - goal / SIZE, i % SIZE - goal % SIZE) > 2
+                  ? full
+                      && i != goal
+                      && Math.hypot(i / SIZE - goal / SIZE, i % SIZE - goal % SIZE) > 2
                   : grid.isOccupied(i),
           grid::isUnknown);
     }

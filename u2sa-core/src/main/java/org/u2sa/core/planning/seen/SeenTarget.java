@@ -1,0 +1,12 @@
+package org.u2sa.core.planning.seen;
+
+import org.u2sa.messages.frame.Point;
+
+/**
+ * An object that is a goal, as it lies from the vehicle.
+ *
+ * @param ned its centre: north, east, down [m]
+ * @param distanceM to its surface [m], on the plane
+ * @param radiusM from its centre to its surface, towards the vehicle [m]
+ */
+public record SeenTarget(Point ned, double distanceM, double radiusM) {}

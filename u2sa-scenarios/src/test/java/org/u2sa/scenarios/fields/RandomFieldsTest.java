@@ -1,0 +1,70 @@
+package org.u2sa.scenarios.fields;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** Rover and small aeroplane in fields that nobody has tuned them for. */
+class RandomFieldsTest {
+  private static final double NEARLY_ALL = 0.98;
+
+  @Test
+  void rover_someFields_noContactAndSolved() {
+    FieldSeries series = rover();
+    series.run(1, 6);
+    series.check(NEARLY_ALL);
+  }
+
+  @Test
+  void aircraft_someFields_noContactAndSolved() {
+    FieldSeries series = aircraft("AIR");
+    series.run(1, 6);
+    series.check(NEARLY_ALL);
+  }
+
+  @Test
+  @Tag("long")
+  void rover_twoHundredFields_noContactAndNearlyAllSolved() {
+    FieldSeries series = rover();
+    series.run(1000, 1200);
+    series.check(NEARLY_ALL);
+  }
+
+  @Test
+  @Tag("long")
+  void aircraft_twoHundredFields_noContactAndNearlyAllSolved() {
+    FieldSeries series = aircraft("AIR");
+    series.run(1000, 1200);
+    series.check(NEARLY_ALL);
+  }
+
+  @Test
+  @Tag("long")
+  void aircraft_twoHundredFieldsByTheGrid_noContactAndNearlyAllSolved() {
+    FieldSeries series = aircraft("HYBRID");
+    series.run(1000, 1200);
+    series.check(NEARLY_ALL);
+  }
+
+  private static FieldSeries rover() {
+    return new FieldSeries(
+        RoverRun.KIND,
+        field -> {
+          try (RoverRun run = new RoverRun(field)) {
+            return run.run();
+          }
+        },
+        field -> field.isSolvable(RoverRun.NEEDED_M, 0.1));
+  }
+
+  private static FieldSeries aircraft(String planner) {
+    return new FieldSeries(
+        AircraftRun.KIND,
+        field -> {
+          try (AircraftRun run = new AircraftRun(field, planner)) {
+            return run.run();
+          }
+        },
+        field ->
+            new TurningFlood(field, AircraftRun.NEEDED_M, 10.0).reaches(AircraftRun.TURN_M, 28.0));
+  }
+}
