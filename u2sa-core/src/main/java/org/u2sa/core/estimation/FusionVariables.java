@@ -31,7 +31,7 @@ record FusionVariables(
             min = 8,
             max = 20000,
             ifAbsent = 512,
-            text = "Number of measurements kept for late ones; about 5 kB each.")
+            text = "Number of measurements kept for late ones; about 7 kB each.")
         int history,
     @Variable(
             min = 0,

@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * heading are not. It drifts; what it says of two moments close to each other is what counts.
  */
 public final class LocalOdometry {
-  private static final double LONGEST_STEP_S = 1.0;
+  private static final double LONGEST_STEP_S = 10.0; // after longer silence nothing is added
   private static final double CORRELATION_S =
       1.0; // an error of speed or turn rate persists so long
 
