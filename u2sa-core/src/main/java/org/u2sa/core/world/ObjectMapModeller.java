@@ -44,7 +44,7 @@ final class ObjectMapModeller implements Modeller {
       unplaced += placed.isPresent() ? 0 : 1;
     }
     sightings += seen.size();
-    tracks.forEach(track -> track.predict(sighting.micros()));
+    tracks.forEach(track -> track.predict(sighting.micros(), tuning));
     int[] match = new SightingMatch(tracks, tuning).of(detections);
     String sensor = seen.get(0).sensorName();
     Set<Track> hit = new HashSet<>();
@@ -212,7 +212,7 @@ final class ObjectMapModeller implements Modeller {
     List<ObjectDescription> objects = new ArrayList<>();
     for (Track track : tracks) {
       if (track.isConfirmed()) {
-        track.predict(now.micros());
+        track.predict(now.micros(), tuning);
         objects.add(report.of(track, frame, tuning, now.micros()));
       }
     }

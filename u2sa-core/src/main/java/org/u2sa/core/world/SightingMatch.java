@@ -65,7 +65,7 @@ final class SightingMatch {
       double off = track.template().distanceTo(detection.object().center()) / sigma;
       return off * off;
     }
-    double distance = track.filter().distance(detection.place(), detection.sigma());
+    double distance = track.filter().cost(detection.place(), detection.sigma());
     return called && distance <= limit ? distance / 2.0 : distance; // the name speaks for it
   }
 

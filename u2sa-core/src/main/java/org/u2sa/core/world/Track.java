@@ -48,11 +48,15 @@ final class Track {
   }
 
   /** Carries the estimate on to a time; an earlier one changes nothing. */
-  void predict(long micros) {
+  void predict(long micros, ObjectMapSettings settings) {
     if (micros > filteredMicros) {
       double seconds = Clock.seconds(micros - filteredMicros);
       if (!fromFile) {
         filter.predict(seconds);
+        boolean lost = micros - seenMicros > Clock.micros(settings.forgetMoving());
+        if (lost && settings.forgetMoving() > 0.0 && !filter.isMoving()) {
+          filter.settle();
+        }
       } else if (template.motion().velocity().isPresent()) {
         template = template.after(seconds); // traffic as the file has it
       }

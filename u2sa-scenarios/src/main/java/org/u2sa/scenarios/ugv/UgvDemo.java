@@ -2,11 +2,15 @@ package org.u2sa.scenarios.ugv;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.core.world.xml.WorldFile;
+import org.u2sa.device.LidarSensor;
 import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.BoardServer;
@@ -65,6 +69,15 @@ final class UgvDemo implements Callable<Integer>, Demo {
       description = "One of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
   private ControlKind control = ControlKind.PURSUIT;
 
+  @Option(
+      names = "--world",
+      paramLabel = "FILE",
+      description = {
+        "World XML file with what stands around, such as missions/ugv/yard.xml. Adds a laser that sees it, and a World Modeler "
+            + "(config/ugv/system-world.xml)."
+      })
+  private Path worldFile; // null: an empty lawn
+
   private Integer laps; // null: not given
 
   @Option(
@@ -97,7 +110,18 @@ final class UgvDemo implements Callable<Integer>, Demo {
             command.commandLine(),
             "--control proportional: is for two driven wheels; expected pursuit with --vehicle ackermann");
       }
+      if (worldFile != null) {
+        throw new ParameterException(
+            command.commandLine(), "--world: expected --vehicle differential, not ackermann");
+      }
       return "system-ackermann.xml";
+    }
+    if (worldFile != null && control == ControlKind.PROPORTIONAL) {
+      throw new ParameterException(
+          command.commandLine(), "--world: expected --control pursuit, not proportional");
+    }
+    if (worldFile != null) {
+      return "system-world.xml";
     }
     return control == ControlKind.PURSUIT ? "system.xml" : "system-proportional.xml";
   }
@@ -114,7 +138,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
         Laps.write(mission, wanted, receiver.leastThresholdM(), directory.resolve("mission.xml"));
     DriveConditions conditions = around.conditions(vehicle, frame.plan(this, mission));
     UgvWorld world =
-        new UgvWorld(start(driven), vehicle, receiver, seed, Hazards.none(), conditions);
+        new UgvWorld(
+            start(driven), vehicle, receiver, seed, Hazards.none(), conditions, obstacles());
     String simulator = simulator(conditions);
     return new Trial(
         driven,
@@ -122,6 +147,10 @@ final class UgvDemo implements Callable<Integer>, Demo {
         this::configure,
         launch -> {
           launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
+          if (worldFile != null) {
+            launch.making(
+                LidarSensor.class, context -> new LidarSensor(context, world.laser(seed)));
+          }
           return new Simulation.Within(simulator, "vehicle");
         },
         launch -> {
@@ -129,6 +158,10 @@ final class UgvDemo implements Callable<Integer>, Demo {
           launch.override("IoioService", "CONNECTION", server.address());
           return server;
         });
+  }
+
+  private List<ObjectDescription> obstacles() {
+    return worldFile == null ? List.of() : WorldFile.load(worldFile).objects();
   }
 
   private void configure(LaunchOptions launch) {
