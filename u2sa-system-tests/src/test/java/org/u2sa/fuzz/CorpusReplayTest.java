@@ -34,7 +34,8 @@ class CorpusReplayTest {
         target("system", SystemFileTarget::fuzzerTestOneInput),
         target("flightgear", FlightGearLineTarget::fuzzerTestOneInput),
         target("fence", FenceTarget::fuzzerTestOneInput),
-        target("users", UsersTarget::fuzzerTestOneInput));
+        target("users", UsersTarget::fuzzerTestOneInput),
+        target("world", WorldTarget::fuzzerTestOneInput));
   }
 
   private static Arguments target(String name, Consumer<byte[]> target) {

@@ -21,7 +21,7 @@ import org.u2sa.service.HandOver;
  */
 final class ObjectMapModeller implements Modeller {
   private final Settings<ObjectMapSettings> settings;
-  private final List<Track> tracks = new ArrayList<>();
+  private final List<MappedObject> tracks = new ArrayList<>();
   private final TrackReport report = new TrackReport();
   private List<ObjectDescription> known = List.of();
   private long knownMicros;
@@ -44,13 +44,13 @@ final class ObjectMapModeller implements Modeller {
       unplaced += placed.isPresent() ? 0 : 1;
     }
     sightings += seen.size();
-    tracks.forEach(track -> track.predict(sighting.micros()));
+    tracks.forEach(track -> track.predict(sighting.micros(), tuning));
     int[] match = new SightingMatch(tracks, tuning).of(detections);
     String sensor = seen.get(0).sensorName();
-    Set<Track> hit = new HashSet<>();
+    Set<MappedObject> hit = new HashSet<>();
     for (int i = 0; i < match.length; i++) {
       if (match[i] != SightingMatch.NONE) {
-        Track track = tracks.get(match[i]);
+        MappedObject track = tracks.get(match[i]);
         if (track.isMisread(detections.get(i), tuning)) {
           misread++;
           continue;
@@ -69,8 +69,9 @@ final class ObjectMapModeller implements Modeller {
     tidy(sighting.micros(), tuning);
   }
 
-  private Track begin(Detection detection, long micros, ObjectMapSettings tuning) {
-    Track track = new Track(freeUid(detection.object().uid()), detection, micros, tuning, false);
+  private MappedObject begin(Detection detection, long micros, ObjectMapSettings tuning) {
+    MappedObject track =
+        new MappedObject(freeUid(detection.object().uid()), detection, micros, tuning, false);
     track.occasion(1);
     track.judge(tuning.confirmHits(), tuning.confirmWindow());
     tracks.add(track);
@@ -89,9 +90,10 @@ final class ObjectMapModeller implements Modeller {
   }
 
   /** Counts against objects that this sensor should have seen. */
-  private void lookFor(String sensor, Set<Track> hit, Sighting sighting, ObjectMapSettings tuning) {
+  private void lookFor(
+      String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapSettings tuning) {
     FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
-    for (Track track : tracks) {
+    for (MappedObject track : tracks) {
       if (hit.contains(track)) {
         continue;
       }
@@ -118,7 +120,7 @@ final class ObjectMapModeller implements Modeller {
   public void scan(RangeScan scan, ScanPoses poses) {
     ObjectMapSettings tuning = settings.get();
     ScanThrough through = null;
-    for (Track track : tracks) {
+    for (MappedObject track : tracks) {
       boolean shown =
           scan.sensorName().equals(track.template().sensorName())
               || tuning.scannerSees(track.template().objectType());
@@ -144,13 +146,13 @@ final class ObjectMapModeller implements Modeller {
       }
     }
     if (tracks.size() > tuning.mostObjects()) {
-      List<Track> surest = new ArrayList<>(tracks);
+      List<MappedObject> surest = new ArrayList<>(tracks);
       surest.sort(Comparator.comparingDouble(track -> -track.existence())); // stable
       tracks.retainAll(new HashSet<>(surest.subList(0, tuning.mostObjects())));
     }
   }
 
-  private static boolean areOne(Track a, Track b, ObjectMapSettings tuning) {
+  private static boolean areOne(MappedObject a, MappedObject b, ObjectMapSettings tuning) {
     if (a.isFromFile() && b.isFromFile()
         || !a.isConfirmed()
         || !b.isConfirmed()
@@ -169,7 +171,7 @@ final class ObjectMapModeller implements Modeller {
   public void known(List<ObjectDescription> objects, Sighting now) {
     known = List.copyOf(objects);
     knownMicros = now.micros();
-    tracks.removeIf(Track::isFromFile);
+    tracks.removeIf(MappedObject::isFromFile);
     enterKnown(now);
   }
 
@@ -180,17 +182,18 @@ final class ObjectMapModeller implements Modeller {
       if (placed.isPresent()) {
         tracks.add(
             at++,
-            new Track(freeUid(object.uid()), placed.get(), knownMicros, settings.get(), true));
+            new MappedObject(
+                freeUid(object.uid()), placed.get(), knownMicros, settings.get(), true));
       }
     }
   }
 
   @Override
   public void enter(MapFrame newFrame, Sighting now) {
-    List<Track> before = new ArrayList<>(tracks);
+    List<MappedObject> before = new ArrayList<>(tracks);
     Sighting there = new Sighting(now.micros(), newFrame, now.vehicle());
     tracks.clear();
-    for (Track track : before) {
+    for (MappedObject track : before) {
       if (!track.isFromFile()) {
         ObjectDescription object = report.estimate(track, frame);
         Optional<Detection> placed = Detection.of(object, there, settings.get().defaultSigma());
@@ -210,9 +213,9 @@ final class ObjectMapModeller implements Modeller {
     ObjectMapSettings tuning = settings.get();
     tidy(now.micros(), tuning);
     List<ObjectDescription> objects = new ArrayList<>();
-    for (Track track : tracks) {
+    for (MappedObject track : tracks) {
       if (track.isConfirmed()) {
-        track.predict(now.micros());
+        track.predict(now.micros(), tuning);
         objects.add(report.of(track, frame, tuning, now.micros()));
       }
     }
@@ -226,7 +229,7 @@ final class ObjectMapModeller implements Modeller {
 
   @Override
   public String remark() {
-    long confirmed = tracks.stream().filter(Track::isConfirmed).count();
+    long confirmed = tracks.stream().filter(MappedObject::isConfirmed).count();
     long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
     return String.format(
         "%d objects, %d confirmed, %d moving, %d sightings, %d without a way into %s, %d of a name "
@@ -237,7 +240,7 @@ final class ObjectMapModeller implements Modeller {
   @Override
   public void handOver(HandOver state, Sighting now) {
     List<ObjectDescription> objects = new ArrayList<>();
-    for (Track track : tracks) {
+    for (MappedObject track : tracks) {
       if (track.isConfirmed() && !track.isFromFile()) {
         objects.add(report.estimate(track, frame));
       }

@@ -13,10 +13,10 @@ final class SightingMatch {
   /** No object. */
   static final int NONE = -1;
 
-  private final List<Track> tracks;
+  private final List<MappedObject> tracks;
   private final ObjectMapSettings settings;
 
-  SightingMatch(List<Track> tracks, ObjectMapSettings settings) {
+  SightingMatch(List<MappedObject> tracks, ObjectMapSettings settings) {
     this.tracks = tracks;
     this.settings = settings;
   }
@@ -52,7 +52,7 @@ final class SightingMatch {
     return match;
   }
 
-  private double distance(Detection detection, Track track, double limit) {
+  private double distance(Detection detection, MappedObject track, double limit) {
     if (!track.isLike(detection.object(), settings.trustUids())) {
       return Double.POSITIVE_INFINITY;
     }
@@ -65,7 +65,7 @@ final class SightingMatch {
       double off = track.template().distanceTo(detection.object().center()) / sigma;
       return off * off;
     }
-    double distance = track.filter().distance(detection.place(), detection.sigma());
+    double distance = track.filter().cost(detection.place(), detection.sigma());
     return called && distance <= limit ? distance / 2.0 : distance; // the name speaks for it
   }
 

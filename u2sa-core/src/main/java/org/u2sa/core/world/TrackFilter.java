@@ -25,14 +25,15 @@ final class TrackFilter {
 
   private static final int AXES = 3;
   private static final double LEAST_CHANCE = 0.001; // so that what stood for hours may still start
-  private static final double SURE = 0.95;
+  private static final double AT_FIRST = 0.3;
+  private static final double SURE = 0.9; // before something is said to move
   private static final double MOVING_SIGMAS = 2.0;
   private static final double SURELY_MPS = 0.1;
 
   private final Assumptions assumed;
   private final AxisFilter[] standing = new AxisFilter[AXES];
   private final AxisFilter[] moving = new AxisFilter[AXES];
-  private double chance = 0.5; // that it moves
+  private double chance = AT_FIRST; // that it moves
 
   TrackFilter(
       Point place,
@@ -74,6 +75,19 @@ final class TrackFilter {
   }
 
   /**
+   * Gives up that it might move, for nobody has seen it for long: where it would be by now could be
+   * anywhere, and it would be taken for whatever is seen there.
+   */
+  void settle() {
+    for (int i = 0; i < AXES; i++) {
+      moving[i] =
+          new AxisFilter(
+              standing[i].place(), standing[i].placeVariance(), 0.0, squared(assumed.maxSpeed()));
+    }
+    chance = Math.min(chance, AT_FIRST);
+  }
+
+  /**
    * How far a measurement is from where the object is expected, squared, in standard deviations of
    * both (Mahalanobis); by the filter that explains it better.
    */
@@ -83,6 +97,29 @@ final class TrackFilter {
     return assumed.maxSpeed() == 0.0
         ? stands
         : Math.min(stands, distance(moving, place, sigma, common));
+  }
+
+  /**
+   * The same, dearer the less sharply the object's place is foretold and the less the filter is
+   * believed: minus twice the logarithm of the likelihood, less a constant (Bar-Shalom, Willett and
+   * Tian, Tracking and Data Fusion, 2011, section 7.2). Else whatever has not been seen for a while
+   * would be everything that is seen next.
+   */
+  double cost(Point place, Point sigma) {
+    double stands = cost(standing, place, sigma) - 2.0 * Math.log(1.0 - chance);
+    return assumed.maxSpeed() == 0.0
+        ? stands
+        : Math.min(stands, cost(moving, place, sigma) - 2.0 * Math.log(chance));
+  }
+
+  private double cost(AxisFilter[] filter, Point place, Point sigma) {
+    double common = squared(assumed.systematic());
+    double cost = distance(filter, place, sigma, common);
+    for (int i = 0; i < AXES; i++) {
+      double measured = Math.max(1e-12, squared(axis(sigma, i)) + common);
+      cost += Math.log(1.0 + filter[i].placeVariance() / measured);
+    }
+    return cost;
   }
 
   private static double distance(AxisFilter[] filter, Point place, Point sigma, double variance) {
@@ -136,7 +173,7 @@ final class TrackFilter {
 
   /** Whether it moves, as far as one can tell. */
   boolean isMoving() {
-    return chance > 0.5 && velocity().distance() > Math.max(SURELY_MPS, velocitySigma());
+    return chance > SURE && velocity().distance() > Math.max(SURELY_MPS, velocitySigma());
   }
 
   /** Where it is [m]. */

@@ -11,7 +11,8 @@ final class TrackReport {
   private static final double STEP_S = 1.0;
 
   /** A track as it is published. */
-  ObjectDescription of(Track track, MapFrame frame, ObjectMapSettings settings, long micros) {
+  ObjectDescription of(
+      MappedObject track, MapFrame frame, ObjectMapSettings settings, long micros) {
     ObjectDescription object =
         track.filter().isMoving() && !track.isFromFile()
             ? moving(track, frame, settings)
@@ -22,7 +23,7 @@ final class TrackReport {
   }
 
   /** The object in its own shape where it is thought to be. */
-  ObjectDescription estimate(Track track, MapFrame frame) {
+  ObjectDescription estimate(MappedObject track, MapFrame frame) {
     ObjectDescription object = track.template().movedTo(frame.point(track.place()));
     object.uid(track.uid()).confidence(track.existence());
     object.motion().sigma(track.filter().sigma());
@@ -37,7 +38,8 @@ final class TrackReport {
     return object;
   }
 
-  private static ObjectDescription moving(Track track, MapFrame frame, ObjectMapSettings settings) {
+  private static ObjectDescription moving(
+      MappedObject track, MapFrame frame, ObjectMapSettings settings) {
     MovingSphere sphere = new MovingSphere().radius(track.radius() + settings.buffer());
     Point center = frame.point(track.place());
     sphere

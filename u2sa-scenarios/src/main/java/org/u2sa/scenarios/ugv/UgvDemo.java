@@ -2,11 +2,15 @@ package org.u2sa.scenarios.ugv;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.core.world.xml.WorldFile;
+import org.u2sa.device.LidarSensor;
 import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.BoardServer;
@@ -81,6 +85,15 @@ final class UgvDemo implements Callable<Integer>, Demo {
           "One of ${COMPLETION-CANDIDATES}; the fusing ones with --control pursuit. Default: ${DEFAULT-VALUE}.")
   private EstimatorKind estimator = EstimatorKind.PASS_THROUGH;
 
+  @Option(
+      names = "--world",
+      paramLabel = "FILE",
+      description = {
+        "World XML file with what stands around, such as missions/ugv/yard.xml. Adds a laser that sees it, and a World Modeler "
+            + "(config/ugv/system-world.xml)."
+      })
+  private Path worldFile; // null: an empty lawn
+
   private Integer laps; // null: not given
 
   @Option(
@@ -107,23 +120,36 @@ final class UgvDemo implements Callable<Integer>, Demo {
 
   @Override
   public String systemFile() {
-    if (estimator != EstimatorKind.PASS_THROUGH) {
-      if (vehicle == VehicleKind.ACKERMANN || control == ControlKind.PROPORTIONAL) {
-        throw new ParameterException(
-            command.commandLine(),
-            "--estimator " + estimator + ": expected --vehicle differential and --control pursuit");
-      }
-      return estimator == EstimatorKind.FUSING ? "system-fused.xml" : "system-fused-inertial.xml";
+    boolean isUsual = vehicle == VehicleKind.DIFFERENTIAL && control == ControlKind.PURSUIT;
+    expect(
+        vehicle == VehicleKind.DIFFERENTIAL || control == ControlKind.PURSUIT,
+        "--control proportional: is for two driven wheels; expected pursuit with --vehicle ackermann");
+    expect(
+        estimator == EstimatorKind.PASS_THROUGH || isUsual,
+        "--estimator " + estimator + ": expected --vehicle differential and --control pursuit");
+    expect(
+        worldFile == null || isUsual && estimator == EstimatorKind.PASS_THROUGH,
+        "--world: expected --vehicle differential, --control pursuit and --estimator pass_through");
+    if (worldFile != null) {
+      return "system-world.xml";
     }
     if (vehicle == VehicleKind.ACKERMANN) {
-      if (control == ControlKind.PROPORTIONAL) {
-        throw new ParameterException(
-            command.commandLine(),
-            "--control proportional: is for two driven wheels; expected pursuit with --vehicle ackermann");
-      }
       return "system-ackermann.xml";
     }
-    return control == ControlKind.PURSUIT ? "system.xml" : "system-proportional.xml";
+    if (control == ControlKind.PROPORTIONAL) {
+      return "system-proportional.xml";
+    }
+    return switch (estimator) {
+      case PASS_THROUGH -> "system.xml";
+      case FUSING -> "system-fused.xml";
+      case FUSING_INERTIAL -> "system-fused-inertial.xml";
+    };
+  }
+
+  private void expect(boolean holds, String otherwise) {
+    if (!holds) {
+      throw new ParameterException(command.commandLine(), otherwise);
+    }
   }
 
   @Override
@@ -138,7 +164,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
         Laps.write(mission, wanted, receiver.leastThresholdM(), directory.resolve("mission.xml"));
     DriveConditions conditions = around.conditions(vehicle, frame.plan(this, mission));
     UgvWorld world =
-        new UgvWorld(start(driven), vehicle, receiver, seed, Hazards.none(), conditions);
+        new UgvWorld(
+            start(driven), vehicle, receiver, seed, Hazards.none(), conditions, obstacles());
     String simulator = simulator(conditions);
     return new Trial(
         driven,
@@ -149,6 +176,10 @@ final class UgvDemo implements Callable<Integer>, Demo {
         },
         launch -> {
           launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
+          if (worldFile != null) {
+            launch.making(
+                LidarSensor.class, context -> new LidarSensor(context, world.laser(seed)));
+          }
           return new Simulation.Within(simulator, "vehicle");
         },
         launch -> {
@@ -156,6 +187,10 @@ final class UgvDemo implements Callable<Integer>, Demo {
           launch.override("IoioService", "CONNECTION", server.address());
           return server;
         });
+  }
+
+  private List<ObjectDescription> obstacles() {
+    return worldFile == null ? List.of() : WorldFile.load(worldFile).objects();
   }
 
   private void configure(LaunchOptions launch) {

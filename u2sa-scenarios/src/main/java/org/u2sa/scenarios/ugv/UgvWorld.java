@@ -1,14 +1,19 @@
 package org.u2sa.scenarios.ugv;
 
+import java.util.List;
 import java.util.SplittableRandom;
+import org.u2sa.device.LaserScanner;
 import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.ioio.BoardConnection;
 import org.u2sa.drivers.ioio.LockstepConnection;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.ground.DifferentialParameters;
+import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.ground.GroundState;
@@ -18,8 +23,10 @@ import org.u2sa.sim.ioio.IoioBoard;
 import org.u2sa.sim.ioio.IoioFirmware;
 import org.u2sa.sim.ioio.IoioInProcess;
 import org.u2sa.sim.sensor.CompassParameters;
+import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
 
 /**
@@ -30,6 +37,12 @@ final class UgvWorld {
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;
   private static final double MOST_MISMATCH = 0.05;
+
+  private static final double LASER_FORWARD_M = 0.2; // as LidarSensor.xml says
+  private static final double LASER_UP_M = 0.4;
+  private static final SimulatedLaser.Optics LASER =
+      new SimulatedLaser.Optics(
+          10.0, Math.toRadians(-135.0), Math.toRadians(0.5), 541, 0.06, 10.0, 0.03);
 
   private final World world;
   private final VehicleKind kind;
@@ -48,9 +61,23 @@ final class UgvWorld {
       long seed,
       Hazards hazards,
       DriveConditions conditions) {
+    this(start, kind, receiver, seed, hazards, conditions, List.of());
+  }
+
+  /**
+   * @param obstacles that stand around
+   */
+  UgvWorld(
+      RunPlan.Start start,
+      VehicleKind kind,
+      GpsGrade receiver,
+      long seed,
+      Hazards hazards,
+      DriveConditions conditions,
+      List<? extends ObjectDescription> obstacles) {
     this.kind = kind;
     Geodetic place = new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM());
-    world = World.at(place).with(conditions.terrain()).with(conditions.surface());
+    world = World.at(place).with(conditions.terrain()).with(conditions.surface()).with(obstacles);
     double bySeed = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
     double mismatch = conditions.mismatch().orElse(bySeed);
     GroundStart at = new GroundStart(0.0, 0.0, start.headingRad());
@@ -109,6 +136,23 @@ final class UgvWorld {
           measures.trackM());
     }
     return sensors;
+  }
+
+  /** A laser on the vehicle that sees the world's obstacles, with noise of its own. */
+  LaserScanner laser(long seed) {
+    return new SimulatedLaser(LASER, new NoiseStreams(seed), this::laserDistanceM);
+  }
+
+  private double laserDistanceM(double angleRad) {
+    VehicleTruth now = truth();
+    Attitude attitude = now.attitude();
+    Point ned = attitude.nedOf(Point.of(LASER_FORWARD_M, 0.0, -LASER_UP_M));
+    Point way = attitude.nedOf(Point.of(Math.cos(angleRad), Math.sin(angleRad), 0.0));
+    Point from = now.position();
+    Ray ray =
+        new Ray(
+            from.x() + ned.y(), from.y() + ned.x(), from.z() - ned.z(), way.y(), way.x(), -way.z());
+    return world.distanceM(ray, LASER.farthestM());
   }
 
   /** What reaches the motors, from whoever drives. Safe from any thread. */

@@ -7,7 +7,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 
 /** One object of the map: what it is, where it is, and how certain it is that it exists. */
-final class Track {
+final class MappedObject {
   private static final double FALSE_ALARM = 0.1; // probability that a sighting is of nothing
   private static final double NEW = 0.5;
   private static final double SUREST = 0.999;
@@ -28,7 +28,8 @@ final class Track {
   private long filteredMicros;
   private long seenMicros;
 
-  Track(String uid, Detection first, long micros, ObjectMapSettings settings, boolean fromFile) {
+  MappedObject(
+      String uid, Detection first, long micros, ObjectMapSettings settings, boolean fromFile) {
     this.uid = uid;
     this.fromFile = fromFile;
     filter = filter(first, settings);
@@ -48,11 +49,15 @@ final class Track {
   }
 
   /** Carries the estimate on to a time; an earlier one changes nothing. */
-  void predict(long micros) {
+  void predict(long micros, ObjectMapSettings settings) {
     if (micros > filteredMicros) {
       double seconds = Clock.seconds(micros - filteredMicros);
       if (!fromFile) {
         filter.predict(seconds);
+        boolean lost = micros - seenMicros > Clock.micros(settings.forgetMoving());
+        if (lost && settings.forgetMoving() > 0.0 && !filter.isMoving()) {
+          filter.settle();
+        }
       } else if (template.motion().velocity().isPresent()) {
         template = template.after(seconds); // traffic as the file has it
       }
@@ -154,7 +159,7 @@ final class Track {
   }
 
   /** Takes over what another track of the same object knows of names. */
-  void absorb(Track other) {
+  void absorb(MappedObject other) {
     other.sensorUids.forEach(sensorUids::putIfAbsent);
     seenMicros = Math.max(seenMicros, other.seenMicros);
     existence = Math.max(existence, other.existence);
