@@ -15,6 +15,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.GoalResult;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.contract.MissionOrder;
@@ -64,7 +65,7 @@ public final class MissionManager extends PeriodicService {
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
   private final MissionOrders orders;
-  private final MissionTime time = new MissionTime();
+  private final TimeLimits limits = new TimeLimits(this);
   private final Resumable resumable;
   private Mission mission; // as its file has it
   private MissionProgress progress;
@@ -91,7 +92,7 @@ public final class MissionManager extends PeriodicService {
     subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
     subscribe(Channels.MISSION, this::onMission);
     subscribe(Channels.FAILSAFE, this::onFailsafe);
-    subscribe(Channels.ARMING_STATE, state -> time.counts(state.armed()));
+    subscribe(Channels.ARMING_STATE, this::onArming);
   }
 
   /** Refuses a mission that cannot be read, before it takes the place of one that can. */
@@ -170,7 +171,7 @@ public final class MissionManager extends PeriodicService {
   protected void handOver(HandOver state) {
     state.text(MissionSettings.MISSION, settings.get().mission());
     state.number(MissionSettings.DEFAULT_THRESHOLD, thresholdM());
-    time.handOver(state);
+    limits.handOver(state);
     progress.handOver(state);
   }
 
@@ -188,7 +189,7 @@ public final class MissionManager extends PeriodicService {
     before.ifPresent(
         taken -> {
           progress = taken;
-          time.takeOver(state);
+          limits.takeOver(state);
           beginsAnew = false;
         });
   }
@@ -206,38 +207,14 @@ public final class MissionManager extends PeriodicService {
     passTime();
   }
 
-  /** Lets time pass until now, and ends what has taken too long. */
+  private void onArming(ArmingState state) {
+    passTime(); // before, by what held until now
+    limits.count(state.armed());
+  }
+
   private void passTime() {
-    long now = micros();
-    progress.pursuedFor(time.sinceLast(now), now);
-    boolean changed = false;
-    Optional<GoalInformation> late = progress.pursued().timedOut();
-    while (late.isPresent()) {
-      changed = true;
-      timeOut(late.get(), "not done within " + late.get().timeLimit().getAsDouble() + " s");
-      late = progress.pursued().timedOut();
-    }
-    if (progress.passes(mission.timeLimit())) {
-      changed = true;
-      endByLimit(mission.limit().orElseThrow());
-    }
-    if (changed) {
+    if (limits.pass()) {
       publishGoals();
-    }
-  }
-
-  private void timeOut(GoalInformation goal, String reason) {
-    log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" timed out: " + reason);
-    progress.finish(goal.uid(), GoalResult.TIMED_OUT, Optional.empty(), reason, micros());
-  }
-
-  private void endByLimit(MissionLimit limit) {
-    String reason = "the mission's time limit of " + limit.seconds() + " s has passed";
-    log(LogLevelEnum.WARN, reason + (limit.next().isEmpty() ? "" : ": now " + limit.next()));
-    progress.pursued().current().forEach(goal -> timeOut(goal, reason));
-    progress.pursued().end();
-    if (!limit.next().isEmpty()) {
-      progress.pursued().changeTo(limit.next());
     }
   }
 

@@ -48,7 +48,7 @@ final class MissionTable {
           goal.uid(),
           goal.typeChain().get(goal.typeChain().size() - 1),
           mission.status(goal),
-          times > 1 ? String.valueOf(times) : "",
+          times > (goal.result().isPresent() ? 1 : 0) ? String.valueOf(times) : "",
           duration(mission.arrivedS(goal)),
           distance(mission.distanceM(goal)),
           duration(goal.timeLimit()),
