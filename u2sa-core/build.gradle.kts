@@ -6,7 +6,7 @@ description = "Core services (thesis 3.2.3), Communication Manager and launcher.
 
 dependencies {
     api(project(":u2sa-abstract"))
-    implementation(libs.ejml)
+    api(libs.ejml)
     api(libs.jts)
     api(libs.moquette) {
         exclude(group = "com.librato.metrics")

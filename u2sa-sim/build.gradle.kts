@@ -6,6 +6,6 @@ description = "Simulated vehicles, worlds and sensors."
 
 dependencies {
     api(project(":u2sa-abstract"))
-    implementation(libs.ejml)
+    api(libs.ejml)
     testImplementation(testFixtures(project(":u2sa-abstract")))
 }
