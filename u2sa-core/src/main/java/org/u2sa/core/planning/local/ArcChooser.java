@@ -26,6 +26,7 @@ public final class ArcChooser {
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double GROWTH = 0.08; // of traffic's way: how well its velocity is known
   private static final double DEAD_END = 10.0; // look-aheads that a motion without escape costs
+  private static final double CREEPS_MPS = 0.15;
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
@@ -65,6 +66,7 @@ public final class ArcChooser {
   /** The next motion along a route. */
   public Choice along(RouteTrack track) {
     boolean backwards = track.goesBackwards();
+    double straight = straightMps();
     Choice best = null;
     double latest = -1.0;
     for (double ahead = limits.lookAheadM();
@@ -73,6 +75,11 @@ public final class ArcChooser {
       double north = track.northAheadM(ahead);
       double east = track.eastAheadM(ahead);
       if (turnsTo(north, east, backwards)) {
+        if (!canTurnHere()) {
+          return Math.abs(speedMps) > CREEPS_MPS
+              ? stand(Choice.Kind.EVADE)
+              : backOut(2.0 * body.circleM());
+        }
         Choice turn = new Choice(north, east, limits.speedMps(), backwards, Choice.Kind.FOLLOW);
         return meetsS(standing()) >= limits.horizonS() ? turn : evadeOrWait(track);
       }
@@ -87,7 +94,12 @@ public final class ArcChooser {
                 ? allowed > 0.0 && (last || outcome.freeM() >= ahead)
                 : outcome.freeM() == NEVER;
         if (free && outcome.meetsS() >= limits.horizonS()) {
-          return new Choice(north, east, Math.min(speed, allowed), backwards, Choice.Kind.FOLLOW);
+          return new Choice(
+              north,
+              east,
+              Math.min(straight, Math.min(speed, allowed)),
+              backwards,
+              Choice.Kind.FOLLOW);
         }
         if (free && outcome.meetsS() > latest) {
           latest = outcome.meetsS();
@@ -99,6 +111,25 @@ public final class ArcChooser {
       }
     }
     return evade(track, best, latest);
+  }
+
+  /** Whether the vehicle may turn on the spot where it comes to stand: its corners reach far. */
+  private boolean canTurnHere() {
+    double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
+    Pose there = pose.along(stopping, 0.0);
+    return costs.distanceM(there.northM(), there.eastM()) >= body.circleM();
+  }
+
+  /**
+   * The speed from which it can still stop straight ahead [m/s]: a new route may order a turn on
+   * the spot at any moment.
+   */
+  private double straightMps() {
+    if (!limits.turnsOnTheSpot()) {
+      return limits.speedMps();
+    }
+    Outcome straight = drive(0.0, false, limits.speedMps(), limits.lookAheadM(), null);
+    return Math.max(2.0 * CREEPS_MPS, allowedMps(straight.freeM()));
   }
 
   private Choice evadeOrWait(RouteTrack track) {

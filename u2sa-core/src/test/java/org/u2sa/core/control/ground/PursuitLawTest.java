@@ -142,4 +142,13 @@ class PursuitLawTest {
 
     assertThat(successor.step(at(2.0, 0.4), STEP_S)).isEqualTo(law.step(at(2.0, 0.4), STEP_S));
   }
+
+  @Test
+  void step_pointBehindToTheLeftBackwards_drivesBackOnTheSameArc() {
+    Drive drive = settled(Optional.of(new GroundTarget(-2.0, 0.4, OptionalDouble.of(0.5), true)));
+
+    assertThat(drive.speedMps()).isNegative();
+    assertThat(drive.yawRateRadPerS() / drive.speedMps())
+        .isCloseTo(2.0 * 0.4 / (4.0 + 0.16), within(1.0e-6)); // 2 y / L²
+  }
 }
