@@ -2,7 +2,8 @@
 
     python3 recordings.py --java "java -cp …" [--ulog sample_px4_events.ulg] [--mrclam DIRECTORY]
 
---ulog    a log of PX4 (github.com/PX4/pyulog, test/): IMU, GPS, magnetometer and barometer, against EKF2's own answer.
+--ulog    logs of PX4 (github.com/PX4/pyulog, test/: sample_px4_events.ulg, sample.ulg): IMU, magnetometer, GPS and barometer if
+          they are there, against EKF2's own answer.
 --mrclam  the folder that holds MRCLAM_Dataset6 and 7 (UTIAS; github.com/ericguerrero/MUSI-lab-session-1, data/): odometry and
           landmarks against the cameras' ground truth.
 Needs pyulog, numpy and evo of PyPI.
@@ -17,12 +18,12 @@ import tempfile
 import numpy as np
 
 
-def replay(java, domain, lines, work, name):
+def replay(java, domain, lines, work, name, needs_position=True):
     source, answer = work / (name + ".txt"), work / (name + ".out")
     source.write_text("\n".join(lines) + "\n")
     done = subprocess.run(shlex.split(java) + ["Replay", domain, str(source), str(answer)], check=True, stderr=subprocess.PIPE, text=True)
     rows = [line.split() for line in answer.read_text().splitlines()]
-    keep = [r for r in rows if r[1] == "true" and r[2] == "true"]
+    keep = [r for r in rows if (r[1] == "true" or not needs_position) and r[2] == "true"]
     return np.array([[float(v) for i, v in enumerate(r) if i not in (1, 2)] for r in keep]), done.stderr
 
 
@@ -70,6 +71,14 @@ def px4_lines(log):
     for i, t in enumerate(imu["timestamp"]):
         numbers = [imu["gyro_rad[%d]" % k][i] for k in range(3)] + [imu["accelerometer_m_s2[%d]" % k][i] for k in range(3)]
         events.append((int(t), "I %d IMU %s" % (t, " ".join("%.9g" % v for v in numbers))))
+    if data("vehicle_gps_position") is None:  # an old log: the magnetometer is in sensor_combined, and nothing says where it is
+        last = None
+        for i, t in enumerate(imu["timestamp"]):
+            field = tuple(imu["magnetometer_ga[%d]" % k][i] for k in range(3))
+            if field != last:
+                events.append((int(t), "M %d Magnetometer %s 0.0 0.1" % (t, " ".join("%.7g" % v for v in field))))
+                last = field
+        return [line for _, line in sorted(events, key=lambda each: each[0])], data
     gps = data("vehicle_gps_position")
     delay = int(log.initial_parameters.get("EKF2_GPS_DELAY", 110.0) * 1000)
     for i, t in enumerate(gps["timestamp"]):
@@ -90,12 +99,32 @@ def px4_lines(log):
     return [line for _, line in sorted(events, key=lambda each: each[0])], data
 
 
+def attitude_differences(attitude, stamps, ours, start):
+    t = stamps.astype(float)
+    late = t > start
+    q = [attitude["q[%d]" % k] for k in range(4)]
+    phi = np.arctan2(2 * (q[0] * q[1] + q[2] * q[3]), 1 - 2 * (q[1] ** 2 + q[2] ** 2))[late]
+    theta = np.arcsin(np.clip(2 * (q[0] * q[2] - q[3] * q[1]), -1, 1))[late]
+    psi = np.arctan2(2 * (q[0] * q[3] + q[1] * q[2]), 1 - 2 * (q[2] ** 2 + q[3] ** 2))[late]
+    t = t[late]
+    tilt = np.hypot(at(t, ours[:, 0], ours[:, 10]) - phi, at(t, ours[:, 0], ours[:, 11]) - theta)
+    return tilt, wrapped(at(t, ours[:, 0], np.unwrap(ours[:, 12])) - psi)
+
+
 def px4(java, path, work):
     from pyulog import ULog
     log = ULog(str(path))
     lines, data = px4_lines(log)
-    ours, words = replay(java, "AIR", lines, work, path.stem)
+    has_gps = data("vehicle_gps_position") is not None
+    ours, words = replay(java, "AIR", lines, work, path.stem, needs_position=has_gps)
     answer, attitude = data("vehicle_local_position"), data("vehicle_attitude")
+    if not has_gps:
+        start = max(ours[0, 0], attitude["timestamp"][0]) + 5e6
+        tilt, heading = attitude_differences(attitude, attitude["timestamp"], ours, start)
+        print("\n**%s** (a real board without GPS) against EKF2's own answer, last %.0f s\n" % (path.name, (attitude["timestamp"][-1] - start) / 1e6))
+        print("| roll, pitch | heading less its mean |\n| --- | --- |\n| %.2f° | %.2f° |" % (math.degrees(rms(tilt)), math.degrees(np.std(heading))))
+        print("\n```\n" + words.strip() + "\n```")
+        return
     valid = (answer["xy_valid"] == 1) & (answer["z_valid"] == 1) & (answer["xy_global"] == 1) & ~np.isnan(answer["ref_lat"])
     t = answer["timestamp_sample"][valid].astype(float)
     t0 = max(t[0], ours[0, 0]) + 5e6  # both have settled
@@ -111,15 +140,7 @@ def px4(java, path, work):
     horizontal = rms(np.hypot(est[:, 0] - ref[:, 0], est[:, 1] - ref[:, 1]))
     velocity = rms([np.hypot(np.hypot(at(t, ours[:, 0], ours[:, 7]) - pick["vx"], at(t, ours[:, 0], ours[:, 8]) - pick["vy"]),
                              at(t, ours[:, 0], ours[:, 9]) - pick["vz"])])
-    ta = attitude["timestamp_sample"].astype(float)
-    q = [attitude["q[%d]" % k] for k in range(4)]
-    phi = np.arctan2(2 * (q[0] * q[1] + q[2] * q[3]), 1 - 2 * (q[1] ** 2 + q[2] ** 2))
-    theta = np.arcsin(np.clip(2 * (q[0] * q[2] - q[3] * q[1]), -1, 1))
-    psi = np.arctan2(2 * (q[0] * q[3] + q[1] * q[2]), 1 - 2 * (q[2] ** 2 + q[3] ** 2))
-    late = ta > t0
-    tilt = rms([np.hypot(at(ta[late], ours[:, 0], ours[:, 10]) - phi[late], at(ta[late], ours[:, 0], ours[:, 11]) - theta[late])])
-    unwrapped = np.unwrap(ours[:, 12])
-    heading = rms(wrapped(at(ta[late], ours[:, 0], unwrapped) - psi[late]))
+    tilt, heading = (rms(each) for each in attitude_differences(attitude, attitude["timestamp_sample"], ours, t0))
     print("\n**%s** against EKF2's own answer, last %.0f s (moved %.1f m north, %.1f m east, %.1f m up)\n" % (path.name, (t[-1] - t[0]) / 1e6, *moved))
     print("| position, evo APE | horizontal | altitude | velocity | roll, pitch | heading |\n| --- | --- | --- | --- | --- | --- |")
     print("| %.2f m | %.2f m | %.2f m | %.2f m/s | %.2f° | %.2f° |" % (

@@ -254,6 +254,20 @@ class FusingStateEstimatorTest {
   }
 
   @Test
+  void restart_inTheSameRun_goesOnFromWhatItRemembered() {
+    U2SAService first = kit.start(FusingStateEstimator::new);
+    drive(20.0);
+    kit.restart(first, FusingStateEstimator::new);
+    kit.advance(0.1);
+    sense(heading());
+
+    assertThat(state().x()).as("no fix since, but remembered").isPresent();
+    assertThat(errorM()).isLessThan(2.0);
+    assertThat(kit.latest(Channels.LOCAL_STATE).orElseThrow().y().getAsDouble())
+        .isCloseTo(SPEED_MPS * 20.0, within(12.0));
+  }
+
+  @Test
   void swap_forPassThroughAndBack_goesOn() {
     U2SAService first = kit.start(FusingStateEstimator::new);
     drive(10.0);

@@ -196,7 +196,6 @@ final class UgvDemo implements Callable<Integer>, Demo {
   private void configure(LaunchOptions launch) {
     launch
         .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
-        .override("FusingStateEstimator", "POSITION CORRELATION", receiver.correlationS())
         .override("SafetyManager", "ARM AT START", true); // the demo is its own operator
   }
 

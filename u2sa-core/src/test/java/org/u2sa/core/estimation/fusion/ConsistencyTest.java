@@ -88,7 +88,6 @@ class ConsistencyTest {
       nis += outcome.nis() / runs;
       heading += outcome.headingNees() / runs;
     }
-    System.out.printf("NEES %.2f heading %.2f NIS %.2f%n", nees, heading, nis);
     assertThat(nees)
         .as("NEES")
         .isBetween(bound(4 * runs, -1.96) / runs, bound(4 * runs, 1.96) / runs);
