@@ -353,6 +353,17 @@ class WorldModelerTest {
     assertThat(objects()).hasSize(3);
   }
 
+  @Test
+  void modellers_ofAnExtension_workBesideTheOthers() {
+    kit.with("MODELLERS", "REACTIVE, LIGHTHOUSE").with("LIGHTHOUSE", 250.0);
+    kit.start(WorldModeler::new);
+    kit.publish(Channels.SENSED_OBJECTS, seen("a", 3.0, 0.0));
+    kit.advance(1.5);
+
+    assertThat(objects()).extracting(ObjectDescription::x).contains(250.0);
+    assertThat(remarks()).contains("LIGHTHOUSE: shines");
+  }
+
   /** A goal of a vehicle's own, as thesis 3.2.3.3 describes one. */
   static final class Seek extends GoalInformation {
     private static final Schema<Seek> SCHEMA =
