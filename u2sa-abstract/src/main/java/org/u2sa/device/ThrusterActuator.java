@@ -9,6 +9,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.ActuatorDescription;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
@@ -25,6 +26,9 @@ public final class ThrusterActuator extends PeriodicService {
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SURELY_TURNING_PERCENT = 20.0; // more than any motor needs to start
   private static final double STANDING_RPM = 10.0;
+  private static final double STALL_PAUSE_S = 10.0; // then control may try again
+  private static final double THRUST_EXPONENT = 2.0; // T ~ n|n| (Fossen 2011, eq. 9.9)
+  private static final double ALL_PERCENT = 100.0;
   private static final String SLEW = "SLEW";
 
   private static final Devices.Usual USUAL =
@@ -41,6 +45,7 @@ public final class ThrusterActuator extends PeriodicService {
   private double batteryDueS;
   private double stalledSinceS = Double.NaN;
   private boolean isStallTold;
+  private double stalledUntilS = Double.POSITIVE_INFINITY;
 
   /** Called by the launcher: the thruster is the one that the configuration names. */
   public ThrusterActuator(ServiceContext context) {
@@ -74,33 +79,34 @@ public final class ThrusterActuator extends PeriodicService {
   }
 
   private ActuatorAnnouncement announcement() {
-    return new ActuatorAnnouncement()
-        .actuatorName(actuatorName)
-        .minimum(variables.minimum())
-        .maximum(variables.maximum())
-        .effect(effect());
-  }
-
-  /** In words, with numbers in BODY: x forward, y left, z down. */
-  private String effect() {
-    Point push = mounted.turn().toBody(Point.of(1.0, 0.0, 0.0));
-    Point place = Point.of(mounted.x(), mounted.y(), mounted.z());
+    Point place = rightHanded(Point.of(mounted.x(), mounted.y(), mounted.z()));
+    Point push = rightHanded(mounted.turn().toBody(Point.of(1.0, 0.0, 0.0))).minus(place);
+    ActuatorAnnouncement announcement =
+        new ActuatorAnnouncement()
+            .actuatorName(actuatorName)
+            .minimum(variables.minimum())
+            .maximum(variables.maximum())
+            .deadband(variables.deadband())
+            .rateLimit(variables.slewLimit())
+            .effect(String.format(Locale.ROOT, "pushes along %s at %s m", text(push), text(place)));
     double ahead = variables.fullThrust();
-    double astern = variables.reverseThrust() > 0.0 ? variables.reverseThrust() : ahead;
-    String strength =
-        ahead > 0.0
-            ? String.format(Locale.ROOT, " with up to %.1f N, backwards %.1f N", ahead, astern)
-            : "";
-    return "pushes along "
-        + inBody(push.minus(place))
-        + " at "
-        + inBody(place)
-        + " m in BODY"
-        + strength;
+    if (ahead > 0.0) {
+      double astern = variables.reverseThrust() > 0.0 ? variables.reverseThrust() : ahead;
+      ActuatorDescription.addThrust(announcement, place, push, ahead, astern)
+          .exponent(THRUST_EXPONENT)
+          .commandTypes(List.of("ForceCommand"));
+    }
+    return announcement;
   }
 
-  private static String inBody(Point point) {
-    return String.format(Locale.ROOT, "(%.3f, %.3f, %.3f)", point.x(), point.y(), point.z());
+  /** BODY (forward, left, down) as the announcement's forward, right, down. */
+  private static Point rightHanded(Point body) {
+    return Point.of(body.x(), -body.y(), body.z());
+  }
+
+  private static String text(Point point) {
+    return String.format(
+        Locale.ROOT, "(%.3f, %.3f, %.3f)", point.x(), point.y() + 0.0, point.z() + 0.0);
   }
 
   private void stopNow() {
@@ -118,6 +124,9 @@ public final class ThrusterActuator extends PeriodicService {
       slew.rest(now); // it comes back from 0, whatever is commanded then
     }
     news.ifPresent(turning -> use(turning, percent, nowS));
+    if (nowS >= stalledUntilS) {
+      offerAgain();
+    }
     commands.step(nowS);
   }
 
@@ -150,16 +159,27 @@ public final class ThrusterActuator extends PeriodicService {
       if (isStallTold && rpm.isPresent() && !stands) {
         isStallTold = false;
         log("the thruster turns again");
+        offerAgain();
       }
       return;
     }
     stalledSinceS = Double.isNaN(stalledSinceS) ? nowS : stalledSinceS;
+    if (nowS - stalledSinceS >= variables.timeout() && stalledUntilS > nowS + STALL_PAUSE_S) {
+      stalledUntilS = nowS + STALL_PAUSE_S;
+      commands.available(actuatorName, 0.0);
+    }
     if (nowS - stalledSinceS >= variables.timeout() && !isStallTold) {
       isStallTold = true;
       trouble(
           String.format(
               Locale.ROOT, "the thruster does not turn at a command of %.0f %%", percent));
     }
+  }
+
+  private void offerAgain() {
+    stalledUntilS = Double.POSITIVE_INFINITY;
+    stalledSinceS = Double.NaN;
+    commands.available(actuatorName, ALL_PERCENT);
   }
 
   @Override
@@ -181,6 +201,7 @@ public final class ThrusterActuator extends PeriodicService {
 
   @Override
   protected void release() {
+    commands.withdraw();
     thruster.close();
   }
 }

@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.Schema;
  */
 public class AngleCommand extends ActuatorCommand {
   private static final Schema<AngleCommand> SCHEMA =
-      Schema.of(AngleCommand.class, AngleCommand::new, ActuatorCommand.TYPE).since(4);
+      Schema.of(AngleCommand.class, AngleCommand::new, ActuatorCommand.TYPE).since(3);
   private static final NumberField<AngleCommand> ANGLE =
       SCHEMA.requiredNumber("angle", "rad", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 

@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.Schema;
  */
 public class ForceCommand extends ActuatorCommand {
   private static final Schema<ForceCommand> SCHEMA =
-      Schema.of(ForceCommand.class, ForceCommand::new, ActuatorCommand.TYPE).since(4);
+      Schema.of(ForceCommand.class, ForceCommand::new, ActuatorCommand.TYPE).since(3);
   private static final NumberField<ForceCommand> FORCE =
       SCHEMA.requiredNumber("force", "N", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 

@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.Schema;
  */
 public class SpeedCommand extends ActuatorCommand {
   private static final Schema<SpeedCommand> SCHEMA =
-      Schema.of(SpeedCommand.class, SpeedCommand::new, ActuatorCommand.TYPE).since(4);
+      Schema.of(SpeedCommand.class, SpeedCommand::new, ActuatorCommand.TYPE).since(3);
   private static final NumberField<SpeedCommand> SPEED =
       SCHEMA.requiredNumber("speed", "rad/s", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 

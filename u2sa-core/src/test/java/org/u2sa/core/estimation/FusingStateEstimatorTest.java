@@ -77,9 +77,9 @@ class FusingStateEstimatorTest {
 
   private List<String> remarks() {
     return kit.published(Channels.HEALTH).stream()
-        .filter(report -> report.remarks().isPresent())
+        .map(HealthReport::remarks)
+        .filter(remarks -> !remarks.isEmpty())
         .reduce((a, b) -> b)
-        .flatMap(HealthReport::remarks)
         .orElse(List.of());
   }
 
@@ -129,7 +129,7 @@ class FusingStateEstimatorTest {
 
     assertThat(errorM()).isLessThan(0.3);
     assertThat(state().xDot().getAsDouble()).isCloseTo(SPEED_MPS, within(0.1));
-    assertThat(remarks()).anyMatch(line -> line.startsWith("Encoders used"));
+    assertThat(remarks()).anyMatch(line -> line.startsWith("Encoders: used"));
   }
 
   @Test
@@ -219,8 +219,8 @@ class FusingStateEstimatorTest {
       sense(heading());
     }
 
-    assertThat(remarks()).anyMatch(line -> line.startsWith("GPS silent"));
-    assertThat(remarks()).anyMatch(line -> line.startsWith("Compass used"));
+    assertThat(remarks()).anyMatch(line -> line.startsWith("GPS: silent"));
+    assertThat(remarks()).anyMatch(line -> line.startsWith("Compass: used"));
   }
 
   @Test

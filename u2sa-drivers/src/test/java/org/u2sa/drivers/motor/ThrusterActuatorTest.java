@@ -12,6 +12,7 @@ import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.EmergencyStop;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.device.SimulatedThruster;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.testkit.ServiceKit;
@@ -53,7 +54,7 @@ class ThrusterActuatorTest {
   }
 
   @Test
-  void begin_mountedTurnedAndPlaced_announcesItsPushInBody() {
+  void begin_mountedTurnedAndPlaced_announcesItsForceAndMoment() {
     kit.with("FULL THRUST", 51.5).with("REVERSE THRUST", 40.2).with("MINIMUM", -80.0);
     kit.with("MOUNTED X", -0.5).with("MOUNTED Y", 0.3).with("MOUNTED YAW", Math.PI / 2.0);
     startVesc();
@@ -62,9 +63,13 @@ class ThrusterActuatorTest {
     assertThat(said.minimum()).isEqualTo(-80.0);
     assertThat(said.maximum()).isEqualTo(100.0);
     assertThat(said.effect().replace("-0.000", "0.000"))
-        .isEqualTo(
-            "pushes along (0.000, 1.000, 0.000) at (-0.500, 0.300, 0.000) m in BODY"
-                + " with up to 51.5 N, backwards 40.2 N");
+        .isEqualTo("pushes along (0.000, -1.000, 0.000) at (-0.500, -0.300, 0.000) m");
+    assertThat(said.force().orElseThrow().distanceTo(Point.of(0.0, -51.5, 0.0))).isLessThan(1e-9);
+    assertThat(said.moment().orElseThrow().distanceTo(Point.of(0.0, 0.0, 25.75))).isLessThan(1e-9);
+    assertThat(said.reverseForce().orElseThrow().distanceTo(Point.of(0.0, 40.2, 0.0)))
+        .isLessThan(1e-9);
+    assertThat(said.exponent()).hasValue(2.0);
+    assertThat(said.commandTypes()).contains("ForceCommand");
   }
 
   @Test
@@ -152,6 +157,11 @@ class ThrusterActuatorTest {
     assertThat(lastError()).as("too little to be sure").isEmpty();
     command(60.0, 3.0);
     assertThat(lastError()).isEqualTo("the thruster does not turn at a command of 60 %");
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().available()).hasValue(0.0);
+    command(0.0, 12.0);
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().available())
+        .as("control may try again")
+        .hasValue(100.0);
   }
 
   @Test

@@ -31,7 +31,7 @@ public final class ActuatorAnnouncement extends U2SAData {
   private static final ValueField<ActuatorAnnouncement, String> SUBSYSTEM =
       SCHEMA.text("subsystem", "VEHICLE");
   private static final NumberField<ActuatorAnnouncement> RATE_LIMIT =
-      SCHEMA.since(4).optionalNumber("rateLimit", "%/s", 0.0);
+      SCHEMA.since(3).optionalNumber("rateLimit", "%/s", 0.0);
   private static final NumberField<ActuatorAnnouncement> DEADBAND =
       SCHEMA.optionalNumber("deadband", "%", 0.0, 99.0);
   private static final NumberField<ActuatorAnnouncement> TIME_CONSTANT =

@@ -255,6 +255,7 @@ public final class AllocatingControl extends ControlSystem {
       return;
     }
     said = words;
+    remark("authority", words);
     if (words.isEmpty()) {
       log(LogLevelEnum.INFO, "all control authority is there");
     } else {

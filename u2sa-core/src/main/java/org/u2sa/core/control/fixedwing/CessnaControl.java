@@ -96,6 +96,7 @@ public final class CessnaControl extends ControlSystem {
             roster.left(AircraftActuator.RUDDER.actuatorName(), now));
     if (!newest.equals(mixing)) {
       mixing = newest;
+      remark("authority", newest.equals(SurfaceMixing.SOUND) ? "" : newest.words());
       if (newest.equals(SurfaceMixing.SOUND)) {
         log("all surfaces are there");
       } else {
