@@ -1,0 +1,127 @@
+package org.u2sa.core.estimation.fusion;
+
+/**
+ * Begins a quantity from its first measurement, and anew from one that is to be believed after all.
+ */
+final class QuantityStart {
+  private final FilterTuning tuning;
+
+  QuantityStart(FilterTuning tuning) {
+    this.tuning = tuning;
+  }
+
+  /** Begins a quantity anew that its source contradicts for good. */
+  void reset(FilterState s, Measurement m, SensedQuantity quantity, int at) {
+    double factor = SourceTrust.factor(s, at);
+    switch (quantity) {
+      case PLACE:
+        s.hasPlace = false;
+        break;
+      case LOCAL_PLACE:
+        s.trust[at + SourceTrust.HAS_OFFSET] = 0.0;
+        s.hasLocal = s.hasPlace;
+        break;
+      case ALTITUDE:
+        s.hasAltitude = false;
+        break;
+      case HEADING:
+        Alignment.heading(
+            s, m.value(quantity, 0), factor * m.sigma(quantity, 0) * m.sigma(quantity, 0));
+        break;
+      case TILT:
+        s.hasTilt = false;
+        break;
+      case VELOCITY:
+      case BODY_VELOCITY:
+        double speed = tuning.domain().speedSigmaMps();
+        for (int i = 0; i < 3; i++) {
+          s.isolate(FilterState.VELOCITY + i, speed * speed);
+        }
+        break;
+      default:
+        return;
+    }
+    s.resets++;
+    s.trust[at + SourceTrust.STREAK] = 0.0;
+    begin(s, m, quantity, at);
+  }
+
+  /**
+   * Takes a quantity that was unknown from its first measurement.
+   *
+   * @return whether the measurement has served its purpose by that
+   */
+  boolean begin(FilterState s, Measurement m, SensedQuantity quantity, int at) {
+    double factor = SourceTrust.factor(s, at);
+    double v0 = factor * m.sigma(quantity, 0) * m.sigma(quantity, 0);
+    double v1 = factor * m.sigma(quantity, 1) * m.sigma(quantity, 1);
+    switch (quantity) {
+      case PLACE:
+        if (s.hasPlace || !m.isWhole(quantity)) {
+          return false;
+        }
+        Alignment.place(s, m.value(quantity, 0), m.value(quantity, 1), v0, v1);
+        return true;
+      case ALTITUDE:
+        if (s.hasAltitude) {
+          return false;
+        }
+        Alignment.altitude(s, m.value(quantity, 0), v0);
+        return true;
+      case LOCAL_PLACE:
+        if (s.hasLocal || s.hasPlace || !m.isWhole(quantity)) {
+          return false;
+        }
+        Alignment.local(s, m.value(quantity, 0), m.value(quantity, 1), v0, v1);
+        s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
+        return true;
+      case LOCAL_DOWN:
+        if (s.hasAltitude) {
+          return false;
+        }
+        s.x[FilterState.NORTH + 2] = m.value(quantity, 0);
+        Alignment.altitude(s, -m.value(quantity, 0), v0);
+        s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
+        return true;
+      case HEADING:
+        if (s.hasHeading) {
+          return false;
+        }
+        Alignment.heading(s, m.value(quantity, 0), v0);
+        return true;
+      case TILT:
+        if (s.hasTilt || !m.isWhole(quantity)) {
+          return false;
+        }
+        Alignment.tilt(
+            s,
+            m.value(quantity, 0),
+            m.value(quantity, 1),
+            m.sigma(quantity, 0),
+            m.sigma(quantity, 1));
+        return true;
+      case FLUID_VELOCITY:
+        if (!s.hasFlow && s.hasHeading) {
+          Alignment.flow(s, tuning.flowSigma());
+        }
+        return false;
+      default:
+        return false;
+    }
+  }
+
+  /** A local frame whose origin is not the filter's is laid so that its first position fits. */
+  static void shift(FilterState s, MeasurementModel model, SensedQuantity quantity, int at) {
+    double[] t = s.trust;
+    if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {
+      boolean isElsewhere = quantity == SensedQuantity.LOCAL_DOWN || s.hasPlace;
+      for (int i = 0; i < model.rows; i++) {
+        t[at + SourceTrust.OFFSET + i] = isElsewhere ? model.innovation[i] : 0.0;
+      }
+      t[at + SourceTrust.HAS_OFFSET] = 1.0;
+    }
+    for (int i = 0; i < model.rows; i++) {
+      model.innovation[i] -= t[at + SourceTrust.OFFSET + i];
+    }
+  }
+}
