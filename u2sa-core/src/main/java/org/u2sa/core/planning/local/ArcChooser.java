@@ -37,9 +37,10 @@ public final class ArcChooser {
   private final double speedMps;
   private final long nowMicros;
   private final double dtS;
+  private double gapM; // least between bodies in the motion played forward
 
   /** What comes of a motion. */
-  private record Outcome(double freeM, double meetsS, boolean escapes) {}
+  private record Outcome(double freeM, double meetsS, boolean escapes, double gapM) {}
 
   /**
    * @param speedMps of the vehicle along its heading [m/s]; negative backwards
@@ -68,7 +69,7 @@ public final class ArcChooser {
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
     Choice best = null;
-    double latest = -1.0;
+    double widest = -NEVER;
     for (double ahead = limits.lookAheadM();
         ahead > 0.2 * limits.lookAheadM();
         ahead *= 0.6) { // nearer to the route where the arc to a farther point is not free
@@ -101,8 +102,8 @@ public final class ArcChooser {
               backwards,
               Choice.Kind.FOLLOW);
         }
-        if (free && outcome.meetsS() > latest) {
-          latest = outcome.meetsS();
+        if (free && outcome.gapM() > widest) {
+          widest = outcome.gapM();
           best = new Choice(north, east, Math.min(speed, allowed), backwards, Choice.Kind.BRAKE);
         }
         if (!limits.stops() || !free) {
@@ -110,7 +111,7 @@ public final class ArcChooser {
         }
       }
     }
-    return evade(track, best, latest);
+    return evade(track, best, widest);
   }
 
   /** Whether the vehicle may turn on the spot where it comes to stand: its corners reach far. */
@@ -133,11 +134,11 @@ public final class ArcChooser {
   }
 
   private Choice evadeOrWait(RouteTrack track) {
-    return evade(track, null, -1.0);
+    return evade(track, null, -NEVER);
   }
 
-  /** The best arc of the fan, or to wait; if all meet something, what meets it latest. */
-  private Choice evade(RouteTrack track, Choice lastResort, double latestS) {
+  /** The best arc of the fan, or to wait; if all come too near, what stays farthest away. */
+  private Choice evade(RouteTrack track, Choice lastResort, double widestM) {
     double goalNorth = track.northAheadM(limits.lookAheadM());
     double goalEast = track.eastAheadM(limits.lookAheadM());
     double now = pose.distanceM(goalNorth, goalEast);
@@ -146,7 +147,7 @@ public final class ArcChooser {
     Choice freest = null; // of those that meet something that stands
     double freestM = -1.0;
     Choice resort = lastResort;
-    double latest = latestS;
+    double widest = widestM;
     double reach = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
     for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
       boolean backwards = direction == 1;
@@ -182,8 +183,8 @@ public final class ArcChooser {
             least = score;
             best = choice;
           }
-          if (outcome.meetsS() > latest) {
-            latest = outcome.meetsS();
+          if (outcome.gapM() > widest) {
+            widest = outcome.gapM();
             resort =
                 new Choice(
                     choice.northM(),
@@ -198,17 +199,27 @@ public final class ArcChooser {
         }
       }
     }
-    double waiting = limits.stops() ? meetsS(standing()) : -1.0;
-    if (best != null && (!limits.stops() || least < 1.2 * now || waiting < limits.horizonS())) {
+    Outcome standing = limits.stops() ? standing() : null;
+    boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
+    if (best != null && (!waits || least < 1.2 * now)) {
       return best;
     }
-    if (resort == null && freest != null) {
-      return freest;
+    if (waits) {
+      return stand(Choice.Kind.WAIT);
     }
-    if (waiting >= limits.horizonS() || (limits.stops() && waiting >= latest) || resort == null) {
-      return stand(waiting >= limits.horizonS() ? Choice.Kind.WAIT : Choice.Kind.BRAKE);
+    // Whatever it does, something comes nearer than it should: as far from it as can be.
+    if (standing != null && (standing.gapM() >= widest || widest <= 0.0)) {
+      return stand(standing.gapM() > 0.0 ? Choice.Kind.WAIT : Choice.Kind.BRAKE);
     }
-    return resort;
+    if (resort == null) {
+      return freest == null ? stand(Choice.Kind.BRAKE) : freest;
+    }
+    return new Choice(
+        resort.northM(),
+        resort.eastM(),
+        resort.speedMps(),
+        resort.backwards(),
+        widest > 0.0 ? Choice.Kind.EVADE : Choice.Kind.BRAKE);
   }
 
   /** To stand where the vehicle comes to stand; one that cannot flies straight on. */
@@ -223,9 +234,9 @@ public final class ArcChooser {
     if (limits.stops()) {
       return meetsS(standing()) >= limits.horizonS()
           ? stand(Choice.Kind.WAIT)
-          : evade(here(), null, -1.0);
+          : evade(here(), null, -NEVER);
     }
-    return evade(here(), null, -1.0);
+    return evade(here(), null, -NEVER);
   }
 
   /** A route that leads nowhere else. */
@@ -301,6 +312,7 @@ public final class ArcChooser {
   }
 
   private Outcome standing() {
+    gapM = NEVER;
     double meets = NEVER;
     double v = Math.abs(speedMps);
     Pose at = pose;
@@ -309,12 +321,11 @@ public final class ArcChooser {
         v = Math.max(0.0, v - limits.brakingMps2() * dtS);
       }
       at = at.along(Math.copySign(v * dtS, speedMps), 0.0);
-      if (meetsTraffic(at, t)) {
+      if (meetsTraffic(at, t) && meets == NEVER) {
         meets = t;
-        break;
       }
     }
-    return new Outcome(NEVER, meets, true);
+    return new Outcome(NEVER, meets, true, gapM);
   }
 
   private static double meetsS(Outcome outcome) {
@@ -333,6 +344,7 @@ public final class ArcChooser {
     double far = limits.stops() ? stopping + 2.0 * costs.frame().cellM() : turnBackM(track);
     double farM = Math.max(arcM, far);
     double gone = 0.0;
+    gapM = NEVER;
     double freeM = NEVER;
     double meets = NEVER;
     Pose at = pose;
@@ -350,10 +362,10 @@ public final class ArcChooser {
           freeM = gone - step;
         }
       }
-      if (looksAtTraffic && meets == NEVER && t <= limits.horizonS() && meetsTraffic(at, t)) {
+      if (looksAtTraffic && t <= limits.horizonS() && meetsTraffic(at, t) && meets == NEVER) {
         meets = t;
       }
-      boolean seenAll = gone >= farM && (!looksAtTraffic || meets < NEVER);
+      boolean seenAll = gone >= farM && !looksAtTraffic;
       if (seenAll || freeM < NEVER || (v < 1.0e-3 && t > limits.horizonS())) {
         break;
       }
@@ -362,7 +374,7 @@ public final class ArcChooser {
         limits.stops()
             || track != null // planned as it can be flown, to the goal
             || (freeM == NEVER && circles(pose.along(sign * arcM, curvature)));
-    return new Outcome(freeM, meets, escapes);
+    return new Outcome(freeM, meets, escapes, gapM);
   }
 
   /** How far what cannot stop looks ahead: on its route as far as it takes to turn back [m]. */
@@ -410,6 +422,7 @@ public final class ArcChooser {
 
   /** Whether traffic is too near then, and not merely as near as it is now. */
   private boolean meetsTraffic(Pose at, double seconds) {
+    boolean meets = false;
     for (Mover mover : movers) {
       double age = mover.ageS(nowMicros);
       double n = mover.northAfterM(age + seconds);
@@ -421,12 +434,13 @@ public final class ArcChooser {
       for (int disc = 0; disc < body.count(); disc++) {
         double along = body.aheadM(disc);
         double away = Math.hypot(at.northM() + along * cos - n, at.eastM() + along * sin - e);
+        gapM = Math.min(gapM, away - mover.radiusM() - body.radiusM());
         if (away < kept && away < nowAwayM(mover, age, disc) - 0.02 * mover.radiusM()) {
-          return true;
+          meets = true;
         }
       }
     }
-    return false;
+    return meets;
   }
 
   private double nowAwayM(Mover mover, double age, int disc) {
