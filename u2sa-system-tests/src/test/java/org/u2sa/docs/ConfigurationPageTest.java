@@ -18,6 +18,7 @@ import org.u2sa.core.control.ground.DifferentialDriveControl;
 import org.u2sa.core.control.ground.DifferentialPursuitControl;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.planning.VectorFieldPlanner;
+import org.u2sa.core.world.WorldModeler;
 import org.u2sa.device.CompassSensor;
 import org.u2sa.device.GpsSensor;
 import org.u2sa.device.ImuSensor;
@@ -75,6 +76,7 @@ class ConfigurationPageTest {
       services.put(entry.simpleName(), declaredBy(Class.forName(entry.className())));
     }
     services.put("VectorFieldPlanner", declaredBy(VectorFieldPlanner.class));
+    services.put("WorldModeler", declaredBy(WorldModeler.class));
     services.put("ThesisControl", declaredBy(ThesisControl.class));
     services.put("DifferentialPursuitControl", declaredBy(DifferentialPursuitControl.class));
     services.put("DifferentialDriveControl", declaredBy(DifferentialDriveControl.class));

@@ -4,14 +4,22 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectMotion;
 import org.u2sa.messages.schema.MessageType;
 
 /** What classes, fields and constants mean: the words of their Javadoc, for the wire protocol. */
 final class Meanings {
   private static final String COMMENT = "/\\*\\*((?:(?!\\*/).)*)\\*/\\s*";
+
+  /** Getters that several fields share, by what stands for the fields' first letter. */
+  private static final Map<String, String> TRIPLES =
+      Map.of("Dot", "velocity", "Sigma", "sigma", "", "anchor");
 
   private Meanings() {}
 
@@ -26,7 +34,21 @@ final class Meanings {
         return found(source(each), getter, field);
       }
     }
+    String triple = TRIPLES.get(field.substring(1));
+    for (Class<?> each : List.of(type.messageClass(), ObjectMotion.class)) {
+      boolean has = each != ObjectMotion.class || isObject(type);
+      for (String name : triple == null ? List.of(field) : List.of(field, triple)) {
+        String getter = "public [\\w<>.?\\[\\] ]+ " + name + "\\(\\)";
+        if (has && Pattern.compile(getter).matcher(source(each)).find()) {
+          return found(source(each), getter, field);
+        }
+      }
+    }
     return found(source("org.u2sa.messages.StateField"), "\\w+\\(\"" + field + "\",", field);
+  }
+
+  private static boolean isObject(MessageType<?> type) {
+    return ObjectDescription.class.isAssignableFrom(type.messageClass());
   }
 
   static String ofConstant(Object constant) {
@@ -43,6 +65,7 @@ final class Meanings {
         .group(1)
         .replaceAll("\\s*\\n\\s*\\* ?", " ")
         .replaceAll("<p>.*", "")
+        .replaceAll(" @throws .*", "")
         .replaceAll("\\{@(?:link|code) (?:\\w*#)?(\\w+)(?:\\(\\))?}", "$1")
         .replaceAll(" \\(thesis [^)]*\\)", "")
         .replace("|", "\\|")
