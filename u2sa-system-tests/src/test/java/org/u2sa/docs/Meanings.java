@@ -28,10 +28,14 @@ final class Meanings {
   }
 
   static String ofField(MessageType<?> type, String field) {
+    String constant = "private static final [^;=]*=\\s*SCHEMA\\.\\w+\\(\"" + field + "\"";
     for (Class<?> each = type.messageClass(); each != Object.class; each = each.getSuperclass()) {
       String getter = "public (?:final )?[\\w<>.? ]+ " + field + "\\(\\)";
       if (Pattern.compile(getter).matcher(source(each)).find()) {
         return found(source(each), getter, field);
+      }
+      if (Pattern.compile(COMMENT + constant, Pattern.DOTALL).matcher(source(each)).find()) {
+        return found(source(each), constant, field); // shares its getter
       }
     }
     String triple = TRIPLES.get(field.substring(1));
