@@ -32,24 +32,28 @@ public abstract class GoalInformation extends U2SAData {
       SCHEMA.optionalNumberWithoutBit("timeLimit", "s", 0.0);
   private static final ValueField<GoalInformation, Long> CHOOSE =
       SCHEMA.optionalCount("choose", "");
+
   /**
    * UIDs of the goals that follow once it is done, in place of next; an empty list ends the
    * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_DONE =
       SCHEMA.optionalTexts("nextIfDone");
+
   /**
    * UIDs of the goals that follow if it was given up, in place of next; an empty list ends the
    * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_FAILED =
       SCHEMA.optionalTexts("nextIfFailed");
+
   /**
    * UIDs of the goals that follow if its time ran out, in place of next; an empty list ends the
    * mission.
    */
   private static final ValueField<GoalInformation, List<String>> NEXT_IF_TIMED_OUT =
       SCHEMA.optionalTexts("nextIfTimedOut");
+
   private static final ValueField<GoalInformation, String> REPEAT_FROM =
       SCHEMA.optionalText("repeatFrom");
   private static final ValueField<GoalInformation, Long> REPEAT_TIMES =
