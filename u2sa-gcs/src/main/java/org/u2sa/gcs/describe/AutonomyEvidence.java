@@ -1,8 +1,10 @@
 package org.u2sa.gcs.describe;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.core.launch.AutonomyLevels;
 import org.u2sa.core.launch.AutonomyLevels.Decision;
 import org.u2sa.core.launch.AutonomyLevels.Independence;
@@ -49,11 +51,12 @@ final class AutonomyEvidence {
 
   private Finding perception(Optional<Level> stated) {
     List<String> own = vehicle.publishersOf(SENSED_STATE);
-    List<String> around = new ArrayList<>(vehicle.publishersOf(Channels.SENSED_OBJECTS.name()));
-    around.addAll(vehicle.publishersOf(Channels.SCANS.name()));
+    Set<String> seeing = new LinkedHashSet<>(vehicle.publishersOf(Channels.SENSED_OBJECTS.name()));
+    seeing.addAll(vehicle.publishersOf(Channels.SCANS.name()));
+    List<String> around = List.copyOf(seeing);
     List<String> modelers = vehicle.publishersOf(OBJECTS);
     String sensors =
-        (own.isEmpty() ? "nobody measures the vehicle" : and(own) + " measures the vehicle")
+        (own.isEmpty() ? "nobody measures the vehicle" : and(own) + (own.size() == 1 ? " measures" : " measure") + " the vehicle")
             + ", "
             + (around.isEmpty() ? "nobody its surroundings" : and(around) + " the surroundings");
     if (own.isEmpty() && around.isEmpty()) {
@@ -131,6 +134,9 @@ final class AutonomyEvidence {
   }
 
   private static String and(List<String> names) {
-    return String.join(" and ", names);
+    int last = names.size() - 1;
+    return last < 1
+        ? String.join("", names)
+        : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
   }
 }

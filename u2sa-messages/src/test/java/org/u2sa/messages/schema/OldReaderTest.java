@@ -56,6 +56,7 @@ class OldReaderTest {
                 "HealthReport",
                 "ActuatorCommand",
                 "StateInformation",
+                "UnknownGoal",
                 "UnknownShape",
                 "Line",
                 "Sphere");
