@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
@@ -77,9 +78,9 @@ class FusingStateEstimatorTest {
 
   private List<String> remarks() {
     return kit.published(Channels.HEALTH).stream()
-        .filter(report -> report.remarks().isPresent())
+        .map(HealthReport::remarks)
+        .filter(remarks -> !remarks.isEmpty())
         .reduce((a, b) -> b)
-        .flatMap(HealthReport::remarks)
         .orElse(List.of());
   }
 
@@ -97,6 +98,43 @@ class FusingStateEstimatorTest {
     assertThat(state().psiSigma().getAsDouble()).isBetween(0.001, 0.02);
     assertThat(state().phi()).as("nothing measures roll").isEmpty();
     assertThat(state().timestamp()).hasValue(kit.clock().micros());
+  }
+
+  @Test
+  void callback_aircraftSaysMoreThanAnyState_isPassedOnUntilItFallsSilent() {
+    kit.start(FusingStateEstimator::new);
+    AircraftState airframe = new AircraftState().weightOnWheels(true).heightAboveGround(0.4);
+    sense(airframe.sensorName("Aircraft"));
+    drive(1.0);
+
+    assertThat(state())
+        .isInstanceOfSatisfying(
+            AircraftState.class,
+            state -> {
+              assertThat(state.weightOnWheels()).isTrue();
+              assertThat(state.heightAboveGround()).hasValue(0.4);
+              assertThat(state.calibratedAirspeed()).isEmpty();
+              assertThat(state.sensorName()).isEqualTo("StateEstimator");
+              assertThat(state.x()).isPresent();
+            });
+    drive(2.0);
+    assertThat(state()).isNotInstanceOf(AircraftState.class);
+  }
+
+  /** Standing with the wind from behind, a pitot tube shows noise. */
+  @Test
+  void callback_pitotTubeNearItsNoise_isNoEvidenceOfTheWind() {
+    kit.with("DOMAIN", "AIR").start(FusingStateEstimator::new);
+    for (int i = 0; i < 100; i++) {
+      sense(new StateInformation().sensorName("Pitot tube").fluidxDot(1.5).fluidxDotSigma(2.0));
+      drive(0.2);
+    }
+    assertThat(state().fluidxDotSigma().orElseThrow()).isGreaterThan(4.0);
+
+    sense(new StateInformation().sensorName("Pitot tube").fluidxDot(6.0).fluidxDotSigma(0.3));
+    drive(0.1);
+    assertThat(state().fluidxDotSigma().orElseThrow()).isLessThan(1.0);
+    assertThat(state().fluidxDot().orElseThrow()).isCloseTo(6.0, within(1.0));
   }
 
   @Test
@@ -129,7 +167,7 @@ class FusingStateEstimatorTest {
 
     assertThat(errorM()).isLessThan(0.3);
     assertThat(state().xDot().getAsDouble()).isCloseTo(SPEED_MPS, within(0.1));
-    assertThat(remarks()).anyMatch(line -> line.startsWith("Encoders used"));
+    assertThat(remarks()).anyMatch(line -> line.startsWith("Encoders: used"));
   }
 
   @Test
@@ -219,8 +257,8 @@ class FusingStateEstimatorTest {
       sense(heading());
     }
 
-    assertThat(remarks()).anyMatch(line -> line.startsWith("GPS silent"));
-    assertThat(remarks()).anyMatch(line -> line.startsWith("Compass used"));
+    assertThat(remarks()).anyMatch(line -> line.startsWith("GPS: silent"));
+    assertThat(remarks()).anyMatch(line -> line.startsWith("Compass: used"));
   }
 
   @Test
@@ -251,6 +289,20 @@ class FusingStateEstimatorTest {
     assertThat(state().xDot().getAsDouble()).isCloseTo(before.xDot().getAsDouble(), within(0.05));
     assertThat(state().xSigma().getAsDouble())
         .isCloseTo(before.xSigma().getAsDouble(), within(0.1));
+  }
+
+  @Test
+  void restart_inTheSameRun_goesOnFromWhatItRemembered() {
+    U2SAService first = kit.start(FusingStateEstimator::new);
+    drive(20.0);
+    kit.restart(first, FusingStateEstimator::new);
+    kit.advance(0.1);
+    sense(heading());
+
+    assertThat(state().x()).as("no fix since, but remembered").isPresent();
+    assertThat(errorM()).isLessThan(2.0);
+    assertThat(kit.latest(Channels.LOCAL_STATE).orElseThrow().y().getAsDouble())
+        .isCloseTo(SPEED_MPS * 20.0, within(12.0));
   }
 
   @Test

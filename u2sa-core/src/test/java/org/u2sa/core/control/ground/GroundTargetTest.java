@@ -23,7 +23,8 @@ class GroundTargetTest {
   }
 
   private static Optional<GroundTarget> seen(StateInformation then, StateInformation now) {
-    return GroundTarget.seenFrom(then, Point.of(10.0, 2.0, 0.0), now, OptionalDouble.empty());
+    return GroundTarget.seenFrom(
+        then, Point.of(10.0, 2.0, 0.0), now, OptionalDouble.empty(), false);
   }
 
   @Test
