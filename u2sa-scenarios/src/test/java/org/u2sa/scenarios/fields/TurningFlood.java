@@ -49,7 +49,7 @@ final class TurningFlood {
         if (column < 0 || row < 0 || column >= size || row >= size || !free[row * size + column]) {
           continue;
         }
-        int bin = (int) Math.floorMod(Math.round(heading / turn), HEADINGS);
+        int bin = Math.floorMod(Math.round(heading / turn), HEADINGS);
         int state = (row * size + column) * HEADINGS + bin;
         if (!seen[state]) {
           seen[state] = true;
