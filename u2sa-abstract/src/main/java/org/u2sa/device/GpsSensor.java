@@ -3,6 +3,8 @@ package org.u2sa.device;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -23,10 +25,19 @@ public final class GpsSensor extends ProprioceptiveSensor {
               max = 60,
               ifAbsent = 2.5,
               text = "Time without a readable message after which the receiver counts as silent.")
-          double timeout) {}
+          double timeout,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 5,
+              ifAbsent = 0,
+              text =
+                  "Time from the moment that a fix is of to its arrival, from the data sheet; states get that moment's timestamp.")
+          double delay) {}
 
   private final GpsReceiver receiver;
   private final FixReader reader;
+  private final long delayMicros;
 
   /** Called by the launcher: the receiver is the one that the configuration names. */
   public GpsSensor(ServiceContext context) {
@@ -41,12 +52,19 @@ public final class GpsSensor extends ProprioceptiveSensor {
   private GpsSensor(ServiceContext context, Optional<GpsReceiver> made) {
     super(context, "GpsSensor", STEPS_PER_S);
     receiver = Devices.open(GpsReceiver.class, USUAL, context, made);
-    reader = new FixReader(this, receiver, sensorName(), settings(Tuning.class).get().timeout());
+    Tuning tuning = settings(Tuning.class).get();
+    delayMicros = Clock.micros(tuning.delay());
+    reader = new FixReader(this, receiver, sensorName(), tuning.timeout());
   }
 
   @Override
   protected void step(double nowS) {
-    reader.next(clock().micros()).ifPresent(state -> publish(Channels.SENSED_STATE, state));
+    reader.next(clock().micros()).ifPresent(this::publish);
+  }
+
+  private void publish(StateInformation state) {
+    state.timestamp(state.timestamp().orElseThrow() - delayMicros);
+    publish(Channels.SENSED_STATE, state);
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.u2sa.core.estimation;
 
+import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -25,6 +27,9 @@ import org.u2sa.service.ServiceContext;
  * and registered at the first. In: sensed-state. Out: state, carried ahead to now; local-state, a
  * dead reckoning that never jumps.
  *
+ * <p>What a sensor says beyond what every state has, such as whether weight is on the wheels, is
+ * passed on.
+ *
  * <p>Health remarks say of each source whether it is used, gated, biased, frozen or silent.
  */
 public final class FusingStateEstimator extends StateEstimator {
@@ -34,6 +39,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private static final int REPORTS_REMEMBERED = 10;
   private static final double FUTURE_S = 0.5; // clocks of sensors may differ by so much
   private static final int WARN_OF_LATE = 100;
+  private static final double OWN_FIELDS_FRESH_S = 2.0;
 
   private final FusionVariables variables;
   private final ErrorStateFilter filter;
@@ -106,7 +112,21 @@ public final class FusingStateEstimator extends StateEstimator {
     }
     StateInformation state = EstimateWriter.write(estimate);
     completeness.look(state, newest.values());
-    return state;
+    return OwnFields.with(state, saysMore(micros));
+  }
+
+  /** The newest sensor that says more than any state has, unless it fell silent. */
+  private List<StateInformation> saysMore(long now) {
+    return newest.values().stream()
+        .filter(OwnFields::isRicher)
+        .filter(each -> now - micros(each) <= Clock.micros(OWN_FIELDS_FRESH_S))
+        .max(Comparator.comparingLong(FusingStateEstimator::micros))
+        .map(List::of)
+        .orElse(List.of());
+  }
+
+  private static long micros(StateInformation sensed) {
+    return sensed.timestamp().orElseThrow();
   }
 
   private void report(long now) {

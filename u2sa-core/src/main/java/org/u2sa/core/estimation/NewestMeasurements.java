@@ -11,8 +11,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.schema.MessageField;
-import org.u2sa.messages.schema.MessageType;
 
 /** The newest measurement of each sensor, and the state that they make together. */
 final class NewestMeasurements {
@@ -77,7 +75,7 @@ final class NewestMeasurements {
         Comparator.comparingLong(NewestMeasurements::micros)
             .reversed()
             .thenComparing(each -> each.sensorName()));
-    StateInformation state = ofTheRichestKind(sensed, others);
+    StateInformation state = OwnFields.with(sensed, others);
     others.forEach(other -> complete(state, reckoning.at(now, other)));
     return Optional.of(state);
   }
@@ -86,38 +84,6 @@ final class NewestMeasurements {
   private boolean isOutshone(StateInformation sensed) {
     return sensed.referenceFrame().isBody()
         && bySensor.values().stream().anyMatch(other -> !other.referenceFrame().isBody());
-  }
-
-  /**
-   * A copy of what was sensed. Where another sensor says more than any state has, such as whether
-   * weight is on the wheels, it is a message of that one's class, with what only that one says.
-   */
-  private static StateInformation ofTheRichestKind(
-      StateInformation sensed, List<StateInformation> others) {
-    for (StateInformation other : others) {
-      if (sensed.getClass() == StateInformation.class
-          && other.getClass() != StateInformation.class) {
-        return withOwnFields(other.type(), other, sensed);
-      }
-    }
-    return sensed.copy();
-  }
-
-  private static <T extends StateInformation> StateInformation withOwnFields(
-      MessageType<T> type, StateInformation other, StateInformation sensed) {
-    T state = type.create();
-    T rich = type.messageClass().cast(other);
-    for (MessageField<T> field : type.fields()) {
-      if (StateInformation.TYPE.field(field.name()).isEmpty() && field.isSet(rich)) {
-        field.get(rich).ifPresent(value -> field.set(state, value));
-      }
-    }
-    for (MessageField<StateInformation> field : StateInformation.TYPE.fields()) {
-      if (field.isSet(sensed)) {
-        field.get(sensed).ifPresent(value -> field.set(state, value));
-      }
-    }
-    return state;
   }
 
   private static void complete(StateInformation state, StateInformation from) {

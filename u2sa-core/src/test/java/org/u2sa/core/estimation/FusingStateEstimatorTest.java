@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
@@ -97,6 +98,43 @@ class FusingStateEstimatorTest {
     assertThat(state().psiSigma().getAsDouble()).isBetween(0.001, 0.02);
     assertThat(state().phi()).as("nothing measures roll").isEmpty();
     assertThat(state().timestamp()).hasValue(kit.clock().micros());
+  }
+
+  @Test
+  void callback_aircraftSaysMoreThanAnyState_isPassedOnUntilItFallsSilent() {
+    kit.start(FusingStateEstimator::new);
+    AircraftState airframe = new AircraftState().weightOnWheels(true).heightAboveGround(0.4);
+    sense(airframe.sensorName("Aircraft"));
+    drive(1.0);
+
+    assertThat(state())
+        .isInstanceOfSatisfying(
+            AircraftState.class,
+            state -> {
+              assertThat(state.weightOnWheels()).isTrue();
+              assertThat(state.heightAboveGround()).hasValue(0.4);
+              assertThat(state.calibratedAirspeed()).isEmpty();
+              assertThat(state.sensorName()).isEqualTo("StateEstimator");
+              assertThat(state.x()).isPresent();
+            });
+    drive(2.0);
+    assertThat(state()).isNotInstanceOf(AircraftState.class);
+  }
+
+  /** Standing with the wind from behind, a pitot tube shows noise. */
+  @Test
+  void callback_pitotTubeNearItsNoise_isNoEvidenceOfTheWind() {
+    kit.with("DOMAIN", "AIR").start(FusingStateEstimator::new);
+    for (int i = 0; i < 100; i++) {
+      sense(new StateInformation().sensorName("Pitot tube").fluidxDot(1.5).fluidxDotSigma(2.0));
+      drive(0.2);
+    }
+    assertThat(state().fluidxDotSigma().orElseThrow()).isGreaterThan(4.0);
+
+    sense(new StateInformation().sensorName("Pitot tube").fluidxDot(6.0).fluidxDotSigma(0.3));
+    drive(0.1);
+    assertThat(state().fluidxDotSigma().orElseThrow()).isLessThan(1.0);
+    assertThat(state().fluidxDot().orElseThrow()).isCloseTo(6.0, within(1.0));
   }
 
   @Test

@@ -83,6 +83,18 @@ class GpsSensorTest {
   }
 
   @Test
+  void step_delayIsKnown_fixHasTheTimeThatItIsOf() {
+    kit.with("DELAY", 0.15);
+    startNmea();
+    kit.advance(1.0);
+    say(rmc(0), gga(0), rmc(1), gga(1));
+    kit.advance(0.02); // one step: it arrives there
+
+    assertThat(kit.latest(Channels.SENSED_STATE).orElseThrow().timestamp())
+        .hasValue(1_020_000L - 150_000L);
+  }
+
+  @Test
   void step_nothingNew_nothingIsPublished() {
     startNmea();
     say(rmc(0), gga(0), rmc(1), gga(1));

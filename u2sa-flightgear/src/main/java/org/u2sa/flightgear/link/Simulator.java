@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import org.u2sa.core.control.fixedwing.AircraftActuator;
 import org.u2sa.core.control.fixedwing.AircraftState;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
@@ -32,6 +33,14 @@ public final class Simulator extends ProprioceptiveSensor {
   private static final double FULL_PERCENT = 100.0;
   private static final double RICH = 1.0;
 
+  private record Senses(
+      @Variable(
+              ifAbsentText = "true",
+              text =
+                  "Whether sensed-state has the aircraft's true position, motion and attitude; false: only weight on wheels, engine and height above ground, as sensors measure the rest.")
+          boolean sensesMotion) {}
+
+  private final boolean sensesMotion;
   private final AircraftLink link;
   private final CommandedActuators commands;
   private long published; // sequence of the reading published last
@@ -40,6 +49,7 @@ public final class Simulator extends ProprioceptiveSensor {
   /** Opens the link that the configuration names. */
   public Simulator(ServiceContext context) {
     super(context, "Simulator", POLLS_PER_S);
+    sensesMotion = settings(Senses.class).get().sensesMotion();
     commands = new CommandedActuators(this, CONTROLS.keySet(), this::write);
     link = new LinkConfiguration(this, context).open();
     registerPublisher(FlightChannels.TRUTH);
@@ -91,7 +101,7 @@ public final class Simulator extends ProprioceptiveSensor {
     report(reading);
     if (reading.connected() && reading.sequence() != published) {
       published = reading.sequence();
-      publish(Channels.SENSED_STATE, state(reading));
+      publish(Channels.SENSED_STATE, sensesMotion ? state(reading) : airframe(reading));
       publish(FlightChannels.TRUTH, state(reading));
     }
   }
@@ -130,6 +140,20 @@ public final class Simulator extends ProprioceptiveSensor {
     AircraftState state = reading.state().copy();
     state.sensorName(sensorName()).timestamp(reading.measuredAtMicros());
     return state;
+  }
+
+  /** What wheels, engine and radio altimeter say; nothing that one could navigate by. */
+  private AircraftState airframe(AircraftReading reading) {
+    AircraftState whole = reading.state();
+    AircraftState state = new AircraftState();
+    state.referenceFrame(whole.referenceFrame());
+    state.sensorName(sensorName()).timestamp(reading.measuredAtMicros());
+    whole.heightAboveGround().ifPresent(state::heightAboveGround);
+    whole.engineRpm().ifPresent(state::engineRpm);
+    return state
+        .weightOnWheels(whole.weightOnWheels())
+        .engineStarting(whole.engineStarting())
+        .crashed(whole.crashed());
   }
 
   @Override

@@ -11,6 +11,7 @@ import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.RunwayStart;
+import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
@@ -46,6 +47,7 @@ final class AircraftSensors {
         new LocalPlane(new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.elevationM()));
     new SimulatedSensors(
             seed, plane, () -> aircraft.get().map(AircraftSensors::moment).orElse(parked))
+        .receiver(GpsParameters.aviation())
         .attach(launch);
   }
 

@@ -26,12 +26,21 @@ import picocli.CommandLine.Spec;
       "Fly a Cessna 172 over ten waypoints, take-off included.",
       "",
       "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded simulator, and shows what "
-          + "happens. Wind and gusts follow from the seed. Control flies on the simulator's truth: no sensor is noisy.",
+          + "happens. Wind and gusts follow from the seed. Control flies on the simulator's truth: no sensor is noisy, unless with "
+          + "--estimator fusing: then on noisy GPS, barometer, airspeed, IMU and compass.",
       "",
       "Other MQTT clients can listen meanwhile, for example:",
       "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
     })
 final class CessnaDemo implements Callable<Integer>, Demo {
+  /** Which State Estimator says where the aircraft is. */
+  enum FlightEstimator {
+    /** The simulator's truth. */
+    PASS_THROUGH,
+    /** An error-state Kalman filter of noisy GPS, barometer, airspeed, IMU and compass. */
+    FUSING
+  }
+
   @Mixin private DemoFrame frame;
   @Spec private CommandSpec command;
 
@@ -48,6 +57,11 @@ final class CessnaDemo implements Callable<Integer>, Demo {
           "Wind increases with height: --wind is the wind 6 m above ground; at 300 m it is 1.8 times as strong. Default: constant with height.")
   private boolean shear;
 
+  @Option(
+      names = "--estimator",
+      description = "One of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private FlightEstimator estimator = FlightEstimator.PASS_THROUGH;
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     return frame.run(this);
@@ -56,6 +70,11 @@ final class CessnaDemo implements Callable<Integer>, Demo {
   @Override
   public Profile profile() {
     return flying("cessna");
+  }
+
+  @Override
+  public String systemFile() {
+    return estimator == FlightEstimator.FUSING ? "system-fused.xml" : "system.xml";
   }
 
   /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */

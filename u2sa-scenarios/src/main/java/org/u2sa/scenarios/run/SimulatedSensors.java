@@ -47,6 +47,7 @@ public final class SimulatedSensors {
   private final LocalPlane plane;
   private final Supplier<Moment> now;
   private Optional<Wheels> wheels = Optional.empty();
+  private GpsParameters receiver = GpsParameters.survey();
 
   /**
    * What the sensors are to measure.
@@ -67,6 +68,12 @@ public final class SimulatedSensors {
     this.seed = seed;
     this.plane = plane;
     this.now = now;
+  }
+
+  /** Has receivers be of that grade instead of survey grade. */
+  public SimulatedSensors receiver(GpsParameters grade) {
+    receiver = grade;
+    return this;
   }
 
   /**
@@ -151,7 +158,7 @@ public final class SimulatedSensors {
 
   private SimulatedGps gps(ServiceContext context) {
     NoiseStreams streams = streams(context, "GpsSensor");
-    return new SimulatedGps(GpsParameters.survey(), plane, streams, this::truth, () -> false);
+    return new SimulatedGps(receiver, plane, streams, this::truth, () -> false);
   }
 
   private SimulatedCompass compass(ServiceContext context) {

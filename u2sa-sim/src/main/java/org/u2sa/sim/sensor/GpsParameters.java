@@ -63,6 +63,15 @@ public record GpsParameters(
     return new GpsParameters(1.0, 0.25, 0.5, 3.0, 120.0, 1.5, 0.15, 900.0, 5.0, 9, 1);
   }
 
+  /**
+   * A stand-alone aviation receiver without corrections: 1.5 m that wander over two minutes, 0.3 m
+   * of noise, five times a second. High-quality single-frequency receivers do better: 1.9 m, 95 %
+   * (gps.gov, GPS Accuracy).
+   */
+  public static GpsParameters aviation() {
+    return new GpsParameters(5.0, 0.15, 0.3, 1.5, 120.0, 1.8, 0.1, 0.0, 1.0, 10, 1);
+  }
+
   /** What the receiver says of each horizontal axis [m]. */
   double horizontalSigmaM() {
     return StrictMath.sqrt(whiteM * whiteM + biasM * biasM);

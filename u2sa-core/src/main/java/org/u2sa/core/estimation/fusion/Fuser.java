@@ -10,6 +10,7 @@ final class Fuser {
   private static final double TRACK_SIGMA_RAD = 0.2; // of a direction of motion as heading
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
+  private static final double READABLE_SIGMAS = 3.0;
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
@@ -85,7 +86,8 @@ final class Fuser {
       used(s, quantity);
       return;
     }
-    if (!model.look(s, m, quantity) || model.rows == 0) {
+    boolean isReadable = quantity != SensedQuantity.FLUID_VELOCITY || isReadable(m);
+    if (!isReadable || !model.look(s, m, quantity) || model.rows == 0) {
       return;
     }
     if (quantity == SensedQuantity.SPECIFIC_FORCE) {
@@ -110,6 +112,17 @@ final class Fuser {
     } else if (SourceJudge.passes(s, at)) {
       correct(s, source, quantity, at);
     }
+  }
+
+  /**
+   * A pitot tube reads about nothing in slow air, whether that comes from the front, the side or
+   * behind: near its noise it says nothing of the wind.
+   */
+  private boolean isReadable(Measurement m) {
+    return tuning.domain() != MotionDomain.AIR
+        || !m.has(SensedQuantity.FLUID_VELOCITY, 0)
+        || m.value(SensedQuantity.FLUID_VELOCITY, 0)
+            > READABLE_SIGMAS * m.sigma(SensedQuantity.FLUID_VELOCITY, 0);
   }
 
   private void correct(FilterState s, int source, SensedQuantity quantity, int at) {

@@ -4,8 +4,11 @@ package org.u2sa.core.estimation.fusion;
 public enum MotionDomain {
   /** Wheels or tracks: level unless an inertial sensor says otherwise, no motion sideways. */
   GROUND(2.0, 0.7, 0.1, 0.5, 0.1, 1.0, 0.05),
-  /** Aircraft of any kind. */
-  AIR(30.0, 2.0, 1.0, 0.3, 2.0, 5.0, 0.2),
+  /**
+   * Aircraft of any kind. The wind that they feel has gusts: about 1 m/s, of 1 to 10 s at their
+   * speed (light turbulence of MIL-F-8785C), which σ √(2/τ) drives.
+   */
+  AIR(30.0, 2.0, 1.0, 0.3, 2.0, 5.0, 0.7),
   /** On the water. */
   WATER(5.0, 0.3, 0.1, 0.2, 0.3, 1.5, 0.02),
   /** In the water. */

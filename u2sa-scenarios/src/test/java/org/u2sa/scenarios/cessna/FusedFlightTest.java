@@ -1,0 +1,49 @@
+package org.u2sa.scenarios.cessna;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Flights on noisy GPS, barometer, airspeed, IMU and compass instead of the simulator's truth. */
+class FusedFlightTest {
+  @TempDir private Path directory;
+
+  private Summary fly(String name, long seed, String... options) {
+    Path out = directory.resolve(name);
+    String[] all = new String[options.length + 4];
+    System.arraycopy(options, 0, all, 4, options.length);
+    all[0] = "--estimator";
+    all[1] = "fusing";
+    all[2] = "--seed";
+    all[3] = String.valueOf(seed);
+    CommandLineRun run = CommandLineRun.demo(out, all);
+    assertThat(run.exitCode()).as("seed %d: %s%s", seed, run.err(), Summary.in(out)).isZero();
+    Summary summary = Summary.in(out);
+    summary.requireGood();
+    return summary;
+  }
+
+  @Test
+  void demo_noisySensors_takesOffAndIsRepeatable() throws IOException {
+    String mission = ShortMission.in(directory).toString();
+    fly("once", 1, "--mission", mission);
+    fly("again", 1, "--mission", mission);
+
+    assertThat(Files.readAllBytes(directory.resolve("again/track.csv")))
+        .isEqualTo(Files.readAllBytes(directory.resolve("once/track.csv")));
+  }
+
+  @Tag("long")
+  @ParameterizedTest(name = "seed {0}")
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20})
+  void demo_noisySensors_keepsAllBounds(long seed) {
+    assertThat(fly("out", seed).number("waypoints")).isEqualTo(10.0);
+  }
+}
