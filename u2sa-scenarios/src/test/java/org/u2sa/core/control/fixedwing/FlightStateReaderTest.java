@@ -27,12 +27,6 @@ class FlightStateReaderTest {
   }
 
   @Test
-  void read_sidewaysSpeedHardlyKnown_isNoSideslip() {
-    assertThat(reader.read(state().fluidyDotSigma(0.2)).orElseThrow().betaRad()).isNegative();
-    assertThat(reader.read(state().fluidyDotSigma(0.8)).orElseThrow().betaRad()).isZero();
-  }
-
-  @Test
   void read_secondState_positionInMetresFromTheFirst() {
     reader.read(state());
     FlightState seen = reader.read(state().y(21.301).x(-157.9)).orElseThrow();
