@@ -41,7 +41,6 @@ final class FlightStateReader {
       EnumSet.of(StateField.X, StateField.Y, StateField.X_DOT, StateField.Y_DOT);
   private static final double HIGH_M = 1_000.0; // height of an aircraft that does not know its own
   private static final double SLOWEST_MPS = 1.0; // slower air has no direction
-  private static final double SLIP_SIGMA_MPS = 0.5; // known worse, sideslip is but assumed
 
   private Geodetic origin; // of north and east
   private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // the losable
@@ -110,7 +109,7 @@ final class FlightStateReader {
                     value(state, StateField.THETA_DOT),
                     value(state, StateField.PSI_DOT)));
     double forward = value(state, StateField.FLUID_X_DOT);
-    double right = right(state);
+    double right = -state.fluidyDot().orElse(0.0); // BODY: y is to the left
     double climb = value(state, StateField.Z_DOT);
     double down = state.fluidzDot().orElse(forward * StrictMath.tan(pitch) - climb);
     double speed = StrictMath.sqrt(forward * forward + right * right + down * down);
@@ -141,16 +140,6 @@ final class FlightStateReader {
             aircraft != null && aircraft.weightOnWheels(),
             aircraft == null ? 0.0 : aircraft.engineRpm().orElse(0.0),
             aircraft != null && aircraft.engineStarting()));
-  }
-
-  /**
-   * Speed through the air to the right [m/s]; 0 if it is hardly known. Without a vane an estimator
-   * assumes that aircraft do not slip: a rudder that obeyed it would hold any slip there is, while
-   * the fin alone takes it out.
-   */
-  private static double right(StateInformation state) {
-    boolean isMeasured = state.fluidyDotSigma().orElse(0.0) <= SLIP_SIGMA_MPS;
-    return isMeasured ? -state.fluidyDot().orElse(0.0) : 0.0; // BODY: y is to the left
   }
 
   private static double value(StateInformation state, StateField field) {
