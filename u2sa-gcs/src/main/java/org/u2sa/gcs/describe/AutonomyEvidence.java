@@ -56,7 +56,9 @@ final class AutonomyEvidence {
     List<String> around = List.copyOf(seeing);
     List<String> modelers = vehicle.publishersOf(OBJECTS);
     String sensors =
-        (own.isEmpty() ? "nobody measures the vehicle" : and(own) + (own.size() == 1 ? " measures" : " measure") + " the vehicle")
+        (own.isEmpty()
+                ? "nobody measures the vehicle"
+                : and(own) + (own.size() == 1 ? " measures" : " measure") + " the vehicle")
             + ", "
             + (around.isEmpty() ? "nobody its surroundings" : and(around) + " the surroundings");
     if (own.isEmpty() && around.isEmpty()) {

@@ -4,16 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.Arrays;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.gcs.command.ExitCode;
 
 /**
- * Obstacles on every leg of the loop, known to nobody: the laser sees them, the World Modeler's grid
- * keeps them, the planner leads around them. Judged by truth.
+ * Obstacles on every leg of the loop, known to nobody: the laser sees them, the World Modeler's
+ * grid keeps them, the planner leads around them. Judged by truth.
  */
 class ObstructedLoopTest {
   @TempDir private Path directory;
