@@ -16,7 +16,7 @@ public record Heading(long measuredAtMicros, double headingRad, boolean isTrue)
   public static Heading ofDegrees(long measuredAtMicros, double headingDeg, boolean isTrue) {
     double turned = headingDeg % TURN_DEG;
     return new Heading(
-        measuredAtMicros, Math.toRadians(turned < 0.0 ? turned + TURN_DEG : turned), isTrue);
+        measuredAtMicros, Math.toRadians(turned < 0.0 ? turned + TURN_DEG : turned + 0.0), isTrue);
   }
 
   /** An angle within one turn [rad], 0…2π. */
