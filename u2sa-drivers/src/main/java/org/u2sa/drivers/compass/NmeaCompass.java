@@ -15,6 +15,7 @@ import org.u2sa.drivers.nmea.NmeaSentence;
  */
 public final class NmeaCompass {
   private static final double TURN_DEG = 360.0;
+  private static final double HALF_TURN_DEG = 180.0;
 
   private final SentenceFactory factory = SentenceFactory.getInstance();
 
@@ -49,7 +50,12 @@ public final class NmeaCompass {
   /** East positive. */
   private static double deviationDeg(HDGSentence hdg) {
     try {
-      return hdg.getDeviation();
+      double deviationDeg = hdg.getDeviation();
+      if (!(Math.abs(deviationDeg) <= HALF_TURN_DEG)) { // marineapi reads "NaN" as a number
+        throw new IllegalArgumentException(
+            "deviation " + deviationDeg + " is outside -180…180 deg");
+      }
+      return deviationDeg;
     } catch (DataNotAvailableException e) {
       return 0.0;
     }

@@ -3,10 +3,12 @@ package org.u2sa.drivers.compass;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
@@ -96,5 +98,15 @@ class HeadingParserProperties {
 
     assertThat((Object) cut.latest()).isEqualTo(whole.latest());
     assertThat(cut.refused()).isEqualTo(whole.refused());
+  }
+
+  @Example
+  void accept_deviationThatIsNoNumber_isRefused() {
+    ByteParser<?> parser = Kind.NMEA.parser();
+    byte[] line = "$HCHDG,1,NaN,W*6B\r\n".getBytes(StandardCharsets.US_ASCII);
+    parser.accept(line, line.length, 0);
+
+    assertThat(parser.latest()).isEmpty();
+    assertThat(parser.lastRefusal()).contains("deviation NaN is outside");
   }
 }
