@@ -9,8 +9,8 @@ import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import org.u2sa.core.planning.curve.Pose;
+import org.u2sa.core.planning.local.ArcChoice;
 import org.u2sa.core.planning.local.ArcChooser;
-import org.u2sa.core.planning.local.Choice;
 import org.u2sa.core.planning.local.MotionLimits;
 import org.u2sa.core.planning.local.RouteTrack;
 import org.u2sa.core.planning.route.HousePlanners;
@@ -174,7 +174,7 @@ final class Avoidance {
     double off =
         track.map(t -> t.follow(at.x(), at.y(), reachedM(limits), limits.lookAheadM())).orElse(0.0);
     maintain(pose, wanted, limits, now, micros, off);
-    Choice choice = choose(pose, vehicle, limits, now, micros);
+    ArcChoice choice = choose(pose, vehicle, limits, now, micros);
     Optional<String> givenUp = progress(choice, now, micros);
     announce(choice, givenUp, wanted, plane, at);
     return new Step(
@@ -289,7 +289,7 @@ final class Avoidance {
     return world.costs().cost(north, east) == Double.POSITIVE_INFINITY;
   }
 
-  private Choice choose(
+  private ArcChoice choose(
       Pose pose, Vehicle vehicle, MotionLimits limits, AvoidanceSettings now, long micros) {
     double along =
         vehicle.northMps() * Math.cos(pose.headingRad())
@@ -303,7 +303,7 @@ final class Avoidance {
   }
 
   /** Looks whether the vehicle gets on; frees it if not; answers why it gives up. */
-  private Optional<String> progress(Choice choice, AvoidanceSettings now, long micros) {
+  private Optional<String> progress(ArcChoice choice, AvoidanceSettings now, long micros) {
     if (track.isEmpty()) {
       progressMicros = micros;
       return micros - routelessSince >= now.giveUpMicros()
@@ -321,7 +321,7 @@ final class Avoidance {
     }
     if (recoveries >= now.recoveries()) {
       return Optional.of(
-          choice.kind() == Choice.Kind.WAIT
+          choice.kind() == ArcChoice.Kind.WAIT
               ? "traffic or obstacles leave no room to move"
               : "stuck after " + recoveries + " attempts to free itself");
     }
@@ -337,16 +337,16 @@ final class Avoidance {
 
   /** Says what changes, in the log and for screens. */
   private void announce(
-      Choice choice, Optional<String> givenUp, Wanted wanted, PlanningPlane plane, Point at) {
+      ArcChoice choice, Optional<String> givenUp, Wanted wanted, PlanningPlane plane, Point at) {
     PathStatus before = status;
     if (givenUp.isPresent()) {
       status = PathStatus.GIVEN_UP;
-    } else if (choice.kind() == Choice.Kind.BRAKE) {
+    } else if (choice.kind() == ArcChoice.Kind.BRAKE) {
       status = PathStatus.BRAKING;
     } else if (at != null && recoversUntil > 0L && track.isEmpty() && obstacle.isEmpty()) {
       status = PathStatus.RECOVERING;
     } else {
-      status = choice.kind() == Choice.Kind.WAIT ? PathStatus.WAITING : PathStatus.FOLLOWED;
+      status = choice.kind() == ArcChoice.Kind.WAIT ? PathStatus.WAITING : PathStatus.FOLLOWED;
     }
     String reason = "";
     if (status == PathStatus.BRAKING) {

@@ -137,8 +137,7 @@ class GoalsFromAJarTest {
                 null,
                 "-proc:none",
                 "-cp",
-                System.getProperty(
-                    "surefire.test.class.path", System.getProperty("java.class.path")),
+                System.getProperty("java.class.path"),
                 "-d",
                 classes.toString(),
                 sources.resolve("HulaHoop.java").toString(),

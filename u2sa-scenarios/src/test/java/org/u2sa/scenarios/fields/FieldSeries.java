@@ -8,7 +8,7 @@ import java.util.List;
 
 /** Many fields, one after the other, and what is asked of all. */
 final class FieldSeries {
-  private static final Path PICTURES = Path.of("target", "fields");
+  private static final Path PICTURES = Path.of(System.getProperty("java.io.tmpdir"), "u2sa-fields");
 
   /** Runs one field. */
   interface Runner {

@@ -65,10 +65,10 @@ public final class ArcChooser {
   }
 
   /** The next motion along a route. */
-  public Choice along(RouteTrack track) {
+  public ArcChoice along(RouteTrack track) {
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
-    Choice best = null;
+    ArcChoice best = null;
     double widest = -NEVER;
     for (double ahead = limits.lookAheadM();
         ahead > 0.2 * limits.lookAheadM();
@@ -78,10 +78,11 @@ public final class ArcChooser {
       if (turnsTo(north, east, backwards)) {
         if (!canTurnHere()) {
           return Math.abs(speedMps) > CREEPS_MPS
-              ? stand(Choice.Kind.EVADE)
+              ? stand(ArcChoice.Kind.EVADE)
               : backOut(2.0 * body.circleM());
         }
-        Choice turn = new Choice(north, east, limits.speedMps(), backwards, Choice.Kind.FOLLOW);
+        ArcChoice turn =
+            new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.FOLLOW);
         return meetsS(standing()) >= limits.horizonS() ? turn : evadeOrWait(track);
       }
       double curvature = curvatureTo(north, east, backwards);
@@ -95,16 +96,17 @@ public final class ArcChooser {
                 ? allowed > 0.0 && (last || outcome.freeM() >= ahead)
                 : outcome.freeM() == NEVER;
         if (free && outcome.meetsS() >= limits.horizonS()) {
-          return new Choice(
+          return new ArcChoice(
               north,
               east,
               Math.min(straight, Math.min(speed, allowed)),
               backwards,
-              Choice.Kind.FOLLOW);
+              ArcChoice.Kind.FOLLOW);
         }
         if (free && outcome.gapM() > widest) {
           widest = outcome.gapM();
-          best = new Choice(north, east, Math.min(speed, allowed), backwards, Choice.Kind.BRAKE);
+          best =
+              new ArcChoice(north, east, Math.min(speed, allowed), backwards, ArcChoice.Kind.BRAKE);
         }
         if (!limits.stops() || !free) {
           break; // slower is not freer
@@ -133,20 +135,20 @@ public final class ArcChooser {
     return Math.max(2.0 * CREEPS_MPS, allowedMps(straight.freeM()));
   }
 
-  private Choice evadeOrWait(RouteTrack track) {
+  private ArcChoice evadeOrWait(RouteTrack track) {
     return evade(track, null, -NEVER);
   }
 
   /** The best arc of the fan, or to wait; if all come too near, what stays farthest away. */
-  private Choice evade(RouteTrack track, Choice lastResort, double widestM) {
+  private ArcChoice evade(RouteTrack track, ArcChoice lastResort, double widestM) {
     double goalNorth = track.northAheadM(limits.lookAheadM());
     double goalEast = track.eastAheadM(limits.lookAheadM());
     double now = pose.distanceM(goalNorth, goalEast);
-    Choice best = null;
+    ArcChoice best = null;
     double least = NEVER;
-    Choice freest = null; // of those that meet something that stands
+    ArcChoice freest = null; // of those that meet something that stands
     double freestM = -1.0;
-    Choice resort = lastResort;
+    ArcChoice resort = lastResort;
     double widest = widestM;
     double reach = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
     for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
@@ -162,7 +164,8 @@ public final class ArcChooser {
           if (!free) {
             if (!limits.stops() && outcome.freeM() > freestM) {
               freestM = outcome.freeM();
-              freest = new Choice(end.northM(), end.eastM(), speed, backwards, Choice.Kind.BRAKE);
+              freest =
+                  new ArcChoice(end.northM(), end.eastM(), speed, backwards, ArcChoice.Kind.BRAKE);
             }
             continue;
           }
@@ -172,13 +175,13 @@ public final class ArcChooser {
                   + (backwards ? reach : 0.0)
                   + (outcome.escapes() ? 0.0 : DEAD_END * reach)
                   + 0.2 * reach * (1.0 - share);
-          Choice choice =
-              new Choice(
+          ArcChoice choice =
+              new ArcChoice(
                   end.northM(),
                   end.eastM(),
                   Math.min(speed, allowed),
                   backwards,
-                  Choice.Kind.EVADE);
+                  ArcChoice.Kind.EVADE);
           if (outcome.meetsS() >= limits.horizonS() && score < least) {
             least = score;
             best = choice;
@@ -186,12 +189,12 @@ public final class ArcChooser {
           if (outcome.gapM() > widest) {
             widest = outcome.gapM();
             resort =
-                new Choice(
+                new ArcChoice(
                     choice.northM(),
                     choice.eastM(),
                     choice.speedMps(),
                     backwards,
-                    Choice.Kind.BRAKE);
+                    ArcChoice.Kind.BRAKE);
           }
           if (!limits.stops()) {
             break;
@@ -205,35 +208,35 @@ public final class ArcChooser {
       return best;
     }
     if (waits) {
-      return stand(Choice.Kind.WAIT);
+      return stand(ArcChoice.Kind.WAIT);
     }
     // Whatever it does, something comes nearer than it should: as far from it as can be.
     if (standing != null && (standing.gapM() >= widest || widest <= 0.0)) {
-      return stand(standing.gapM() > 0.0 ? Choice.Kind.WAIT : Choice.Kind.BRAKE);
+      return stand(standing.gapM() > 0.0 ? ArcChoice.Kind.WAIT : ArcChoice.Kind.BRAKE);
     }
     if (resort == null) {
-      return freest == null ? stand(Choice.Kind.BRAKE) : freest;
+      return freest == null ? stand(ArcChoice.Kind.BRAKE) : freest;
     }
-    return new Choice(
+    return new ArcChoice(
         resort.northM(),
         resort.eastM(),
         resort.speedMps(),
         resort.backwards(),
-        widest > 0.0 ? Choice.Kind.EVADE : Choice.Kind.BRAKE);
+        widest > 0.0 ? ArcChoice.Kind.EVADE : ArcChoice.Kind.BRAKE);
   }
 
   /** To stand where the vehicle comes to stand; one that cannot flies straight on. */
-  public Choice stand(Choice.Kind kind) {
+  public ArcChoice stand(ArcChoice.Kind kind) {
     Pose ahead = pose.along(limits.lookAheadM(), 0.0);
-    return new Choice(
+    return new ArcChoice(
         ahead.northM(), ahead.eastM(), limits.stops() ? 0.0 : limits.speedMps(), false, kind);
   }
 
   /** The freest arc, for a vehicle that has no route; it stands if it can. */
-  public Choice withoutRoute() {
+  public ArcChoice withoutRoute() {
     if (limits.stops()) {
       return meetsS(standing()) >= limits.horizonS()
-          ? stand(Choice.Kind.WAIT)
+          ? stand(ArcChoice.Kind.WAIT)
           : evade(here(), null, -NEVER);
     }
     return evade(here(), null, -NEVER);
@@ -246,8 +249,8 @@ public final class ArcChooser {
   }
 
   /** The longest free way backwards or, if need be, forwards, to get out of a corner. */
-  public Choice backOut(double wayM) {
-    Choice best = stand(Choice.Kind.WAIT);
+  public ArcChoice backOut(double wayM) {
+    ArcChoice best = stand(ArcChoice.Kind.WAIT);
     double most = 0.1 * wayM;
     boolean canReverse = limits.reverses();
     for (int direction = canReverse ? 1 : 0; direction >= 0 && most < wayM; direction--) {
@@ -261,8 +264,12 @@ public final class ArcChooser {
           most = free;
           Pose end = pose.along((backwards ? -1.0 : 1.0) * free, curvature);
           best =
-              new Choice(
-                  end.northM(), end.eastM(), 0.5 * limits.speedMps(), backwards, Choice.Kind.EVADE);
+              new ArcChoice(
+                  end.northM(),
+                  end.eastM(),
+                  0.5 * limits.speedMps(),
+                  backwards,
+                  ArcChoice.Kind.EVADE);
         }
       }
     }

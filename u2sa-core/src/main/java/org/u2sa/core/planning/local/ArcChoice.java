@@ -9,7 +9,8 @@ package org.u2sa.core.planning.local;
  * @param backwards whether with the rear first
  * @param kind what that is
  */
-public record Choice(double northM, double eastM, double speedMps, boolean backwards, Kind kind) {
+public record ArcChoice(
+    double northM, double eastM, double speedMps, boolean backwards, Kind kind) {
   /** What a choice is for. */
   public enum Kind {
     /** Along the route. */
