@@ -21,6 +21,7 @@ WALL_CLOCK = ("wallSeconds", "simSecondsPerSecond")
 # What is named that API 26 lacks, and why it does no harm. Everything else of Java's or Android's must be in the signatures.
 HARMLESS = (
     (r"org\.locationtech\.jts\.awt\.", "drawing with AWT"),
+    (r"org\.ejml\.dense\.row\.DMatrix(Component|Visualization) ", "a window that shows a matrix"),
     (r"io\.netty\.handler\.ssl\.", "Netty's own TLS engines and self-signed certificates: the broker asks for the platform's"),
     (r"org\.h2\.util\.Utils ", "statistics of the database's memory"),
     (r"com\.fasterxml\.jackson\.databind\.ext\.Java7SupportImpl ", "beans' annotations, asked for behind a catch"),
