@@ -128,13 +128,14 @@ final class UgvDemo implements Callable<Integer>, Demo {
         estimator == EstimatorKind.PASS_THROUGH || isUsual,
         "--estimator " + estimator + ": expected --vehicle differential and --control pursuit");
     expect(
-        worldFile == null || isUsual && estimator == EstimatorKind.PASS_THROUGH,
-        "--world: expected --vehicle differential, --control pursuit and --estimator pass_through");
+        worldFile == null
+            || control == ControlKind.PURSUIT && estimator == EstimatorKind.PASS_THROUGH,
+        "--world: expected --control pursuit and --estimator pass_through");
+    if (vehicle == VehicleKind.ACKERMANN) {
+      return worldFile == null ? "system-ackermann.xml" : "system-ackermann-world.xml";
+    }
     if (worldFile != null) {
       return "system-world.xml";
-    }
-    if (vehicle == VehicleKind.ACKERMANN) {
-      return "system-ackermann.xml";
     }
     if (control == ControlKind.PROPORTIONAL) {
       return "system-proportional.xml";
