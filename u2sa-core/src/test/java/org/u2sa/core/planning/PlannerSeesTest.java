@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
@@ -148,9 +150,10 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(slower || aside).isTrue();
   }
 
-  @Test
-  void state_waypointWithTime_setsTheSpeedThatArrivesThen() {
-    kit.with("PLANNER", "GRID").with("MOST SPEED", 3.0).start(PathPlanner::new);
+  @ParameterizedTest
+  @ValueSource(strings = {"GRID", "THETA", "HYBRID"})
+  void state_waypointWithTime_setsTheSpeedThatArrivesThen(String planner) {
+    kit.with("PLANNER", planner).with("MOST SPEED", 3.0).start(PathPlanner::new);
     goals(waypoint("1", 10, 0).time(5.1));
     drive(1, 0, 0, 0);
     kit.advance(0.001);
@@ -160,9 +163,10 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(speed).isCloseTo(2.0, within(0.05)); // 10 m in 5 s
   }
 
-  @Test
-  void state_atWaypointWithHeading_turnsBeforeItIsReached() {
-    kit.with("PLANNER", "GRID").start(PathPlanner::new);
+  @ParameterizedTest
+  @ValueSource(strings = {"GRID", "THETA"})
+  void state_atWaypointWithHeading_turnsBeforeItIsReached(String planner) {
+    kit.with("PLANNER", planner).start(PathPlanner::new);
     goals(waypoint("1", 10, 0).psi(Math.PI / 2.0));
     drive(1, 5, 0, 0);
     drive(1, 10, 0, 0);
@@ -171,6 +175,19 @@ class PlannerSeesTest extends PlannedVehicle {
 
     drive(1, 10, 0, Math.PI / 2.0 - 0.05);
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().completed()).isTrue();
+  }
+
+  @Test
+  void state_hybridAndWaypointWithHeading_routeArrivesInIt() {
+    kit.with("PLANNER", "HYBRID").with("TURN RADIUS", 1.0).start(PathPlanner::new);
+    goals(waypoint("1", 10, 0).psi(Math.PI / 2.0));
+    drive(1, 0, 0, 0);
+
+    List<Point> points = path().points();
+    Point last = points.get(points.size() - 1);
+    Point before = points.get(points.size() - 2);
+    double bearing = Math.atan2(last.y() - before.y(), last.x() - before.x());
+    assertThat(bearing).isCloseTo(Math.PI / 2.0, within(Math.toRadians(15.0)));
   }
 
   @Test
