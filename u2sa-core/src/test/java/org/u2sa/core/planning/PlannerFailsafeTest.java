@@ -78,6 +78,41 @@ class PlannerFailsafeTest {
   }
 
   @Test
+  void pausedMission_aircraft_circlesWhereItWasAndThenPursuesTheSameGoal() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    GoalList goals = kit.latest(Channels.GOALS).orElseThrow();
+    kit.publish(Channels.GOALS, goals.copy().paused(true));
+    state(100.0);
+    state(150.0);
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+
+    failsafe(FailsafeAction.HOLD);
+    failsafe(FailsafeAction.CONTINUE);
+    state(155.0); // still paused
+    assertThat(point().y()).isNotCloseTo(0.0, within(0.1));
+
+    kit.publish(Channels.GOALS, goals.copy().paused(false));
+    state(160.0);
+    assertThat(point().y()).isCloseTo(0.0, within(1e-9));
+  }
+
+  @Test
+  void pausedMission_vehicleThatCanStand_getsNoPoints() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 0.0).with("LOOK AHEAD", 10.0);
+    begin();
+    GoalList goals = kit.latest(Channels.GOALS).orElseThrow();
+    int before = kit.published(Channels.NAVIGATION).size();
+    kit.publish(Channels.GOALS, goals.copy().paused(true));
+    state(1.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(before);
+
+    kit.publish(Channels.GOALS, goals.copy().paused(false));
+    state(1.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(before + 1);
+  }
+
+  @Test
   void hold_aircraftThatGetsNoPointsAtTheMissionsEnd_circlesAllTheSame() {
     kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
     begin();
