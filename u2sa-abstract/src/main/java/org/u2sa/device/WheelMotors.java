@@ -129,8 +129,7 @@ public final class WheelMotors extends PeriodicService {
     if (isLost) {
       lost(now);
     }
-    commands.available(leftName, isLost ? 0.0 : FULL_PERCENT);
-    commands.available(rightName, isLost ? 0.0 : FULL_PERCENT);
+    commands.available(isLost ? 0.0 : FULL_PERCENT);
     counts.ifPresent(news -> use(news, nowS));
     commands.step(nowS);
   }

@@ -25,11 +25,12 @@ import org.u2sa.service.ServiceContext;
  *
  * <p>Motors get neutral pulses without a command in time, at an emergency stop, while not armed,
  * and while the radio's switch is not at automatic. Without a connection the board itself gives no
- * pulses. No call here waits for the board.
+ * pulses, and the actuators are announced as lost. No call here waits for the board.
  */
 public final class IoioService extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 100.0;
   private static final double BATTERY_EVERY_S = 1.0;
+  private static final double ALL_PERCENT = 100.0;
 
   private final BoardConnection connection;
   private final CommandedActuators commands;
@@ -104,6 +105,7 @@ public final class IoioService extends ProprioceptiveSensor {
     with(session, pins -> act(pins, now));
     sensors.read(now).forEach(state -> publish(Channels.SENSED_STATE, state));
     with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
+    commands.available(session.isPresent() ? ALL_PERCENT : 0.0);
     report(session); // last, so that it is the last error in the health report
     commands.step(nowS);
   }
@@ -205,6 +207,7 @@ public final class IoioService extends ProprioceptiveSensor {
   @Override
   protected void release() {
     with(connector.session(), pins -> motors.drive(false, pins, clock().micros()));
+    commands.withdraw();
     connector.close();
   }
 

@@ -27,7 +27,7 @@ import org.u2sa.service.ServiceContext;
 /**
  * An autopilot that speaks MAVLink, ArduPilot or PX4: a sensor of the vehicle's state, and
  * actuators named by what the variable COMMANDS says. In: actuation, emergency-stop, arming-state.
- * Out: sensed-state, power, actuators.
+ * Out: sensed-state, power, actuators, announced as lost while no heartbeat comes.
  */
 public final class MavlinkAutopilot extends ProprioceptiveSensor {
   private static final double STEPS_PER_S = 50.0;
@@ -111,6 +111,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
     }
     watch.malformed(stream.malformed() + state.refused(), "");
     boolean isHeard = watch.isHeard(now);
+    commands.available(isHeard ? FULL_PERCENT : 0.0);
     peer.step(isHeard, now);
     peer.target()
         .ifPresent(
@@ -183,6 +184,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
     try {
       peer.target().ifPresent(target -> output.end(target, clock().micros()));
     } finally {
+      commands.withdraw();
       link.close();
     }
   }

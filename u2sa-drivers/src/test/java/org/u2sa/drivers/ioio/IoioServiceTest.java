@@ -157,6 +157,38 @@ class IoioServiceTest {
         .isCloseTo(BoardKit.NEUTRAL_S, within(BoardKit.RESOLUTION_S));
   }
 
+  /** What is left of an actuator, by its newest announcement [%]. */
+  private double left(String actuator) {
+    return on.kit.published(Channels.ACTUATORS).stream()
+        .filter(each -> each.actuatorName().equals(actuator))
+        .reduce((first, second) -> second)
+        .orElseThrow()
+        .available()
+        .orElse(100.0);
+  }
+
+  @Test
+  void step_powerCycle_bothMotorsAreAnnouncedAsLostAndThenAsBack() {
+    on.start();
+    assertThat(left("LEFT MOTOR")).isEqualTo(100.0);
+    on.board.power(false);
+    on.kit.advance(0.1);
+    assertThat(left("LEFT MOTOR")).isZero();
+    assertThat(left("RIGHT MOTOR")).isZero();
+    on.board.power(true);
+    on.kit.advance(2.0);
+    assertThat(left("LEFT MOTOR")).isEqualTo(100.0);
+    assertThat(left("RIGHT MOTOR")).isEqualTo(100.0);
+  }
+
+  @Test
+  void kill_connected_withdrawsBothMotors() {
+    IoioService service = on.start();
+    service.kill();
+    assertThat(left("LEFT MOTOR")).isZero();
+    assertThat(left("RIGHT MOTOR")).isZero();
+  }
+
   @Test
   void release_moving_neutralComesBeforeTheEnd() {
     IoioService service = on.start();
