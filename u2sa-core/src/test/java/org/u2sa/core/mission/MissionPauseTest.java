@@ -43,6 +43,13 @@ class MissionPauseTest extends ThreeWaypoints {
     assertThat(result.accepted()).isFalse();
   }
 
+  private void run(String... uids) {
+    for (String uid : uids) {
+      assertThat(current()).containsExactly(uid);
+      complete(uid);
+    }
+  }
+
   private MissionReport report() {
     kit.publish(Channels.MISSION, new MissionRequest().requestId("r"));
     return (MissionReport) kit.latest(Channels.MISSION).orElseThrow();
