@@ -30,6 +30,8 @@ public final class ThrusterActuator extends PeriodicService {
   private static final double THRUST_EXPONENT = 2.0; // T ~ n|n| (Fossen 2011, eq. 9.9)
   private static final double ALL_PERCENT = 100.0;
   private static final String SLEW = "SLEW";
+  private static final String STALL_TOLD = "STALL TOLD";
+  private static final String STALLED_UNTIL = "STALLED UNTIL";
 
   private static final Devices.Usual USUAL =
       new Devices.Usual("thruster", "THRUSTER", "VESC", "serial:/dev/ttyACM0?baud=115200");
@@ -127,6 +129,8 @@ public final class ThrusterActuator extends PeriodicService {
     if (nowS >= stalledUntilS) {
       offerAgain();
     }
+    boolean isStalled = stalledUntilS < Double.POSITIVE_INFINITY;
+    commands.available(thruster.isConnected() && !isStalled ? ALL_PERCENT : 0.0);
     commands.step(nowS);
   }
 
@@ -166,7 +170,6 @@ public final class ThrusterActuator extends PeriodicService {
     stalledSinceS = Double.isNaN(stalledSinceS) ? nowS : stalledSinceS;
     if (nowS - stalledSinceS >= variables.timeout() && stalledUntilS > nowS + STALL_PAUSE_S) {
       stalledUntilS = nowS + STALL_PAUSE_S;
-      commands.available(actuatorName, 0.0);
     }
     if (nowS - stalledSinceS >= variables.timeout() && !isStallTold) {
       isStallTold = true;
@@ -179,19 +182,23 @@ public final class ThrusterActuator extends PeriodicService {
   private void offerAgain() {
     stalledUntilS = Double.POSITIVE_INFINITY;
     stalledSinceS = Double.NaN;
-    commands.available(actuatorName, ALL_PERCENT);
   }
 
   @Override
   protected void handOver(HandOver state) {
     commands.handOver(state);
-    state.number(SLEW, slew.percent());
+    state.number(SLEW, slew.percent()).flag(STALL_TOLD, isStallTold);
+    if (stalledUntilS < Double.POSITIVE_INFINITY) {
+      state.number(STALLED_UNTIL, stalledUntilS);
+    }
   }
 
   @Override
   protected void takeOver(HandOver state) {
     commands.takeOver(state);
     state.number(SLEW).ifPresent(slew::goOnFrom);
+    isStallTold = state.flag(STALL_TOLD);
+    stalledUntilS = state.number(STALLED_UNTIL).orElse(Double.POSITIVE_INFINITY);
   }
 
   @Override
