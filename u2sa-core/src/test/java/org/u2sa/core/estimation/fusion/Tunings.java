@@ -23,6 +23,7 @@ final class Tunings {
         t.gate(),
         t.window(),
         t.positionCorrelationS(),
+        0.0,
         t.resetAfterS(),
         t.lostSigmaM(),
         t.horizonS(),
