@@ -47,6 +47,7 @@ final class MapChart {
   private final List<TrackSample> track;
   private final Quantity colour;
   private final Rectangle2D size;
+  private final RunScore score;
   private final List<WaypointSign> signs;
   private final PlotPlane plane;
   private final double unitM;
@@ -58,6 +59,7 @@ final class MapChart {
     this.track = track;
     this.colour = colour;
     this.size = size;
+    this.score = score;
     signs = WaypointSign.of(score.waypoints());
     plane = plane();
     Rectangle2D extent = extent();
@@ -110,6 +112,7 @@ final class MapChart {
     List<Point2D> planned = new ArrayList<>();
     plan.home().ifPresent(home -> planned.add(at(home.longitudeDeg(), home.latitudeDeg())));
     plan.waypoints().forEach(waypoint -> planned.add(at(waypoint)));
+    new ObstacleLayer(plan, score.obstacles(), this::at).addTo(plot);
     ChartStyle.addLine(plot, fence, ChartStyle.MISSED, 5.0);
     ChartStyle.addLine(plot, planned, ChartStyle.PLANNED, 7.0);
     ChartStyle.addTrack(

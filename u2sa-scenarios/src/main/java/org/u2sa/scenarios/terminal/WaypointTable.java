@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.FlightFigures;
+import org.u2sa.scenarios.report.ObstacleResult;
 import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.report.RunScore;
 import org.u2sa.scenarios.report.WaypointResult;
@@ -36,6 +37,7 @@ public final class WaypointTable {
     for (int i = 0; i < results.size(); i++) {
       row(terminal, i, results.get(i), width, flight);
     }
+    obstacles(score, width).forEach(line -> terminal.out().println(terminal.fitted(line)));
     summary(score).forEach(line -> terminal.out().println(terminal.fitted(line)));
     String verdict = format("%d of %d waypoints captured", score.captured(), results.size());
     terminal.out().println(score.success() ? terminal.good(verdict) : terminal.bad(verdict));
@@ -78,6 +80,23 @@ public final class WaypointTable {
     } else {
       terminal.out().println(cut);
     }
+  }
+
+  /** A line for each object around: how near the vehicle came to it, and when. */
+  private static List<String> obstacles(RunScore score, int width) {
+    List<String> lines = new ArrayList<>();
+    String metres = score.flight().isPresent() ? "%.1f" : "%.2f";
+    for (ObstacleResult result : score.obstacles()) {
+      if (lines.isEmpty()) {
+        lines.add("");
+        lines.add(format(ROW, "", cell("obstacle", width), "near [m]") + "    time");
+      }
+      lines.add(
+          format(ROW, "", cell(result.name(), width), format(metres, result.leastM()))
+              + format(TIME, clock(result.timeS()))
+              + (result.touched() ? "TOUCHED" : result.moves() ? "moves" : ""));
+    }
+    return lines;
   }
 
   private static List<String> summary(RunScore score) {

@@ -13,6 +13,7 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.Surroundings;
 import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
@@ -216,6 +217,12 @@ final class UgvDemo implements Callable<Integer>, Demo {
           launch.override("IoioService", "CONNECTION", server.address());
           return server;
         });
+  }
+
+  /** {@inheritDoc} Contacts are the simulation's to count: its vehicle has corners. */
+  @Override
+  public Surroundings surroundings() {
+    return new Surroundings(obstacles(), 0.0);
   }
 
   private List<ObjectDescription> obstacles() {

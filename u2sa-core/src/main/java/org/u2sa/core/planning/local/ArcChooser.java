@@ -85,7 +85,7 @@ public final class ArcChooser {
             new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.FOLLOW);
         return meetsS(standing()) >= limits.horizonS() ? turn : evadeOrWait(track);
       }
-      double curvature = curvatureTo(north, east, backwards);
+      double curvature = curvatureTo(pose, north, east, backwards);
       for (double share : SPEEDS) {
         double speed = Math.max(share * limits.speedMps(), limits.stops() ? 0.0 : speedMps);
         Outcome outcome = drive(curvature, backwards, speed, ahead, track);
@@ -285,11 +285,11 @@ public final class ArcChooser {
   }
 
   /** Of the arc to a point, tangent to the heading (Coulter, CMU-RI-TR-92-01: 2 y / L²). */
-  private double curvatureTo(double north, double east, boolean backwards) {
-    double dn = north - pose.northM();
-    double de = east - pose.eastM();
-    double right = de * Math.cos(pose.headingRad()) - dn * Math.sin(pose.headingRad());
-    double ahead = dn * Math.cos(pose.headingRad()) + de * Math.sin(pose.headingRad());
+  private double curvatureTo(Pose from, double north, double east, boolean backwards) {
+    double dn = north - from.northM();
+    double de = east - from.eastM();
+    double right = de * Math.cos(from.headingRad()) - dn * Math.sin(from.headingRad());
+    double ahead = dn * Math.cos(from.headingRad()) + de * Math.sin(from.headingRad());
     double square = dn * dn + de * de;
     if (square < 1.0e-6) {
       return 0.0;
@@ -399,6 +399,11 @@ public final class ArcChooser {
       RouteTrack track) {
     if (gone <= arcM || track == null) {
       return at.along(sign * step, gone <= arcM ? curvature : 0.0);
+    }
+    if (!limits.stops()) { // off its route it has to fly back, and meets what is on the way
+      double ahead = gone + limits.lookAheadM();
+      return at.along(
+          step, curvatureTo(at, track.northAheadM(ahead), track.eastAheadM(ahead), false));
     }
     double north = track.northAheadM(gone);
     double east = track.eastAheadM(gone);
