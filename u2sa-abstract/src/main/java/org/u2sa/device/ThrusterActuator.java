@@ -10,6 +10,7 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ActuatorDescription;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
@@ -21,7 +22,7 @@ import org.u2sa.service.ServiceRole;
  * actuation, emergency-stop, arming-state. Out: actuators, its announcement with its place and
  * direction (thesis 5.1); power, if the thruster measures its battery.
  */
-public final class ThrusterActuator extends PeriodicService {
+public final class ThrusterActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SURELY_TURNING_PERCENT = 20.0; // more than any motor needs to start
@@ -74,13 +75,14 @@ public final class ThrusterActuator extends PeriodicService {
 
   @Override
   protected void begin() {
-    commands.announce(List.of(announcement()));
+    commands.announce(actuators());
     if (!commands.isCommanded()) {
       thruster.stop(clock().micros());
     }
   }
 
-  private ActuatorAnnouncement announcement() {
+  @Override
+  public List<ActuatorAnnouncement> actuators() {
     Point place = rightHanded(Point.of(mounted.x(), mounted.y(), mounted.z()));
     Point push = rightHanded(mounted.turn().toBody(Point.of(1.0, 0.0, 0.0))).minus(place);
     ActuatorAnnouncement announcement =
@@ -98,7 +100,7 @@ public final class ThrusterActuator extends PeriodicService {
           .exponent(THRUST_EXPONENT)
           .commandTypes(List.of("ForceCommand"));
     }
-    return announcement;
+    return List.of(announcement);
   }
 
   /** BODY (forward, left, down) as the announcement's forward, right, down. */

@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -30,7 +31,7 @@ import org.u2sa.sim.aircraft.ControlInputs;
  * glides, at the speed that it is trimmed for, with its wings where they are. At an emergency stop,
  * and while it is not armed, the brakes are on, too.
  */
-public final class Simulator extends ProprioceptiveSensor {
+public final class Simulator extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double POLLS_PER_S = 100.0;
   private static final double FULL_PERCENT = 100.0;
   private static final double RICH = 1.0;
@@ -87,7 +88,7 @@ public final class Simulator extends ProprioceptiveSensor {
   }
 
   @Override
-  protected void begin() {
+  public List<ActuatorAnnouncement> actuators() {
     List<ActuatorAnnouncement> actuators = new ArrayList<>();
     new TreeMap<>(CONTROLS)
         .forEach(
@@ -98,7 +99,12 @@ public final class Simulator extends ProprioceptiveSensor {
                         .minimum(BOTH_WAYS.contains(name) ? -FULL_PERCENT : 0.0)
                         .maximum(FULL_PERCENT)
                         .effect(effect)));
-    commands.announce(actuators);
+    return actuators;
+  }
+
+  @Override
+  protected void begin() {
+    commands.announce(actuators());
   }
 
   private void write() {
