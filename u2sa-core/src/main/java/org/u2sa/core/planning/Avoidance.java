@@ -224,7 +224,8 @@ final class Avoidance {
         now.touchM(),
         now.trafficClearance(),
         now.trafficHorizon(),
-        now.reactionTime());
+        now.reactionTime(),
+        Math.toRadians(now.plannedTurnRate()));
   }
 
   /** Plans if there is no route, it is blocked or left, or perhaps a better one is there. */

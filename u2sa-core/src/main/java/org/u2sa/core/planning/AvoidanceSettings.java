@@ -122,6 +122,13 @@ record AvoidanceSettings(
             text = "Time from a navigation point until the vehicle moves accordingly.")
         double reactionTime,
     @Variable(
+            unit = "deg/s",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 45,
+            text = "Yaw rate that control reaches in turns on the spot.")
+        double plannedTurnRate,
+    @Variable(
             unit = "m",
             min = 0,
             ifAbsent = 0,

@@ -103,7 +103,9 @@ public final class Laps {
     number(text, "z", waypoint.z());
     number(text, "horizontalThreshold", OptionalDouble.of(threshold));
     number(text, "speed", waypoint.speed());
+    number(text, "psi", waypoint.psi());
     if (withLinks) {
+      number(text, "time", waypoint.time());
       GoalLinksXml.links(text, waypoint);
     }
     text.append("  </waypoint>\n");

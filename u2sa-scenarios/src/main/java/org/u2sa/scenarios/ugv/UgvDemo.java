@@ -162,13 +162,14 @@ final class UgvDemo implements Callable<Integer>, Demo {
         sensors == SensorSet.ALL || isUsual && isFused,
         "--sensors: expected --vehicle differential, --control pursuit and --estimator fusing");
     expect(
-        worldFile == null || isUsual && isFused && sensors == SensorSet.ALL,
-        "--world: expected --vehicle differential, --control pursuit, --estimator fusing and --sensors all");
+        worldFile == null
+            || control == ControlKind.PURSUIT && isFused && sensors == SensorSet.ALL,
+        "--world: expected --control pursuit, --estimator fusing and --sensors all");
+    if (vehicle == VehicleKind.ACKERMANN) {
+      return worldFile == null ? "system-ackermann.xml" : "system-ackermann-world.xml";
+    }
     if (worldFile != null) {
       return "system-world.xml";
-    }
-    if (vehicle == VehicleKind.ACKERMANN) {
-      return "system-ackermann.xml";
     }
     if (control == ControlKind.PROPORTIONAL) {
       return "system-proportional.xml";

@@ -1,9 +1,11 @@
 package org.u2sa.scenarios.fields;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.core.control.ground.DifferentialPursuitControl;
 import org.u2sa.core.planning.PathPlanner;
 import org.u2sa.interfaces.communication.Channels;
@@ -58,6 +60,7 @@ final class RoverRun implements AutoCloseable {
   private final World world;
   private final DifferentialVehicle vehicle;
   private final LidarMap map;
+  private final Set<Integer> touched = new HashSet<>();
   private final List<String> contacts = new ArrayList<>();
   private final ContactWatch watch =
       new ContactWatch(
@@ -175,8 +178,8 @@ final class RoverRun implements AutoCloseable {
           Math.hypot(
               Math.max(0.0, Math.max(ahead - 0.46, -0.1 - ahead)),
               Math.max(0.0, Math.abs(right) - 0.26));
-      if (beyond < other.radiusM && !contacts.contains("T" + i)) {
-        contacts.add("T" + i);
+      if (beyond < other.radiusM && touched.add(i)) {
+        contacts.add("T" + i + " at " + Math.round(10.0 * kit.nowS()) / 10.0);
       }
     }
   }

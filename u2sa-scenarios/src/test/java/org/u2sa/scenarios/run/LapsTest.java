@@ -19,7 +19,7 @@ class LapsTest {
   private static final String HOME = "<home><x>-81</x><y>29</y><psi>90</psi></home>";
   private static final String TWO =
       "<waypoint><name>door &amp; gate</name><x>-81.001</x><y>29</y><horizontalThreshold>0.5</horizontalThreshold></waypoint>"
-          + "<waypoint><x>-81.001</x><y>29.001</y><speed>0.4</speed></waypoint>";
+          + "<waypoint><x>-81.001</x><y>29.001</y><speed>0.4</speed><psi>1.5</psi></waypoint>";
 
   @TempDir private Path directory;
 
@@ -44,6 +44,7 @@ class LapsTest {
     Waypoint last = (Waypoint) laps.goals().get(3);
     assertThat(last.y()).hasValue(29.001);
     assertThat(last.speed()).hasValue(0.4);
+    assertThat(last.psi()).hasValue(1.5);
     assertThat(last.horizontalThreshold()).isEqualTo(DEFAULT_M);
     assertThat(laps.home().orElseThrow().headingRad().orElseThrow()).isEqualTo(Math.PI / 2.0);
   }
@@ -61,7 +62,7 @@ class LapsTest {
     String linked =
         "<timeLimit unit='min' next='home'>3</timeLimit>"
             + TWO
-            + "<waypoint><name>dock</name><x>-81</x><y>29</y><timeLimit>9</timeLimit><choose>1</choose>"
+            + "<waypoint><name>dock</name><x>-81</x><y>29</y><time>60</time><timeLimit>9</timeLimit><choose>1</choose>"
             + "<next if='failed'>home</next><end if='timed out'/><repeat from='2' times='2'/></waypoint>";
     Mission given = mission(HOME + linked);
     Mission laps = laps(HOME + linked, 1, 1.5);

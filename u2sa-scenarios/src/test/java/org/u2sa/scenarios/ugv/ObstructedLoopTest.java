@@ -51,6 +51,6 @@ class ObstructedLoopTest {
   void demo_worldWithTheProportionalControl_isRefused() {
     UgvCommandLine run = drive(1, "--control", "proportional");
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(run.err()).contains("--world: expected --vehicle differential, --control pursuit");
+    assertThat(run.err()).contains("--world: expected --control pursuit");
   }
 }

@@ -22,4 +22,9 @@ public record ArcChoice(
     /** No motion avoids a collision: it brakes, or turns to where it comes latest. */
     BRAKE
   }
+
+  /** The same, for another reason. */
+  ArcChoice as(Kind other) {
+    return new ArcChoice(northM, eastM, speedMps, backwards, other);
+  }
 }

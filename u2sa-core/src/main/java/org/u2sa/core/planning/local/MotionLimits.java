@@ -1,5 +1,7 @@
 package org.u2sa.core.planning.local;
 
+import org.u2sa.core.planning.curve.Pose;
+
 /**
  * How a vehicle may move along its route. Immutable.
  *
@@ -14,6 +16,7 @@ package org.u2sa.core.planning.local;
  * @param trafficM to be kept from traffic beyond both radii [m]
  * @param horizonS how far ahead in time traffic is looked at [s]
  * @param reactionS time until an order takes effect [s]
+ * @param turnRateRadPerS of a turn on the spot [rad/s], above 0
  */
 public record MotionLimits(
     double speedMps,
@@ -26,10 +29,53 @@ public record MotionLimits(
     double touchM,
     double trafficM,
     double horizonS,
-    double reactionS) {
+    double reactionS,
+    double turnRateRadPerS) {
+  /** A vehicle that turns on the spot drives arcs to points this near to straight ahead [rad]. */
+  static final double SPOT_TURN_RAD = Math.toRadians(30.0);
+
   /** Whether it turns on the spot. */
   boolean turnsOnTheSpot() {
     return turnRadiusM == 0.0;
+  }
+
+  /** The tightest arc on which it is led [1/m]. */
+  double tightest() {
+    return turnsOnTheSpot() ? 2.0 * Math.sin(SPOT_TURN_RAD) / lookAheadM : 1.0 / turnRadiusM;
+  }
+
+  /**
+   * Of the arc to a point, tangent to the heading [1/m], to the right positive, and no tighter than
+   * {@link #tightest()} (Coulter, CMU-RI-TR-92-01: 2 y / L²).
+   */
+  double curvatureTo(Pose from, double north, double east, boolean backwards) {
+    double dn = north - from.northM();
+    double de = east - from.eastM();
+    double right = de * Math.cos(from.headingRad()) - dn * Math.sin(from.headingRad());
+    double ahead = dn * Math.cos(from.headingRad()) + de * Math.sin(from.headingRad());
+    double square = dn * dn + de * de;
+    if (square < 1.0e-6) {
+      return 0.0;
+    }
+    boolean wrongSide = backwards ? ahead > 0.0 : ahead < 0.0;
+    double wanted = wrongSide ? Math.copySign(tightest(), right) : 2.0 * right / square;
+    return Math.max(-tightest(), Math.min(tightest(), wanted));
+  }
+
+  /**
+   * The speed from which it stops within a way [m/s]; 0 if it is too late.
+   *
+   * @param wayM up to what is in the way, less what is to be kept; infinite if nothing is
+   */
+  double stoppableMps(double wayM) {
+    if (wayM == Double.POSITIVE_INFINITY) {
+      return speedMps;
+    }
+    if (wayM <= 0.0) {
+      return 0.0;
+    }
+    double b = brakingMps2 * reactionS; // v²/2b + v t = left
+    return Math.min(speedMps, Math.sqrt(b * b + 2.0 * brakingMps2 * wayM) - b);
   }
 
   /** Way to stop from a speed, reaction included [m]. */

@@ -23,6 +23,27 @@ public record Mover(
     double radiusM) {
   private static final double MICROS = 1.0e-6;
 
+  /** Slower than this an object stands [m/s]. */
+  private static final double STANDS_MPS = 0.05;
+
+  /** Whether it stands now. */
+  boolean stands() {
+    return Math.hypot(northMps, eastMps) < STANDS_MPS;
+  }
+
+  /** The same with another velocity from where it is now. */
+  Mover moving(double newNorthMps, double newEastMps) {
+    return new Mover(
+        name,
+        seenMicros,
+        0.0,
+        new double[] {norths[0]},
+        new double[] {easts[0]},
+        newNorthMps,
+        newEastMps,
+        radiusM);
+  }
+
   /** Age of what is known of it [s], at that time. */
   public double ageS(long micros) {
     return (micros - seenMicros) * MICROS;

@@ -20,9 +20,6 @@ import org.u2sa.messages.shape.Sphere;
 
 /** Reads objects as shapes and traffic on the planning plane. Immutable. */
 final class ObjectReader {
-  /** Slower than this an object stands [m/s]. */
-  private static final double STANDS_MPS = 0.05;
-
   /** Radius of an object that is only a point [m]. */
   private static final double POINT_RADIUS_M = 0.1;
 
@@ -46,7 +43,7 @@ final class ObjectReader {
         : object.in(plane.frame(), vehicle);
   }
 
-  /** The object as traffic; empty if it stands, or nothing is known of its velocity. */
+  /** The object as traffic, even if it stands; empty if nothing is known of its velocity. */
   Optional<Mover> mover(ObjectDescription raw, long micros) {
     ObjectDescription object = placed(raw);
     Optional<Point> velocity = object.motion().velocity();
@@ -57,9 +54,6 @@ final class ObjectReader {
     Point there = plane.ned(object.referenceFrame(), object.after(1.0).center());
     double northMps = there.x() - here.x();
     double eastMps = there.y() - here.y();
-    if (Math.hypot(northMps, eastMps) < STANDS_MPS) {
-      return Optional.empty();
-    }
     List<Point> points = new ArrayList<>(List.of(here));
     double stepS = 0.0;
     if (object instanceof MovingSphere) {

@@ -47,6 +47,7 @@ public final class SeenWorld {
       double heightMarginM) {}
 
   private final Supplier<Reading> reading;
+  private final TrafficMemory memory = new TrafficMemory();
   private PlanningPlane plane;
   private ObjectList objects;
   private OccupancyGrid seenGrid;
@@ -202,6 +203,15 @@ public final class SeenWorld {
         || eastM > frame.eastM() + frame.columns() * frame.cellM() - margin;
   }
 
+  /** How traffic moves, or may move. */
+  private List<Mover> motions(Mover mover) {
+    if (mover.stands()) {
+      return memory.mightMove(mover);
+    }
+    memory.moves(mover);
+    return List.of(mover);
+  }
+
   private void readObjects(StateInformation state, Reading now) {
     List<PlanarShape> standing = new ArrayList<>();
     List<PlanarShape> stayInside = new ArrayList<>();
@@ -225,9 +235,9 @@ public final class SeenWorld {
         continue;
       }
       Optional<Mover> mover = reader.mover(object, micros);
-      if (mover.isPresent()) {
-        moving.add(mover.get());
-      } else {
+      List<Mover> motions = mover.map(this::motions).orElse(List.of());
+      moving.addAll(motions);
+      if (motions.isEmpty()) {
         standing.add(shape);
       }
     }

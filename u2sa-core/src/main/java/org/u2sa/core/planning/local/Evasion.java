@@ -1,0 +1,170 @@
+package org.u2sa.core.planning.local;
+
+import org.u2sa.core.planning.curve.Pose;
+import org.u2sa.core.planning.local.MotionForecast.Outcome;
+
+/**
+ * Chooses among motions off the route, past something: arcs to both sides, forwards and backwards,
+ * at several speeds, and turns on the spot (Fox, Burgard, Thrun: The Dynamic Window Approach to
+ * Collision Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs in place of
+ * velocities: at a given speed they are the same). Belongs to one thread.
+ */
+final class Evasion {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final int FAN = 10; // arcs to each side
+  private static final int DIRECTIONS = 24; // of turns on the spot
+  private static final double[] SPEEDS = {1.0, 0.6, 0.3};
+  private static final double[] ENDS = {NEVER, 1.0, 0.5}; // in reaches
+  private static final double DEAD_END = 10.0; // reaches that a motion without escape costs
+  private static final double SAME_M = 0.02; // gaps to traffic that differ by less are the same
+
+  private final MotionForecast forecast;
+  private final MotionLimits limits;
+  private final boolean amongTraffic;
+  private final Pose pose;
+  private final double keptM; // before what stands
+  private final double reachM;
+  private double goalNorthM;
+  private double goalEastM;
+
+  private ArcChoice best;
+  private double leastScore = NEVER;
+  private ArcChoice widest; // of those that come too near to traffic
+  private double widestM = -NEVER;
+  private double widestRoomM;
+  private ArcChoice freest; // of those that meet something that stands
+  private double freestM = -1.0;
+
+  /**
+   * @param keptM before what stands [m]
+   */
+  Evasion(
+      MotionForecast forecast,
+      MotionLimits limits,
+      boolean amongTraffic,
+      Pose pose,
+      double speedMps,
+      double keptM) {
+    this.forecast = forecast;
+    this.limits = limits;
+    this.amongTraffic = amongTraffic;
+    this.pose = pose;
+    this.keptM = keptM;
+    reachM = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
+  }
+
+  /** Takes a choice on the route that is free but comes too near to traffic. */
+  void alsoConsider(ArcChoice onRoute, Outcome outcome) {
+    consider(onRoute, outcome);
+  }
+
+  /** The best motion towards a place, or to wait; if all come too near, what stays farthest. */
+  ArcChoice choose(double northM, double eastM, ArcChoice stand) {
+    goalNorthM = northM;
+    goalEastM = eastM;
+    double now = pose.distanceM(goalNorthM, goalEastM);
+    for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
+      for (int k = -FAN; k <= FAN; k++) {
+        double dislike = (double) Math.abs(k) / FAN;
+        for (double share : SPEEDS) {
+          double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
+          Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
+          weigh(arc, dislike + (limits.stops() ? 1.0 - share : 0.0));
+          if (!limits.stops()) {
+            break;
+          }
+        }
+      }
+    }
+    if (amongTraffic && limits.turnsOnTheSpot()) {
+      turns();
+    }
+    Outcome standing = limits.stops() ? forecast.standing() : null;
+    boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
+    if (best != null && (!waits || leastScore < 1.2 * now)) {
+      return best;
+    }
+    if (waits) {
+      return stand;
+    }
+    return lastResort(standing, stand);
+  }
+
+  /** Directions of the plane, not of the vehicle: they stay while it turns. */
+  private void turns() {
+    for (int k = 0; k < DIRECTIONS; k++) {
+      double turn = Pose.wrapped(2.0 * Math.PI * k / DIRECTIONS - pose.headingRad());
+      if (Math.abs(turn) > MotionLimits.SPOT_TURN_RAD) {
+        double dislike = 1.0 + 2.0 * Math.abs(turn) / Math.PI;
+        weigh(Motion.turn(turn, limits.speedMps(), reachM), dislike);
+      }
+    }
+  }
+
+  private void weigh(Motion motion, double dislike) {
+    for (double end : ENDS) {
+      Motion ending = motion.endingAt(end * reachM);
+      Outcome outcome = forecast.play(ending);
+      double allowed = limits.stoppableMps(outcome.freeM() - keptM);
+      boolean free = limits.stops() ? allowed >= 0.5 * motion.speedMps() : outcome.freeM() == NEVER;
+      Pose to = end(ending);
+      ArcChoice choice =
+          new ArcChoice(
+              to.northM(),
+              to.eastM(),
+              free ? Math.min(motion.speedMps(), allowed) : motion.speedMps(),
+              motion.backwards(),
+              ArcChoice.Kind.EVADE);
+      if (free) {
+        boolean escapes = limits.stops() || forecast.canCircleAfter(motion);
+        double score =
+            Math.hypot(to.northM() - goalNorthM, to.eastM() - goalEastM)
+                + reachM * (0.3 * dislike)
+                + (motion.backwards() ? reachM : 0.0)
+                + (escapes ? 0.0 : DEAD_END * reachM);
+        if (outcome.meetsS() >= limits.horizonS() && score < leastScore) {
+          leastScore = score;
+          best = choice;
+        }
+        consider(choice, outcome);
+      } else if (!limits.stops() && outcome.freeM() > freestM) {
+        freestM = outcome.freeM();
+        freest = choice;
+      }
+      if (!amongTraffic || !limits.stops() || !free) {
+        break; // where it ends matters to traffic only
+      }
+    }
+  }
+
+  private void consider(ArcChoice choice, Outcome outcome) {
+    boolean wider = outcome.gapM() > widestM + SAME_M;
+    boolean roomier = outcome.gapM() > widestM - SAME_M && outcome.roomM() > widestRoomM;
+    if (wider || roomier) {
+      widestM = Math.max(widestM, outcome.gapM());
+      widestRoomM = outcome.roomM();
+      widest = choice;
+    }
+  }
+
+  private Pose end(Motion motion) {
+    Pose turned = new Pose(pose.northM(), pose.eastM(), pose.headingRad() + motion.turnRad());
+    return turned.along(motion.sign() * Math.min(reachM, motion.endM()), motion.curvature());
+  }
+
+  /** Whatever it does, something comes nearer than it should: as far from it as can be. */
+  private ArcChoice lastResort(Outcome standing, ArcChoice stand) {
+    boolean stands =
+        standing != null
+            && (widestM <= 0.0 // it will be touched: then better without speed of its own
+                || standing.gapM() > widestM + SAME_M
+                || (standing.gapM() > widestM - SAME_M && standing.roomM() >= widestRoomM));
+    if (stands) {
+      return stand.as(standing.gapM() > 0.0 ? ArcChoice.Kind.WAIT : ArcChoice.Kind.BRAKE);
+    }
+    if (widest == null) {
+      return freest == null ? stand.as(ArcChoice.Kind.BRAKE) : freest.as(ArcChoice.Kind.BRAKE);
+    }
+    return widest.as(widestM > 0.0 ? ArcChoice.Kind.EVADE : ArcChoice.Kind.BRAKE);
+  }
+}

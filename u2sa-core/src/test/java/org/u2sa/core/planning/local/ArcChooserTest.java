@@ -1,0 +1,176 @@
+package org.u2sa.core.planning.local;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.core.planning.curve.Pose;
+import org.u2sa.core.planning.route.Route;
+import org.u2sa.core.planning.search.BodyDiscs;
+import org.u2sa.core.planning.search.CostGrid;
+import org.u2sa.core.planning.search.GridFrame;
+import org.u2sa.core.planning.search.Inflation;
+import org.u2sa.core.planning.seen.Mover;
+
+/** A vehicle at the origin, pointing north, with a route ten metres straight ahead. */
+class ArcChooserTest {
+  private static final double CELL = 0.1;
+  private static final int SIZE = 240;
+  private static final BodyDiscs BODY = new BodyDiscs(0.3, 0.3, 0.5);
+  private static final Pose ORIGIN = new Pose(0.0, 0.0, 0.0);
+
+  private final CostGrid costs =
+      new CostGrid(new GridFrame(-12.0, -12.0, CELL, SIZE, SIZE), new Inflation(0.5, 1.0, 3.0));
+
+  private static MotionLimits rover() {
+    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.3, 4.0, 0.3, 0.8);
+  }
+
+  private static MotionLimits aeroplane() {
+    return new MotionLimits(1.0, 0.8, 1.0, 2.0, false, false, 2.0, 0.05, 0.3, 4.0, 0.3, 0.8);
+  }
+
+  /** Fills what lies between these, ends included [m]. */
+  private void wall(double south, double north, double west, double east) {
+    GridFrame frame = costs.frame();
+    costs.update(
+        i ->
+            costs.isOccupied(i)
+                || (frame.centreNorthM(i) >= south
+                    && frame.centreNorthM(i) <= north
+                    && frame.centreEastM(i) >= west
+                    && frame.centreEastM(i) <= east),
+        i -> false);
+  }
+
+  private static Mover mover(double north, double east, double northMps, double eastMps) {
+    return new Mover(
+        "T", 0L, 0.0, new double[] {north}, new double[] {east}, northMps, eastMps, 0.3);
+  }
+
+  private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
+    return new ArcChooser(costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L);
+  }
+
+  private static RouteTrack north() {
+    return track(10.0, 0.0, false);
+  }
+
+  private static RouteTrack track(double northM, double eastM, boolean backwards) {
+    Route.Point from = new Route.Point(0.0, 0.0, backwards);
+    Route.Point to = new Route.Point(northM, eastM, backwards);
+    return new RouteTrack(Route.of(List.of(from, to), 10.0));
+  }
+
+  @Test
+  void along_nothingInTheWay_followsAtFullSpeed() {
+    ArcChoice choice = arcs(rover(), 1.0).along(north());
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(choice.northM()).isCloseTo(1.0, within(1e-9));
+    assertThat(choice.eastM()).isCloseTo(0.0, within(1e-9));
+    assertThat(choice.speedMps()).isEqualTo(1.0);
+  }
+
+  @Test
+  void along_wallAhead_isSlowEnoughToStopBeforeIt() {
+    wall(1.3, 1.5, -3.0, 3.0);
+    ArcChoice choice = arcs(rover(), 0.2).along(north());
+
+    double discsAheadM = BODY.aheadM(BODY.count() - 1) + BODY.radiusM();
+    assertThat(choice.speedMps()).isPositive();
+    assertThat(rover().stoppingM(choice.speedMps())).isLessThan(1.3 - discsAheadM);
+  }
+
+  @Test
+  void along_routeToTheRear_isAPointToTurnTo() {
+    ArcChoice choice = arcs(rover(), 0.0).along(track(-10.0, 1.0, false));
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(choice.backwards()).isFalse();
+    assertThat(choice.northM()).isNegative();
+  }
+
+  @Test
+  void along_routeBackwards_goesBackwards() {
+    ArcChoice choice = arcs(rover(), 0.0).along(track(-10.0, 0.0, true));
+
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.northM()).isCloseTo(-1.0, within(1e-9));
+  }
+
+  @Test
+  void along_trafficCrossesTheRoute_isNotFollowedIntoIt() {
+    ArcChoice choice = arcs(rover(), 1.0, mover(2.0, -2.0, 0.0, 1.0)).along(north());
+
+    assertThat(choice.kind()).isIn(ArcChoice.Kind.EVADE, ArcChoice.Kind.WAIT);
+  }
+
+  @Test
+  void along_trafficFollowsBehindAndSlower_isIgnored() {
+    ArcChoice choice = arcs(rover(), 1.0, mover(-2.0, 0.0, 0.5, 0.0)).along(north());
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(choice.speedMps()).isEqualTo(1.0);
+  }
+
+  /** The wall ends the motion, and there the vehicle stands when traffic comes. */
+  @Test
+  void play_endsBeforeAWallThatTrafficPasses_meetsItAsItStands() {
+    wall(1.3, 1.5, -3.0, 3.0);
+    Mover passing = mover(0.8, -3.0, 0.0, 0.9);
+    TrafficForecast traffic = new TrafficForecast(List.of(passing), BODY, rover(), ORIGIN, 0L);
+    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, rover(), ORIGIN, 0.0);
+    MotionForecast.Outcome outcome = forecast.play(Motion.arc(0.0, false, 1.0, 1.0));
+
+    assertThat(outcome.freeM()).isBetween(0.4, 0.9);
+    assertThat(outcome.meetsS()).isBetween(1.0, 4.0);
+    assertThat(outcome.gapM()).isNegative();
+  }
+
+  @Test
+  void withoutRoute_trafficComesAtItInAGap_turnsOnTheSpotAndLeaves() {
+    wall(0.7, 0.9, -4.0, 4.0);
+    wall(-0.9, -0.7, -4.0, 4.0);
+    ArcChoice choice = arcs(rover(), 0.0, mover(0.0, -2.5, 0.0, 0.5)).withoutRoute();
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(choice.eastM()).isGreaterThan(0.3); // away from it, which no arc leads to
+    assertThat(Math.abs(choice.northM())).isLessThan(0.3);
+  }
+
+  @Test
+  void withoutRoute_noTraffic_waits() {
+    ArcChoice choice = arcs(rover(), 0.0).withoutRoute();
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.WAIT);
+    assertThat(choice.speedMps()).isZero();
+  }
+
+  @Test
+  void withoutRoute_cannotStand_keepsItsSpeed() {
+    wall(4.0, 4.2, -1.0, 1.0);
+    ArcChoice choice = arcs(aeroplane(), 1.0).withoutRoute();
+
+    assertThat(choice.speedMps()).isEqualTo(1.0);
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+  }
+
+  @Test
+  void backOut_freeBehind_goesStraightBack() {
+    ArcChoice choice = arcs(rover(), 0.0).backOut(1.0);
+
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.northM()).isCloseTo(-1.0, within(1e-9));
+  }
+
+  @Test
+  void backOut_wallBehind_goesForward() {
+    wall(-0.7, -0.5, -3.0, 3.0);
+    ArcChoice choice = arcs(rover(), 0.0).backOut(1.0);
+
+    assertThat(choice.backwards()).isFalse();
+    assertThat(choice.northM()).isGreaterThan(0.5);
+  }
+}

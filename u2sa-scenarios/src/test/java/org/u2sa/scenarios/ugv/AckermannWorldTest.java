@@ -1,0 +1,90 @@
+package org.u2sa.scenarios.ugv;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.gcs.command.ExitCode;
+
+/**
+ * The truck with steered wheels among obstacles that only its laser sees, led by PLANNER HYBRID.
+ * Judged by truth.
+ */
+class AckermannWorldTest {
+  private static final double METRES_PER_DEG_LATITUDE = 110_852.0;
+  private static final double METRES_PER_DEG_LONGITUDE = 97_264.0; // at 29.19 deg north
+
+  @TempDir private Path directory;
+
+  private UgvCommandLine drive(long seed, String world, String... more) {
+    List<String> options =
+        new ArrayList<>(List.of("--vehicle", "ackermann", "--seed", String.valueOf(seed)));
+    options.addAll(List.of("--world", file(world)));
+    options.addAll(List.of(more));
+    return UgvCommandLine.demo(directory.resolve("out" + seed), options.toArray(new String[0]));
+  }
+
+  private static String file(String name) {
+    return UgvCommandLine.repository().resolve("missions/ugv").resolve(name).toString();
+  }
+
+  private UgvCommandLine park(long seed) {
+    return drive(seed, "parking-world.xml", "--mission", file("parking.xml"));
+  }
+
+  private static void requireUntouched(UgvCommandLine run, int waypoints) {
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    assertThat(run.summary().get("waypointsCaptured").asInt()).isEqualTo(waypoints);
+    assertThat(run.summary().get("contacts").asInt()).isZero();
+  }
+
+  /** Way driven with the rear first on a leg [m]. */
+  private static double backwardsM(UgvCommandLine run, int leg) {
+    double backwards = 0.0;
+    double[] before = null;
+    for (String line : new String(run.track(), StandardCharsets.UTF_8).lines().skip(1).toList()) {
+      String[] cells = line.split(",");
+      double[] now = {Double.parseDouble(cells[1]), Double.parseDouble(cells[2])};
+      if (before != null && Integer.parseInt(cells[7]) == leg) {
+        double east = (now[0] - before[0]) * METRES_PER_DEG_LONGITUDE;
+        double north = (now[1] - before[1]) * METRES_PER_DEG_LATITUDE;
+        double rad = Math.toRadians(Double.parseDouble(cells[4]));
+        backwards += Math.max(0.0, -(east * Math.sin(rad) + north * Math.cos(rad)));
+      }
+      before = now;
+    }
+    return backwards;
+  }
+
+  private static void requireBackedOut(UgvCommandLine run) {
+    requireUntouched(run, 4);
+    assertThat(backwardsM(run, 2)).as("backwards out of the bay").isGreaterThan(0.5);
+    assertThat(backwardsM(run, 3)).as("backwards out of the alley").isGreaterThan(0.5);
+  }
+
+  @Test
+  void demo_bayAndBlindAlley_backsOutAndTurnsRound() {
+    requireBackedOut(park(1));
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(longs = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11})
+  void demo_bayAndBlindAlleyManySeeds_backsOutAndTurnsRound(long seed) {
+    requireBackedOut(park(seed));
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
+  void demo_obstaclesOnEveryLeg_areDrivenAround(long seed) {
+    requireUntouched(drive(seed, "obstructed.xml", "--loops", "1"), 6);
+  }
+}
