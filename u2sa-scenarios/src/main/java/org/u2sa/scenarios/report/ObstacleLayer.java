@@ -1,15 +1,12 @@
 package org.u2sa.scenarios.report;
 
 import java.awt.Color;
-import java.awt.Font;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
 import org.jfree.chart.annotations.XYShapeAnnotation;
-import org.jfree.chart.annotations.XYTextAnnotation;
 import org.jfree.chart.plot.XYPlot;
-import org.jfree.chart.ui.TextAnchor;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -55,7 +52,6 @@ final class ObstacleLayer {
   }
 
   void addTo(XYPlot plot) {
-    boolean named = results.size() <= MOST_NAMES;
     for (int i = 0; i < results.size(); i++) {
       ObjectDescription object = plan.surroundings().objects().get(i);
       ObstacleResult result = results.get(i);
@@ -65,21 +61,34 @@ final class ObstacleLayer {
       }
       plot.addAnnotation(
           line(outline(then), true, result.moves() ? WAY : EDGE, result.moves() ? MOVES : STANDS));
-      if (named) {
-        plot.addAnnotation(name(then, result));
-      }
     }
   }
 
-  private XYTextAnnotation name(ObjectDescription then, ObstacleResult result) {
-    String text =
-        result.moves() ? result.name() + " " + TrackPicture.clock(result.timeS()) : result.name();
-    Point2D at = place(then, then.center());
-    XYTextAnnotation name = new XYTextAnnotation(text, at.getX(), at.getY());
-    name.setFont(ChartStyle.font(Font.ITALIC, 13));
-    name.setPaint(result.moves() ? WAY : EDGE);
-    name.setTextAnchor(TextAnchor.CENTER);
-    return name;
+  /** A name to be written beside a place of the chart. */
+  record Name(String text, Point2D at, Color colour) {}
+
+  /** The names of all, with the time for what moves; none if there are too many to be read. */
+  List<Name> names() {
+    List<Name> names = new ArrayList<>();
+    for (int i = 0; i < results.size() && results.size() <= MOST_NAMES; i++) {
+      ObstacleResult result = results.get(i);
+      ObjectDescription then =
+          Surroundings.after(plan.surroundings().objects().get(i), result.timeS());
+      String time = result.moves() ? " " + TrackPicture.clock(result.timeS()) : "";
+      names.add(
+          new Name(result.name() + time, place(then, middle(then)), result.moves() ? WAY : EDGE));
+    }
+    return names;
+  }
+
+  /** Of an area the middle of its corners: its centre need not be given. */
+  private static Point middle(ObjectDescription object) {
+    if (!(object instanceof Polygon area) || area.points().isEmpty()) {
+      return object.center();
+    }
+    Point sum = area.points().stream().reduce(Point.ORIGIN, Point::plus);
+    double share = 1.0 / area.points().size();
+    return Point.of(share * sum.x(), share * sum.y(), share * sum.z());
   }
 
   private static XYShapeAnnotation line(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.FlightFigures;
 import org.u2sa.scenarios.report.ObstacleResult;
@@ -25,7 +26,11 @@ public final class WaypointTable {
   /** Prints {@code score}. */
   public static void print(Terminal terminal, RunScore score) {
     List<WaypointResult> results = score.waypoints();
-    int longest = results.stream().mapToInt(r -> r.waypoint().name().length()).max().orElse(0);
+    Stream<String> names =
+        Stream.concat(
+            results.stream().map(each -> each.waypoint().name()),
+            score.obstacles().stream().map(ObstacleResult::name));
+    int longest = names.mapToInt(String::length).max().orElse(0);
     int width = Math.max(LEAST_NAME, Math.min(longest, terminal.columns() - NUMBERS_WIDTH));
     boolean flight = score.flight().isPresent();
     String head =
@@ -89,12 +94,16 @@ public final class WaypointTable {
     for (ObstacleResult result : score.obstacles()) {
       if (lines.isEmpty()) {
         lines.add("");
-        lines.add(format(ROW, "", cell("obstacle", width), "near [m]") + "    time");
+        lines.add(
+            (format(ROW, "", cell("obstacle", width), "near [m]") + format(TIME, "time"))
+                .stripTrailing());
       }
+      String remark = result.touched() ? "TOUCHED" : result.moves() ? "moves" : "";
       lines.add(
-          format(ROW, "", cell(result.name(), width), format(metres, result.leastM()))
-              + format(TIME, clock(result.timeS()))
-              + (result.touched() ? "TOUCHED" : result.moves() ? "moves" : ""));
+          (format(ROW, "", cell(result.name(), width), format(metres, result.leastM()))
+                  + format(TIME, clock(result.timeS()))
+                  + remark)
+              .stripTrailing());
     }
     return lines;
   }

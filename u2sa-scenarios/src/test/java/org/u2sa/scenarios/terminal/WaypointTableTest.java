@@ -79,6 +79,10 @@ class WaypointTableTest {
               1  Ridge           12.3      -2.5 m      1:24  yes
               2  Lighthouse         -           -         -  NO
 
+                 obstacle    near [m]      time
+                 tower           81.3      2:00
+                 N101             3.5      1:01  TOUCHED
+
             cross-track RMS 8.3 m (whole legs 31.0 m)
             altitude on level legs: RMS -, at most -
             bank at most 27.5 deg, airspeed at least 33.3 m/s
