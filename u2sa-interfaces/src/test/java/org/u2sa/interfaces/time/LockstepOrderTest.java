@@ -142,11 +142,11 @@ class LockstepOrderTest {
     LockstepClock clock = new LockstepClock();
     start(clock, seed, count);
 
-    clock.runUntil(() -> turns.size() >= 4_000, 1_000_000);
+    clock.runUntil(() -> turns.size() >= 1_500, 1_000_000);
 
     List<String> came = List.copyOf(turns);
     assertThat(came)
-        .hasSizeGreaterThanOrEqualTo(4_000)
+        .hasSizeGreaterThanOrEqualTo(1_500)
         .isEqualTo(promised(seed, count, came.size()));
   }
 }
