@@ -67,12 +67,10 @@ final class TurnWait {
   }
 
   private void lookOut() {
-    long until = System.nanoTime() + LOOKS_OUT_NANOS;
-    for (int looks = 1; waiting && System.nanoTime() - until < 0; looks++) {
+    long began = System.nanoTime();
+    for (int looks = 1; waiting && System.nanoTime() - began < LOOKS_OUT_NANOS; looks++) {
       if (looks % LOOKS_BEFORE_YIELD == 0) {
-        Thread.yield();
-      } else {
-        Thread.onSpinWait();
+        Thread.yield(); // Android 28 has no gentler way, Thread.onSpinWait
       }
     }
   }
