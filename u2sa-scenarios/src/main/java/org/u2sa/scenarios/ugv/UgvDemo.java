@@ -192,7 +192,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   public Trial trial(Mission mission, Path directory, long seed) {
     int wanted = laps != null ? laps : frame.isOwnMission() ? LAPS : 1;
     Mission driven =
-        Laps.write(mission, wanted, receiver.leastThresholdM(), directory.resolve("mission.xml"));
+        Laps.write(mission, wanted, leastThresholdM(), directory.resolve("mission.xml"));
     DriveConditions conditions = around.conditions(vehicle, frame.plan(this, mission));
     UgvWorld world =
         new UgvWorld(
@@ -224,6 +224,12 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Override
   public Surroundings surroundings() {
     return new Surroundings(obstacles(), 0.0);
+  }
+
+  /** The filter's positions do not leap, whatever the receiver's do. */
+  private double leastThresholdM() {
+    boolean leaps = estimator == EstimatorKind.PASS_THROUGH || control == ControlKind.PROPORTIONAL;
+    return leaps ? receiver.leastThresholdM() : 0.0;
   }
 
   private List<ObjectDescription> obstacles() {

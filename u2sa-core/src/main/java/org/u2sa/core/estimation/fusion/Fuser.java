@@ -10,6 +10,7 @@ final class Fuser {
   private static final double TRACK_SIGMA_RAD = 0.2; // of a direction of motion as heading
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
+  private static final double SPEED_FRESH_S = 2.0;
   private static final double READABLE_SIGMAS = 3.0;
 
   private final FilterTuning tuning;
@@ -191,7 +192,8 @@ final class Fuser {
     }
     boolean isGround = tuning.domain() == MotionDomain.GROUND;
     boolean isInFlow = s.hasFlow && (s.micros - s.fluidMicros) / MICROS < FLUID_FRESH_S;
-    if (isGround || isInFlow) {
+    // Where nothing says how fast it goes, "not sideways" by an uncertain heading would seem to.
+    if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
       s.constraintMicros = s.micros;
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);
       if (update.prepare(s, model, 1.0) <= gates[model.rows]) {
