@@ -10,6 +10,7 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ActuatorDescription;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
@@ -21,7 +22,7 @@ import org.u2sa.service.ServiceRole;
  * actuation, emergency-stop, arming-state. Out: actuators, its announcement with its place and
  * direction (thesis 5.1); power, if the thruster measures its battery.
  */
-public final class ThrusterActuator extends PeriodicService {
+public final class ThrusterActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SURELY_TURNING_PERCENT = 20.0; // more than any motor needs to start
@@ -30,6 +31,8 @@ public final class ThrusterActuator extends PeriodicService {
   private static final double THRUST_EXPONENT = 2.0; // T ~ n|n| (Fossen 2011, eq. 9.9)
   private static final double ALL_PERCENT = 100.0;
   private static final String SLEW = "SLEW";
+  private static final String STALL_TOLD = "STALL TOLD";
+  private static final String STALLED_UNTIL = "STALLED UNTIL";
 
   private static final Devices.Usual USUAL =
       new Devices.Usual("thruster", "THRUSTER", "VESC", "serial:/dev/ttyACM0?baud=115200");
@@ -72,13 +75,14 @@ public final class ThrusterActuator extends PeriodicService {
 
   @Override
   protected void begin() {
-    commands.announce(List.of(announcement()));
+    commands.announce(actuators());
     if (!commands.isCommanded()) {
       thruster.stop(clock().micros());
     }
   }
 
-  private ActuatorAnnouncement announcement() {
+  @Override
+  public List<ActuatorAnnouncement> actuators() {
     Point place = rightHanded(Point.of(mounted.x(), mounted.y(), mounted.z()));
     Point push = rightHanded(mounted.turn().toBody(Point.of(1.0, 0.0, 0.0))).minus(place);
     ActuatorAnnouncement announcement =
@@ -96,7 +100,7 @@ public final class ThrusterActuator extends PeriodicService {
           .exponent(THRUST_EXPONENT)
           .commandTypes(List.of("ForceCommand"));
     }
-    return announcement;
+    return List.of(announcement);
   }
 
   /** BODY (forward, left, down) as the announcement's forward, right, down. */
@@ -127,6 +131,8 @@ public final class ThrusterActuator extends PeriodicService {
     if (nowS >= stalledUntilS) {
       offerAgain();
     }
+    boolean isStalled = stalledUntilS < Double.POSITIVE_INFINITY;
+    commands.available(thruster.isConnected() && !isStalled ? ALL_PERCENT : 0.0);
     commands.step(nowS);
   }
 
@@ -166,7 +172,6 @@ public final class ThrusterActuator extends PeriodicService {
     stalledSinceS = Double.isNaN(stalledSinceS) ? nowS : stalledSinceS;
     if (nowS - stalledSinceS >= variables.timeout() && stalledUntilS > nowS + STALL_PAUSE_S) {
       stalledUntilS = nowS + STALL_PAUSE_S;
-      commands.available(actuatorName, 0.0);
     }
     if (nowS - stalledSinceS >= variables.timeout() && !isStallTold) {
       isStallTold = true;
@@ -179,19 +184,23 @@ public final class ThrusterActuator extends PeriodicService {
   private void offerAgain() {
     stalledUntilS = Double.POSITIVE_INFINITY;
     stalledSinceS = Double.NaN;
-    commands.available(actuatorName, ALL_PERCENT);
   }
 
   @Override
   protected void handOver(HandOver state) {
     commands.handOver(state);
-    state.number(SLEW, slew.percent());
+    state.number(SLEW, slew.percent()).flag(STALL_TOLD, isStallTold);
+    if (stalledUntilS < Double.POSITIVE_INFINITY) {
+      state.number(STALLED_UNTIL, stalledUntilS);
+    }
   }
 
   @Override
   protected void takeOver(HandOver state) {
     commands.takeOver(state);
     state.number(SLEW).ifPresent(slew::goOnFrom);
+    isStallTold = state.flag(STALL_TOLD);
+    stalledUntilS = state.number(STALLED_UNTIL).orElse(Double.POSITIVE_INFINITY);
   }
 
   @Override

@@ -11,6 +11,7 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.ActuatorDescription;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
@@ -25,7 +26,7 @@ import org.u2sa.service.ServiceRole;
  * <p>Both motors are off unless both have a command in time: half of a control system must not turn
  * the vehicle in circles.
  */
-public final class WheelMotors extends PeriodicService {
+public final class WheelMotors extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 100.0;
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double SILENT_AFTER_S = 0.5;
@@ -103,11 +104,15 @@ public final class WheelMotors extends PeriodicService {
   }
 
   @Override
+  public List<ActuatorAnnouncement> actuators() {
+    return List.of(
+        wheel(leftName, "drives the left wheel forward", leftDescription),
+        wheel(rightName, "drives the right wheel forward", rightDescription));
+  }
+
+  @Override
   protected void begin() {
-    commands.announce(
-        List.of(
-            wheel(leftName, "drives the left wheel forward", leftDescription),
-            wheel(rightName, "drives the right wheel forward", rightDescription)));
+    commands.announce(actuators());
     if (commands.isCommanded()) {
       turningUntilMicros = clock().micros() + goesOnMicros;
     } else {
@@ -129,8 +134,7 @@ public final class WheelMotors extends PeriodicService {
     if (isLost) {
       lost(now);
     }
-    commands.available(leftName, isLost ? 0.0 : FULL_PERCENT);
-    commands.available(rightName, isLost ? 0.0 : FULL_PERCENT);
+    commands.available(isLost ? 0.0 : FULL_PERCENT);
     counts.ifPresent(news -> use(news, nowS));
     commands.step(nowS);
   }

@@ -17,7 +17,7 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
  * <p>When no command has come for the expiry time, at an emergency stop, and when the service ends,
  * it goes neutral by itself. Whoever takes its place while it runs goes on with its command.
  */
-public abstract class Actuator extends PeriodicService {
+public abstract class Actuator extends PeriodicService implements ActuatorOwner {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
 
   private record Names(
@@ -62,6 +62,11 @@ public abstract class Actuator extends PeriodicService {
         new ActuatorAnnouncement().actuatorName(actuatorName).minimum(-100.0).maximum(100.0));
   }
 
+  @Override
+  public final List<ActuatorAnnouncement> actuators() {
+    return List.of(announcement());
+  }
+
   /**
    * Tells control systems which share of its effect the actuator has left, 0 if its device is lost
    * [%, 0…100]; not before the service runs.
@@ -78,7 +83,7 @@ public abstract class Actuator extends PeriodicService {
   @Override
   protected final void begin() {
     // first: the extents of this class are not those of the one before
-    commands.announce(List.of(announcement()));
+    commands.announce(actuators());
     neutral = !commands.isCommanded();
     if (neutral) {
       neutral();

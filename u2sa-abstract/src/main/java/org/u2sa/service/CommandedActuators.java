@@ -162,10 +162,21 @@ public final class CommandedActuators {
     }
   }
 
+  /** {@link #available(String, double)} of all of them, which share one device. */
+  public void available(double percent) {
+    boolean changes = false;
+    for (ActuatorAnnouncement announced : announcements.values()) {
+      changes |= announced.available().orElse(ALL_PERCENT) != percent;
+      announced.available(percent);
+    }
+    if (changes) {
+      announceNow();
+    }
+  }
+
   /** Says that the actuators are there no more; to be called in the service's release. */
   public void withdraw() {
-    announcements.values().forEach(each -> each.available(0.0));
-    announceNow();
+    available(0.0);
   }
 
   private Optional<CommandRefusal> refusal(ActuatorCommand command) {

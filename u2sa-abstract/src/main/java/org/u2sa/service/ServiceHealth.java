@@ -181,23 +181,28 @@ final class ServiceHealth {
       remarks.forEach((part, what) -> said.add(part + ": " + what));
       report.remarks(said);
     }
+    long[] sorted = sortedCallbacks();
     return report
         .overruns(overruns)
         .exceptions(exceptions)
         .refused(report.refused() + refused)
         .expired(expired)
-        .callbackP50(percentile(MEDIAN))
-        .callbackP99(percentile(WORST_PERCENT));
+        .callbackP50(percentile(sorted, MEDIAN))
+        .callbackP99(percentile(sorted, WORST_PERCENT));
   }
 
-  /** Time that this share of the latest callbacks did not exceed [s]; 0 before the first. */
-  private double percentile(double fraction) {
-    int known = (int) Math.min(callbacks, REMEMBERED_CALLBACKS);
-    if (known == 0) {
-      return 0.0;
-    }
-    long[] sorted = Arrays.copyOf(callbackMicros, known);
+  /** How long the latest callbacks took [µs], shortest first. */
+  private long[] sortedCallbacks() {
+    long[] sorted = Arrays.copyOf(callbackMicros, (int) Math.min(callbacks, REMEMBERED_CALLBACKS));
     Arrays.sort(sorted);
-    return Clock.seconds(sorted[(int) Math.min(known - 1L, (long) (fraction * known))]);
+    return sorted;
+  }
+
+  /** Time that this share of them did not exceed [s]; 0 if there are none. */
+  private static double percentile(long[] sorted, double fraction) {
+    return sorted.length == 0
+        ? 0.0
+        : Clock.seconds(
+            sorted[(int) Math.min(sorted.length - 1L, (long) (fraction * sorted.length))]);
   }
 }

@@ -22,6 +22,7 @@ public final class GoalList extends U2SAData {
       SCHEMA.since(3).optionalCount("landGoals", "");
   private static final ValueField<GoalList, List<String>> FILE_FAULTS =
       SCHEMA.optionalTexts("fileFaults");
+  private static final ValueField<GoalList, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
 
   /** The schema. */
   public static final MessageType<GoalList> TYPE = SCHEMA.build();
@@ -77,5 +78,18 @@ public final class GoalList extends U2SAData {
   /** Sets {@link #fileFaults()}. */
   public GoalList fileFaults(List<String> value) {
     return put(FILE_FAULTS, List.copyOf(value));
+  }
+
+  /**
+   * Whether the mission is paused: the vehicle stands, or circles if it cannot stand, and pursues
+   * none of {@link #goals()}. False from senders that do not know the field.
+   */
+  public boolean paused() {
+    return Boolean.TRUE.equals(get(PAUSED));
+  }
+
+  /** Sets {@link #paused()}. */
+  public GoalList paused(boolean value) {
+    return put(PAUSED, value);
   }
 }

@@ -10,7 +10,7 @@ class PhoneSettings(context: Context) {
     private val store: SharedPreferences = context.getSharedPreferences("vehicle", Context.MODE_PRIVATE)
 
     /** The system file's name among the vehicle's files. */
-    var system: String by text("system", "shipped/config/ugv/system.xml")
+    var system: String by text("system", "shipped/config/ugv/system-board.xml")
 
     /** The mission's name among the vehicle's files; empty: the one of the configuration. */
     var mission: String by text("mission", "")

@@ -43,7 +43,7 @@ class ShippedSystemsTest {
     private fun deadPort() = ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use { it.localPort }
 
     @ParameterizedTest
-    @ValueSource(strings = ["system.xml", "system-phone.xml", "system-ackermann.xml", "system-proportional.xml"])
+    @ValueSource(strings = ["system.xml", "system-board.xml", "system-pass-through.xml", "system-phone.xml", "system-ackermann.xml", "system-proportional.xml"])
     fun start_eachSystem_runsAllServicesAndCannotBeArmedWithoutABoard(name: String) {
         val board = "tcp:127.0.0.1:${deadPort()}"
         host.start(

@@ -40,6 +40,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private static final double FUTURE_S = 0.5; // clocks of sensors may differ by so much
   private static final int WARN_OF_LATE = 100;
   private static final double OWN_FIELDS_FRESH_S = 2.0;
+  private static final String START = "start"; // of the source that the surveyed start is
 
   private final FusionVariables variables;
   private final ErrorStateFilter filter;
@@ -54,6 +55,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private long reports;
   private long resets;
   private long ignored;
+  private boolean isStartTold;
 
   /** Called by the launcher. */
   public FusingStateEstimator(ServiceContext context) {
@@ -90,10 +92,21 @@ public final class FusingStateEstimator extends StateEstimator {
       }
       return Optional.empty();
     }
+    tellStart();
     report(Math.max(now, filter.micros()));
     long at = Math.max(now, filter.micros());
     boolean isDue = at - publishedMicros >= Clock.micros(1.0 / variables.outputRate());
     return publishedMicros == Long.MIN_VALUE || isDue ? Optional.of(state(at)) : Optional.empty();
+  }
+
+  /** The place where the vehicle was put, as soon as a receiver says where it is about. */
+  private void tellStart() {
+    if (!isStartTold && variables.startSigma() > 0.0 && filter.at(filter.micros()).isOnEarth()) {
+      isStartTold = true;
+      double sigma = variables.startSigma();
+      measurement.begin(START, filter.micros());
+      filter.add(measurement.place(variables.startY(), variables.startX(), sigma, sigma));
+    }
   }
 
   private void ignore(StateInformation sensed, String why) {
@@ -138,6 +151,9 @@ public final class FusingStateEstimator extends StateEstimator {
       remember();
     }
     for (Report report : filter.sources().at(now)) {
+      if (report.source().equals(START) && report.standing() == Standing.SILENT) {
+        continue; // it has said what it had to
+      }
       remark(report.source(), report.text());
       Standing before = standings.put(report.source(), report.standing());
       if (before != report.standing()) {
@@ -183,6 +199,7 @@ public final class FusingStateEstimator extends StateEstimator {
   @Override
   protected void takeOver(HandOver state) {
     state.message(LOCAL, StateInformation.class).ifPresent(odometry::resume);
+    isStartTold = true; // it has left there
     if (!FilterMemory.read(filter, state::text)) {
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
         filter.add(reader.read(each, measurement)); // of another estimator: a start at least

@@ -125,6 +125,35 @@ record FusionVariables(
         double positionCorrelation,
     @Variable(
             unit = "s",
+            min = 0,
+            ifAbsent = 60,
+            text =
+                "Time for which errors of heading sources persist: a compass's deviation stays while the vehicle keeps its direction. 0: each error is new.")
+        double headingCorrelation,
+    @Variable(
+            unit = "deg",
+            min = -180,
+            max = 180,
+            ifAbsent = 0,
+            text = "Longitude of the surveyed place where the vehicle is put before each start.")
+        double startX,
+    @Variable(
+            unit = "deg",
+            min = -90,
+            max = 90,
+            ifAbsent = 0,
+            text = "Latitude of the surveyed place where the vehicle is put before each start.")
+        double startY,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 1000,
+            ifAbsent = 0,
+            text =
+                "How well it is put there, 1 sigma; 0: nobody knows where it starts. A receiver that contradicts the place by more than the gate is believed instead.")
+        double startSigma,
+    @Variable(
+            unit = "s",
             min = 0.1,
             ifAbsent = 5,
             text = "Time after which a quantity begins anew if all its sources contradict it.")
@@ -216,6 +245,7 @@ record FusionVariables(
         gate,
         trustWindow,
         positionCorrelation,
+        headingCorrelation,
         resetAfter,
         lostSigma,
         horizon,

@@ -13,7 +13,10 @@ import java.util.stream.Stream;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.U2SAService;
 
 /**
@@ -26,6 +29,8 @@ import org.u2sa.service.U2SAService;
  *     be made
  * @param publishes the channels on which it would publish
  * @param subscribes the channels that it would hear
+ * @param variables all that it declares, with their values here
+ * @param actuators what it would announce of each
  * @param refusal why it could not be made here, as for want of a device or jar; empty if it was
  */
 public record PlannedService(
@@ -34,8 +39,12 @@ public record PlannedService(
     String role,
     List<Channel<?>> publishes,
     List<Channel<?>> subscribes,
+    List<ConfigurationVariable> variables,
+    List<ActuatorAnnouncement> actuators,
     Optional<String> refusal) {
   public PlannedService {
+    variables = Collections.unmodifiableList(new ArrayList<>(variables));
+    actuators = Collections.unmodifiableList(new ArrayList<>(actuators));
     publishes = Collections.unmodifiableList(new ArrayList<>(publishes));
     subscribes = Collections.unmodifiableList(new ArrayList<>(subscribes));
   }
@@ -74,6 +83,10 @@ public record PlannedService(
               service.role().name(),
               service.publishedChannels(),
               service.subscribedChannels(),
+              configuration.describe(),
+              service instanceof ActuatorOwner
+                  ? ((ActuatorOwner) service).actuators()
+                  : Collections.emptyList(),
               Optional.empty());
       service.kill();
       return planned;
@@ -82,6 +95,8 @@ public record PlannedService(
           entry,
           entry.simpleName(),
           "",
+          Collections.emptyList(),
+          Collections.emptyList(),
           Collections.emptyList(),
           Collections.emptyList(),
           Optional.of(String.valueOf(e.getMessage())));

@@ -232,11 +232,13 @@ public final class MissionManager extends PeriodicService {
         .report(requestId, resumable.where().or(() -> progress.backTo()));
   }
 
-  /** Goes back to where the mission was left. Returns what was done, in words. */
+  /** Ends a pause, or else goes back to where the mission was left. Returns what was done. */
   String resumeMission() {
     Optional<MissionProgress> saved = resumable.taken();
     saved.ifPresent(before -> progress = before);
-    if (saved.isEmpty() && !progress.goBack()) {
+    boolean wasPaused = progress.isPaused() && !progress.mission().isOver();
+    progress.pause(false);
+    if (saved.isEmpty() && !wasPaused && !progress.goBack()) {
       throw new BadInputException(
           progress.isLeft()
               ? "the failsafe "
@@ -244,7 +246,9 @@ public final class MissionManager extends PeriodicService {
                   + " is pursued; the mission resumes after it"
               : "there is nothing to resume: the mission was not left");
     }
-    return "resumed at " + names(progress.pursued().current());
+    return "resumed at "
+        + names(progress.mission().current())
+        + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
   }
 
   /** Takes note that an order was carried out. */
@@ -328,6 +332,7 @@ public final class MissionManager extends PeriodicService {
       log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" refused: it is not known");
       return;
     }
+    passTime();
     progress.changeTo(uid);
     log("changing to goal \"" + uid + "\" on command");
     publishGoals();
@@ -338,7 +343,7 @@ public final class MissionManager extends PeriodicService {
     if (sequence.isOver()) {
       log("mission is over: " + progress.words());
     } else {
-      log("current goals " + names(sequence.current()));
+      log((progress.isHeld() ? "paused at goals " : "current goals ") + names(sequence.current()));
     }
     remember();
     resumable.save(progress);
@@ -353,6 +358,9 @@ public final class MissionManager extends PeriodicService {
             .goals(sequence.current())
             .upcoming(sequence.upcoming())
             .landGoals(failsafes.landGoals());
+    if (progress.isHeld()) {
+      list.paused(true);
+    }
     List<String> faults = files.faults();
     return faults.isEmpty() ? list : list.fileFaults(faults);
   }

@@ -78,6 +78,8 @@ final class MissionOrders {
         return update(order);
       case RESUME:
         return manager.resumeMission();
+      case PAUSE:
+        return pause();
       default:
         throw new BadInputException(order.action() + ": not known here");
     }
@@ -86,6 +88,19 @@ final class MissionOrders {
   private String goTo(String uid) {
     manager.progress().changeTo(uid);
     return "pursuing goal \"" + uid + "\"";
+  }
+
+  private String pause() {
+    MissionProgress progress = manager.progress();
+    if (progress.mission().isOver()) {
+      throw new BadInputException("the mission is over: there is nothing to pause");
+    }
+    boolean already = progress.isPaused();
+    progress.pause(true);
+    String where = (already ? "paused already at " : "paused at ") + currentOf(progress.mission());
+    return progress.isLeft()
+        ? where + "; the failsafe " + progress.pursuedFor() + " is pursued first"
+        : where;
   }
 
   private String skip(MissionOrder order) {
@@ -129,6 +144,7 @@ final class MissionOrders {
       }
       String then = currentOf(mission);
       insertion.now();
+      manager.progress().pause(false);
       return "pursuing " + insertion.names() + ", then " + then;
     }
     String after =

@@ -32,6 +32,7 @@ final class MissionProgress {
   private OptionalLong beganMicros = OptionalLong.empty();
   private long elapsedMicros; // of the mission, failsafes left out
   private boolean limitPassed;
+  private boolean paused;
 
   MissionProgress(GoalSequence mission) {
     pursued = mission;
@@ -118,10 +119,28 @@ final class MissionProgress {
     return true;
   }
 
-  /** Takes note that the goals were pursued for another while, until now [µs]. */
+  /** Pauses the mission, or ends a pause. A failsafe's goals are pursued all the same. */
+  void pause(boolean pauses) {
+    paused = pauses;
+  }
+
+  /** Whether the mission is paused, also while a failsafe's goals are pursued. */
+  boolean isPaused() {
+    return paused;
+  }
+
+  /** Whether the vehicle is to hold: the mission is paused, and nothing else is pursued. */
+  boolean isHeld() {
+    return paused && left == null && !pursued.isOver();
+  }
+
+  /** Takes note that another while has passed, until now [µs]; while paused, it does not count. */
   void pursuedFor(long micros, long nowMicros) {
     if (beganMicros.isEmpty() && micros > 0) {
       beganMicros = OptionalLong.of(nowMicros - micros);
+    }
+    if (isHeld()) {
+      return;
     }
     pursued.pursuedFor(micros);
     if (left == null && !pursued.isOver()) {
@@ -151,8 +170,12 @@ final class MissionProgress {
     return Clock.seconds(elapsedMicros);
   }
 
-  /** Pursues another goal of the mission or failsafe; the mission remembers where it was. */
+  /**
+   * Pursues another goal of the mission or failsafe, even if the mission is paused; it remembers
+   * where it was.
+   */
   void changeTo(String uid) {
+    paused = false;
     if (left == null && !pursued.isOver() && before.isEmpty()) {
       before = Optional.of(pursued.position());
     }
@@ -198,6 +221,7 @@ final class MissionProgress {
         .texts(ABANDONED, abandoned)
         .flag("HAS BEFORE", before.isPresent())
         .flag("LIMIT PASSED", limitPassed)
+        .flag("PAUSED", paused)
         .number("ELAPSED", Clock.seconds(elapsedMicros));
     beganMicros.ifPresent(micros -> state.number("BEGAN", Clock.seconds(micros)));
   }
@@ -229,6 +253,7 @@ final class MissionProgress {
       before = Optional.of(Position.takenOver(state, BEFORE));
     }
     limitPassed = state.flag("LIMIT PASSED");
+    paused = state.flag("PAUSED");
     elapsedMicros = Clock.micros(state.number("ELAPSED").orElse(0.0));
     OptionalDouble began = state.number("BEGAN");
     if (began.isPresent()) {

@@ -46,6 +46,9 @@ final class MissionReportMaker {
     manager.mission().timeLimit().ifPresent(report::timeLimit);
     progress.beganMicros().ifPresent(report::began);
     resumable.ifPresent(report::resumable);
+    if (progress.isPaused()) {
+      report.paused(true);
+    }
     return report;
   }
 

@@ -3,6 +3,7 @@ package org.u2sa.core.planning;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -22,6 +23,7 @@ import org.u2sa.core.planning.seen.PlanningPlane;
 import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
@@ -37,6 +39,12 @@ final class Avoidance {
 
   /** A new route is taken if it costs no more than this share of what is left of the old one. */
   private static final double BETTER = 0.9;
+
+  /** Below this share of its speed, what cannot stand has not taken off. */
+  private static final double SHARE_FLYING = 0.5;
+
+  /** What cannot stand gives up when it could have gone its longest route so many times. */
+  private static final double MOST_ROUTES = 4.0;
 
   /** Progress by less than this many cells is none. */
   private static final double PROGRESS_CELLS = 2.0;
@@ -59,6 +67,9 @@ final class Avoidance {
   private long routelessSince;
   private long progressMicros;
   private double leastRemainingM;
+  private double nearestM; // least that was left of any route to this goal [m]
+  private double longestM; // most that was left since then [m]
+  private long nearestMicros;
   private int recoveries;
   private long recoversUntil;
   private PathStatus status = PathStatus.FOLLOWED;
@@ -161,10 +172,15 @@ final class Avoidance {
     goalNorthM = at.x() + toGoal.x();
     goalEastM = at.y() + toGoal.y();
     world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
-    Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
+    // What flies goes where the wind takes it, not where it points.
+    double ahead = now.stops() ? vehicle.headingRad() : vehicle.courseRad();
+    Pose pose = new Pose(at.x(), at.y(), ahead);
     if (!begun) {
       begun = true;
       progressMicros = micros;
+      nearestMicros = micros;
+      nearestM = Double.POSITIVE_INFINITY;
+      longestM = 0.0;
       routelessSince = micros;
       leastRemainingM = Double.POSITIVE_INFINITY;
       plannedMicros = Long.MIN_VALUE / 2;
@@ -175,13 +191,18 @@ final class Avoidance {
         track.map(t -> t.follow(at.x(), at.y(), reachedM(limits), limits.lookAheadM())).orElse(0.0);
     maintain(pose, wanted, limits, now, micros, off);
     ArcChoice choice = choose(pose, vehicle, limits, now, micros);
-    Optional<String> givenUp = progress(choice, now, micros);
+    Optional<String> givenUp = progress(choice, limits, now, micros);
     announce(choice, givenUp, wanted, plane, at);
     return new Step(
         Point.of(choice.northM() - at.x(), choice.eastM() - at.y(), toGoal.z()),
-        choice.speedMps(),
+        now.stops() ? choice.speedMps() : wantedMps(wanted, now),
         choice.backwards(),
         givenUp);
+  }
+
+  /** Of the vehicle itself: through the air, for what flies [m/s]. */
+  private static double wantedMps(Wanted wanted, AvoidanceSettings now) {
+    return Math.max(now.leastSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
   }
 
   private double reachedM(MotionLimits limits) {
@@ -189,9 +210,11 @@ final class Avoidance {
   }
 
   private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceSettings now) {
-    double speed = Math.max(now.leastSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
+    double wantedMps = wantedMps(wanted, now);
+    // The wind adds to what flies: as fast as it goes over ground, it goes on.
+    boolean drifts = !now.stops() && vehicle.speedMps() > SHARE_FLYING * wantedMps;
     return new MotionLimits(
-        speed,
+        drifts ? vehicle.speedMps() : wantedMps,
         now.plannedAcceleration(),
         now.plannedBraking(),
         turnRadiusM(vehicle.speedMps()),
@@ -304,7 +327,8 @@ final class Avoidance {
   }
 
   /** Looks whether the vehicle gets on; frees it if not; answers why it gives up. */
-  private Optional<String> progress(ArcChoice choice, AvoidanceSettings now, long micros) {
+  private Optional<String> progress(
+      ArcChoice choice, MotionLimits limits, AvoidanceSettings now, long micros) {
     if (track.isEmpty()) {
       progressMicros = micros;
       return micros - routelessSince >= now.giveUpMicros()
@@ -316,6 +340,9 @@ final class Avoidance {
     if (remaining < leastRemainingM - PROGRESS_CELLS * now.planningCell()) {
       leastRemainingM = remaining;
       progressMicros = micros;
+    }
+    if (!now.stops()) {
+      return circles(remaining, limits.speedMps(), now, micros);
     }
     if (micros - progressMicros < now.stuckMicros() || micros < recoversUntil) {
       return Optional.empty();
@@ -334,6 +361,24 @@ final class Avoidance {
     plannedMicros = recoversUntil - now.replanMicros();
     triedRevision = -1;
     return Optional.empty();
+  }
+
+  /**
+   * Why what cannot stand gives up: it always moves, and each new route is a fresh hope, so only
+   * the goal itself tells whether it gets on.
+   */
+  private Optional<String> circles(
+      double remainingM, double speedMps, AvoidanceSettings now, long micros) {
+    longestM = Math.max(longestM, remainingM);
+    if (remainingM < nearestM - PROGRESS_CELLS * now.planningCell()) {
+      nearestM = remainingM;
+      longestM = remainingM;
+      nearestMicros = micros;
+    }
+    double seconds = Clock.seconds(micros - nearestMicros);
+    return seconds > MOST_ROUTES * longestM / speedMps + now.stuckAfter()
+        ? Optional.of(String.format(Locale.ROOT, "no nearer to the goal for %.0f s", seconds))
+        : Optional.empty();
   }
 
   /** Says what changes, in the log and for screens. */

@@ -131,7 +131,12 @@ public class PathPlanner extends EventDrivenService {
     if (known) {
       return; // the retained one, on which the planner before has acted
     }
+    boolean held = isHolding();
     goals = Optional.of(list);
+    if (isHolding() != held) {
+      log(list.paused() ? "mission paused" : "mission goes on");
+      changeHolding();
+    }
     if (missionMicros == Long.MIN_VALUE && !list.goals().isEmpty()) {
       missionMicros = clock().micros();
     }
@@ -172,28 +177,38 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  /** Holds, or stops holding: then the goal is pursued anew from where the vehicle is. */
   private void react(FailsafeAction action) {
     if (action == failsafe) {
       return;
     }
     log(LogLevelEnum.WARN, "failsafe " + action);
-    if (action == FailsafeAction.HOLD) {
+    boolean held = isHolding();
+    failsafe = action;
+    if (isHolding() != held) {
+      changeHolding();
+    }
+  }
+
+  /** Whether a failsafe or a paused mission keeps the vehicle where it is. */
+  private boolean isHolding() {
+    return failsafe == FailsafeAction.HOLD || goals.filter(GoalList::paused).isPresent();
+  }
+
+  /** Begins to hold where the vehicle is now, or ends it: the goal is pursued anew from here. */
+  private void changeHolding() {
+    if (isHolding()) {
       foreseen = goal.map(GoalInformation::uid).orElse(foreseen);
       goal = Optional.empty();
       finished = Optional.empty();
     }
-    if (action == FailsafeAction.HOLD || failsafe == FailsafeAction.HOLD) {
-      end.leave(); // holds where the vehicle is now
-    }
-    failsafe = action;
+    end.leave();
   }
 
   private void plan(StateInformation state) {
     if (failsafe == FailsafeAction.STOP) {
       return;
     }
-    if (failsafe == FailsafeAction.HOLD) {
+    if (isHolding()) {
       publish(end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty()), state);
       return;
     }

@@ -23,6 +23,14 @@ record TurnAnticipation(double accelerationMps2, double lagS, double cornerM) {
   }
 
   /**
+   * How near a vehicle is to come to a waypoint before it may turn to the next [m]: within the
+   * threshold, or as near as a turn may cut the corner.
+   */
+  double nearM(double thresholdM) {
+    return accelerationMps2 == 0.0 ? thresholdM : Math.min(CORNER_SHARE * thresholdM, cornerM);
+  }
+
+  /**
    * Distance before the waypoint at which to begin the turn [m].
    *
    * <p>The corner may be cut by 60 % of the threshold, but by no more than the limit. An arc of

@@ -41,6 +41,7 @@ final class WaypointState implements PlannerState {
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
   private boolean reached;
   private double nearestM; // in this attempt, since the vehicle is on its way
+  private double nowM; // from the waypoint
   private Optional<StateInformation> last = Optional.empty();
 
   WaypointState(
@@ -121,7 +122,7 @@ final class WaypointState implements PlannerState {
             guidance.towards(
                 vehicle, target, waypoint.horizontalThreshold(), placeOf(pursuit.after())));
     double toGoM = distanceM(waypoint, pursuit.state());
-    speed(waypoint, toGoM, pursuit.missionS()).ifPresent(point::speed);
+    speed(waypoint, toGoM, pursuit).ifPresent(point::speed);
     double downM = vehicle.nedOf(target).z();
     look(vehicle, target, waypoint, downM);
     last = Optional.of(pursuit.state());
@@ -137,18 +138,28 @@ final class WaypointState implements PlannerState {
 
   /**
    * The waypoint's speed; if it has a time to be there, the one that arrives then, as far as the
-   * vehicle can.
+   * vehicle can. Of what flies it is a speed through the air: the wind does the rest of the way.
    */
-  private OptionalDouble speed(Waypoint waypoint, double toGoM, double missionS) {
+  private OptionalDouble speed(Waypoint waypoint, double toGoM, Pursuit pursuit) {
     if (waypoint.time().isEmpty()) {
       return waypoint.speed();
     }
     AvoidanceSettings now = seeing.get();
     double most = waypoint.speed().orElse(Math.max(now.mostSpeed(), now.plannedSpeed()));
-    double leftS = waypoint.time().getAsDouble() - missionS;
-    double needed = leftS > 0.0 ? toGoM / leftS : most; // late already: as fast as it may
+    double leftS = waypoint.time().getAsDouble() - pursuit.missionS();
+    double needed =
+        leftS > 0.0
+            ? toGoM / leftS - tailWindMps(pursuit.state(), now)
+            : most; // late already: as fast as it may
     return OptionalDouble.of(
         Math.max(Math.max(now.leastSpeed(), CREEPS_MPS), Math.min(most, needed)));
+  }
+
+  /** By how much what cannot stand goes faster over ground than through the air [m/s]. */
+  private static double tailWindMps(StateInformation state, AvoidanceSettings now) {
+    return now.stops() || state.fluidxDot().isEmpty()
+        ? 0.0
+        : Vehicle.of(state).orElseThrow().speedMps() - state.fluidxDot().getAsDouble();
   }
 
   /**
@@ -200,7 +211,7 @@ final class WaypointState implements PlannerState {
                 speed(
                     waypoint,
                     avoidance.remainingM().orElse(distanceM(waypoint, pursuit.state())),
-                    pursuit.missionS())));
+                    pursuit)));
     double downM = vehicle.nedOf(target).z();
     look(vehicle, target, waypoint, downM);
     last = Optional.of(pursuit.state());
@@ -212,12 +223,21 @@ final class WaypointState implements PlannerState {
       return turned(waypoint, vehicle, target, point, downM);
     }
     List<NavigationPoint> points = List.of(point);
-    if (reached) {
+    if (reached && isNearEnough(waypoint)) {
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
     return step.givenUp().isPresent()
         ? new Plan(points, Plan.Progress.ABANDONED, "given up: " + step.givenUp().get())
         : Plan.underWay(points);
+  }
+
+  /**
+   * Whether a waypoint within its threshold may be left: as near as a turn may cut the corner, or
+   * no nearer any more. At the very edge an error of the estimate would miss it.
+   */
+  private boolean isNearEnough(Waypoint waypoint) {
+    double nearM = settings.get().lines().turns().nearM(waypoint.horizontalThreshold());
+    return nowM <= nearM || nowM > nearestM;
   }
 
   /** Takes note of how near the vehicle came since the last state. */
@@ -231,6 +251,7 @@ final class WaypointState implements PlannerState {
     double distance = new Leg(from.x(), from.y(), 0.0, 0.0).distanceM(to.x(), to.y());
     boolean within = distance <= waypoint.horizontalThreshold();
     nearestM = guidance.isApproaching() ? Math.min(nearestM, distance) : distance;
+    nowM = Math.hypot(to.x(), to.y());
     if (!armed) {
       armed = Math.hypot(to.x(), to.y()) > waypoint.horizontalThreshold();
     } else if (within) {

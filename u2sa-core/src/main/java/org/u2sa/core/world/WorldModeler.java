@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.u2sa.core.world.xml.WorldFile;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
@@ -18,7 +19,9 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
@@ -52,12 +55,25 @@ public final class WorldModeler extends PeriodicService {
     this.context = context;
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
-    known = file(settings.get().world());
+    known = known();
     choose();
     subscribe(Channels.STATE, this::onState);
     subscribe(Channels.SENSED_OBJECTS, this::onArrival);
     subscribe(Channels.SCANS, this::onArrival);
     subscribe(Channels.GOALS, this::onGoals);
+  }
+
+  /** What is known beforehand. */
+  private List<ObjectDescription> known() {
+    List<ObjectDescription> all = file(settings.get().world());
+    return settings.get().worldMovers()
+        ? all
+        : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
+  }
+
+  private static boolean moves(ObjectDescription object) {
+    boolean turns = object instanceof MovingSphere sphere && !sphere.trajectory().isEmpty();
+    return turns || object.motion().velocity().filter(v -> !v.equals(Point.ORIGIN)).isPresent();
   }
 
   private List<ObjectDescription> file(String path) {
@@ -90,8 +106,9 @@ public final class WorldModeler extends PeriodicService {
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(WorldSettings.WORLD)) {
-      known = file(settings.get().world());
+    if (variableNames.contains(WorldSettings.WORLD)
+        || variableNames.contains(WorldSettings.WORLD_MOVERS)) {
+      known = known();
       modellers.working().values().forEach(modeller -> modeller.known(known, now()));
     }
     if (variableNames.contains(WorldSettings.MODELLERS)) {

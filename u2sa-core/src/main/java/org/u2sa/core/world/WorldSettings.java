@@ -16,6 +16,11 @@ record WorldSettings(
                 "World XML file with objects known beforehand, relative to the configuration file; empty: none.")
         String world,
     @Variable(
+            ifAbsentText = "true",
+            text =
+                "Whether objects of WORLD that move are known beforehand too; false: sensors have to find them, as traffic that no chart shows.")
+        boolean worldMovers,
+    @Variable(
             unit = "Hz",
             min = 0.01,
             max = 100,
@@ -60,6 +65,7 @@ record WorldSettings(
 
   static final String MODELLERS = "MODELLERS";
   static final String WORLD = "WORLD";
+  static final String WORLD_MOVERS = "WORLD MOVERS";
 
   long waitMicros() {
     return Clock.micros(waitForState);

@@ -72,6 +72,9 @@ class AutonomyLevelsTest {
   @ValueSource(
       strings = {
         "ugv/system.xml",
+        "ugv/system-board.xml",
+        "ugv/system-four-sensors.xml",
+        "ugv/system-pass-through.xml",
         "ugv/system-ackermann.xml",
         "ugv/system-proportional.xml",
         "cessna/system.xml"

@@ -21,6 +21,7 @@ import org.u2sa.testkit.ServiceKit;
 @Timeout(120)
 class PlannerFailsafeTest {
   private final ServiceKit kit = new ServiceKit();
+  private final GoalList goals = new GoalList();
 
   @AfterEach
   void close() {
@@ -36,7 +37,8 @@ class PlannerFailsafeTest {
             .x(1000.0)
             .y(0.0)
             .horizontalThreshold(2.0);
-    kit.publish(Channels.GOALS, new GoalList().goals(List.of(far)));
+    goals.goals(List.of(far));
+    kit.publish(Channels.GOALS, (GoalList) goals.copy());
     state(0.0);
   }
 
@@ -58,6 +60,10 @@ class PlannerFailsafeTest {
     kit.publish(Channels.FAILSAFE, new FailsafeState().action(action).causes(List.of("a test")));
   }
 
+  private static GoalList pausing(GoalList goals, boolean pauses) {
+    return ((GoalList) goals.copy()).paused(pauses);
+  }
+
   private Point point() {
     return kit.latest(Channels.NAVIGATION).orElseThrow().point();
   }
@@ -75,6 +81,39 @@ class PlannerFailsafeTest {
     failsafe(FailsafeAction.CONTINUE);
     state(160.0);
     assertThat(point().y()).isCloseTo(0.0, within(1e-9));
+  }
+
+  @Test
+  void pausedMission_aircraft_circlesWhereItWasAndThenPursuesTheSameGoal() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 50.0).with("LOOK AHEAD", 10.0);
+    begin();
+    kit.publish(Channels.GOALS, pausing(goals, true));
+    state(100.0);
+    state(150.0);
+    assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+
+    failsafe(FailsafeAction.HOLD);
+    failsafe(FailsafeAction.CONTINUE);
+    state(155.0); // still paused
+    assertThat(point().y()).isNotCloseTo(0.0, within(0.1));
+
+    kit.publish(Channels.GOALS, pausing(goals, false));
+    state(160.0);
+    assertThat(point().y()).isCloseTo(0.0, within(1e-9));
+  }
+
+  @Test
+  void pausedMission_vehicleThatCanStand_getsNoPoints() {
+    kit.with("AT END", "STOP").with("LOITER RADIUS", 0.0).with("LOOK AHEAD", 10.0);
+    begin();
+    int before = kit.published(Channels.NAVIGATION).size();
+    kit.publish(Channels.GOALS, pausing(goals, true));
+    state(1.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(before);
+
+    kit.publish(Channels.GOALS, pausing(goals, false));
+    state(1.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(before + 1);
   }
 
   @Test

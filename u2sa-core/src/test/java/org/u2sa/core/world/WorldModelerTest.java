@@ -323,6 +323,22 @@ class WorldModelerTest {
   }
 
   @Test
+  void world_moversNotKnownBeforehand_onlyWhatStandsIsPublished() throws IOException {
+    Path file = folder.resolve("world.xml");
+    Files.writeString(
+        file,
+        "<world><reference>Local NED</reference>"
+            + "<Circle><uid>mast</uid><x>5</x><y>-1</y><radius>0.3</radius></Circle>"
+            + "<MovingSphere><uid>cart</uid><x>0</x><y>50</y><radius>2</radius>"
+            + "<xDot>1</xDot><yDot>0</yDot></MovingSphere></world>");
+    kit.with("MODELLERS", "OBJECTS").with("WORLD", file.toString());
+    kit.with("WORLD MOVERS", false).start(WorldModeler::new);
+    tick(local(0.0, 0.0, 0.0), seen("a", 4.9, 1.1));
+    kit.advance(0.5);
+    assertThat(objects()).extracting(ObjectDescription::uid).containsExactly("mast");
+  }
+
+  @Test
   void world_wrongFile_refusesToStartNamingTheLine() throws IOException {
     Path file = folder.resolve("world.xml");
     Files.writeString(file, "<world>\n<Circel><x>1</x></Circel></world>");

@@ -3,6 +3,7 @@ package org.u2sa.drivers.ioio;
 import ioio.lib.api.exception.ConnectionLostException;
 import java.io.IOException;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -12,7 +13,9 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.ActuatorDescription;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -25,11 +28,12 @@ import org.u2sa.service.ServiceContext;
  *
  * <p>Motors get neutral pulses without a command in time, at an emergency stop, while not armed,
  * and while the radio's switch is not at automatic. Without a connection the board itself gives no
- * pulses. No call here waits for the board.
+ * pulses, and the actuators are announced as lost. No call here waits for the board.
  */
-public final class IoioService extends ProprioceptiveSensor {
+public final class IoioService extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double STEPS_PER_S = 100.0;
   private static final double BATTERY_EVERY_S = 1.0;
+  private static final double ALL_PERCENT = 100.0;
 
   private final BoardConnection connection;
   private final CommandedActuators commands;
@@ -86,8 +90,13 @@ public final class IoioService extends ProprioceptiveSensor {
   }
 
   @Override
+  public List<ActuatorAnnouncement> actuators() {
+    return motors.announcements();
+  }
+
+  @Override
   protected void begin() {
-    commands.announce(motors.announcements());
+    commands.announce(actuators());
     connector.start();
   }
 
@@ -104,6 +113,7 @@ public final class IoioService extends ProprioceptiveSensor {
     with(session, pins -> act(pins, now));
     sensors.read(now).forEach(state -> publish(Channels.SENSED_STATE, state));
     with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
+    commands.available(session.isPresent() ? ALL_PERCENT : 0.0);
     report(session); // last, so that it is the last error in the health report
     commands.step(nowS);
   }
@@ -205,6 +215,7 @@ public final class IoioService extends ProprioceptiveSensor {
   @Override
   protected void release() {
     with(connector.session(), pins -> motors.drive(false, pins, clock().micros()));
+    commands.withdraw();
     connector.close();
   }
 

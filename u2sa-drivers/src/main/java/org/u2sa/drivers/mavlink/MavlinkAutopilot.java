@@ -19,6 +19,7 @@ import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -27,9 +28,9 @@ import org.u2sa.service.ServiceContext;
 /**
  * An autopilot that speaks MAVLink, ArduPilot or PX4: a sensor of the vehicle's state, and
  * actuators named by what the variable COMMANDS says. In: actuation, emergency-stop, arming-state.
- * Out: sensed-state, power, actuators.
+ * Out: sensed-state, power, actuators, announced as lost while no heartbeat comes.
  */
-public final class MavlinkAutopilot extends ProprioceptiveSensor {
+public final class MavlinkAutopilot extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
   private static final double FULL_PERCENT = 100.0;
 
@@ -81,7 +82,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
   }
 
   @Override
-  protected void begin() {
+  public List<ActuatorAnnouncement> actuators() {
     List<ActuatorAnnouncement> actuators = new ArrayList<>();
     for (CommandForm.Axis axis : form.axes()) {
       actuators.add(
@@ -91,7 +92,12 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
               .maximum(FULL_PERCENT)
               .effect(axis.effect()));
     }
-    commands.announce(actuators);
+    return actuators;
+  }
+
+  @Override
+  protected void begin() {
+    commands.announce(actuators());
   }
 
   private void stopNow() {
@@ -111,6 +117,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
     }
     watch.malformed(stream.malformed() + state.refused(), "");
     boolean isHeard = watch.isHeard(now);
+    commands.available(isHeard ? FULL_PERCENT : 0.0);
     peer.step(isHeard, now);
     peer.target()
         .ifPresent(
@@ -183,6 +190,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor {
     try {
       peer.target().ifPresent(target -> output.end(target, clock().micros()));
     } finally {
+      commands.withdraw();
       link.close();
     }
   }

@@ -7,10 +7,12 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.EmergencyStop;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.ioio.PulseTrain;
 
 /** When the motors get which pulses: with the unmodified library and a simulated board. */
@@ -157,6 +159,38 @@ class IoioServiceTest {
         .isCloseTo(BoardKit.NEUTRAL_S, within(BoardKit.RESOLUTION_S));
   }
 
+  /** What is left of an actuator, by its newest announcement [%]. */
+  private double left(String actuator) {
+    return on.kit.published(Channels.ACTUATORS).stream()
+        .filter(each -> each.actuatorName().equals(actuator))
+        .reduce((first, second) -> second)
+        .orElseThrow()
+        .available()
+        .orElse(100.0);
+  }
+
+  @Test
+  void step_powerCycle_bothMotorsAreAnnouncedAsLostAndThenAsBack() {
+    on.start();
+    assertThat(left("LEFT MOTOR")).isEqualTo(100.0);
+    on.board.power(false);
+    on.kit.advance(0.1);
+    assertThat(left("LEFT MOTOR")).isZero();
+    assertThat(left("RIGHT MOTOR")).isZero();
+    on.board.power(true);
+    on.kit.advance(2.0);
+    assertThat(left("LEFT MOTOR")).isEqualTo(100.0);
+    assertThat(left("RIGHT MOTOR")).isEqualTo(100.0);
+  }
+
+  @Test
+  void kill_connected_withdrawsBothMotors() {
+    IoioService service = on.start();
+    service.kill();
+    assertThat(left("LEFT MOTOR")).isZero();
+    assertThat(left("RIGHT MOTOR")).isZero();
+  }
+
   @Test
   void release_moving_neutralComesBeforeTheEnd() {
     IoioService service = on.start();
@@ -178,5 +212,26 @@ class IoioServiceTest {
         Channels.ACTUATION, new PercentageCommand().actuatorName("STEERING").percentage(50.0));
     on.kit.advance(0.3);
     on.expectWidths(BoardKit.NEUTRAL_S, 1.75e-3);
+  }
+
+  @Test
+  void step_servoWithAnAngleAndAnEffect_isAnnouncedInNumbersAndTakesAngles() {
+    on.kit.with("ACTUATORS", "THROTTLE=10, STEERING=11");
+    on.kit.with("STEERING FULL ANGLE", 30.0);
+    on.kit.with("STEERING EFFECT", "wrench 0 5 0 0 0 2");
+    on.start();
+    ActuatorAnnouncement steering =
+        on.kit.published(Channels.ACTUATORS).stream()
+            .filter(each -> each.actuatorName().equals("STEERING"))
+            .findFirst()
+            .orElseThrow();
+    assertThat(steering.commandTypes()).contains("AngleCommand");
+    assertThat(steering.fullAngle().orElseThrow()).isCloseTo(Math.toRadians(30.0), within(1e-12));
+    assertThat(steering.moment()).contains(Point.of(0.0, 0.0, 2.0));
+
+    on.kit.publish(Channels.ACTUATION, PercentageCommand.of("THROTTLE", 0.0));
+    on.kit.publish(Channels.ACTUATION, AngleCommand.of("STEERING", Math.toRadians(-15.0)));
+    on.kit.advance(0.3);
+    on.expectWidths(BoardKit.NEUTRAL_S, 1.25e-3);
   }
 }

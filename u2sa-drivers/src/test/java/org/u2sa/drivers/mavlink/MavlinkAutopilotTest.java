@@ -23,7 +23,9 @@ import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.drivers.link.MemoryLink;
@@ -417,6 +419,28 @@ class MavlinkAutopilotTest {
     }
     assertThat(heard(SetPositionTargetLocalNed.class))
         .allSatisfy(each -> assertThat(each.vx()).isZero());
+  }
+
+  /** What is left of the actuators, by their newest announcements [%]. */
+  private List<Double> left() {
+    Map<String, Double> left = new TreeMap<>();
+    kit.published(Channels.ACTUATORS)
+        .forEach(each -> left.put(each.actuatorName(), each.available().orElse(100.0)));
+    return List.copyOf(left.values());
+  }
+
+  @Test
+  void step_heartbeatsStopAndComeBack_actuatorsAreAnnouncedAsLostMeanwhile() {
+    rc();
+    assertThat(left()).isNotEmpty().containsOnly(100.0);
+    speaks = false;
+    live(5.0);
+    assertThat(left()).containsOnly(0.0);
+    speaks = true;
+    live(0.5);
+    assertThat(left()).containsOnly(100.0);
+    service.kill();
+    assertThat(left()).containsOnly(0.0);
   }
 
   @Test

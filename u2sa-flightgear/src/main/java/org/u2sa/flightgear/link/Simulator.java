@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.ActuatorOwner;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.HandOver;
 import org.u2sa.service.ProprioceptiveSensor;
@@ -24,11 +25,13 @@ import org.u2sa.sim.aircraft.ControlInputs;
  * passes commands on. In: actuation, emergency-stop, arming-state. Out: sensed-state, truth, and
  * actuators.
  *
+ * <p>While the aircraft is lost its controls are announced as lost, too.
+ *
  * <p>Commands that nobody renews expire, and the controls go neutral: the aircraft goes on, or
  * glides, at the speed that it is trimmed for, with its wings where they are. At an emergency stop,
  * and while it is not armed, the brakes are on, too.
  */
-public final class Simulator extends ProprioceptiveSensor {
+public final class Simulator extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double POLLS_PER_S = 100.0;
   private static final double FULL_PERCENT = 100.0;
   private static final double RICH = 1.0;
@@ -48,10 +51,20 @@ public final class Simulator extends ProprioceptiveSensor {
 
   /** Opens the link that the configuration names. */
   public Simulator(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** With a link that is open already. */
+  Simulator(ServiceContext context, AircraftLink link) {
+    this(context, Optional.of(link));
+  }
+
+  private Simulator(ServiceContext context, Optional<AircraftLink> made) {
     super(context, "Simulator", POLLS_PER_S);
     sensesMotion = settings(Senses.class).get().sensesMotion();
     commands = new CommandedActuators(this, CONTROLS.keySet(), this::write);
-    link = new LinkConfiguration(this, context).open();
+    LinkConfiguration configured = new LinkConfiguration(this, context);
+    link = made.orElseGet(configured::open);
     registerPublisher(FlightChannels.TRUTH);
   }
 
@@ -75,7 +88,7 @@ public final class Simulator extends ProprioceptiveSensor {
   }
 
   @Override
-  protected void begin() {
+  public List<ActuatorAnnouncement> actuators() {
     List<ActuatorAnnouncement> actuators = new ArrayList<>();
     new TreeMap<>(CONTROLS)
         .forEach(
@@ -86,7 +99,12 @@ public final class Simulator extends ProprioceptiveSensor {
                         .minimum(BOTH_WAYS.contains(name) ? -FULL_PERCENT : 0.0)
                         .maximum(FULL_PERCENT)
                         .effect(effect)));
-    commands.announce(actuators);
+    return actuators;
+  }
+
+  @Override
+  protected void begin() {
+    commands.announce(actuators());
   }
 
   private void write() {
@@ -99,6 +117,7 @@ public final class Simulator extends ProprioceptiveSensor {
     write();
     AircraftReading reading = link.read(clock().micros());
     report(reading);
+    commands.available(reading.connected() ? FULL_PERCENT : 0.0);
     if (reading.connected() && reading.sequence() != published) {
       published = reading.sequence();
       publish(Channels.SENSED_STATE, sensesMotion ? state(reading) : airframe(reading));
@@ -179,6 +198,7 @@ public final class Simulator extends ProprioceptiveSensor {
           ControlInputs.neutral()
               .withSurfaces(0.0, AircraftActuator.TRIMMED_ELEVATOR_PERCENT / FULL_PERCENT, 0.0));
     } finally {
+      commands.withdraw();
       link.close();
     }
   }

@@ -58,9 +58,13 @@ final class AutonomyEvidence {
     String sensors =
         (own.isEmpty()
                 ? "nobody measures the vehicle"
-                : and(own) + (own.size() == 1 ? " measures" : " measure") + " the vehicle")
+                : WholeInWords.and(own)
+                    + (own.size() == 1 ? " measures" : " measure")
+                    + " the vehicle")
             + ", "
-            + (around.isEmpty() ? "nobody its surroundings" : and(around) + " the surroundings");
+            + (around.isEmpty()
+                ? "nobody its surroundings"
+                : WholeInWords.and(around) + " the surroundings");
     if (own.isEmpty() && around.isEmpty()) {
       return new Finding("perception", stated, Perception.NO_SENSING, sensors);
     }
@@ -71,7 +75,7 @@ final class AutonomyEvidence {
         "perception",
         stated,
         Perception.GROUPED,
-        sensors + "; " + and(modelers) + " groups what is seen to objects");
+        sensors + "; " + WholeInWords.and(modelers) + " groups what is seen to objects");
   }
 
   private Finding decision(Optional<Level> stated) {
@@ -84,7 +88,11 @@ final class AutonomyEvidence {
           Decision.NO_DECISIONS,
           planners.isEmpty() ? "no Path Planner" : "no Mission Manager");
     }
-    String plan = and(managers) + " chooses goals by their results, " + and(planners) + " the way";
+    String plan =
+        WholeInWords.and(managers)
+            + " chooses goals by their results, "
+            + WholeInWords.and(planners)
+            + " the way";
     List<String> readers = new ArrayList<>(vehicle.subscribersOf(OBJECTS));
     readers.retainAll(planners);
     if (vehicle.publishersOf(OBJECTS).isEmpty() || readers.isEmpty()) {
@@ -95,7 +103,7 @@ final class AutonomyEvidence {
         "decision",
         stated,
         Decision.MEMORY,
-        plan + " by the map that " + and(vehicle.publishersOf(OBJECTS)) + " keeps");
+        plan + " by the map that " + WholeInWords.and(vehicle.publishersOf(OBJECTS)) + " keeps");
   }
 
   private Finding independence(Optional<Level> stated) {
@@ -110,14 +118,18 @@ final class AutonomyEvidence {
     }
     if (!tasks) {
       return new Finding(
-          "independence", stated, Independence.STABILIZED, and(control) + " controls; no mission");
+          "independence",
+          stated,
+          Independence.STABILIZED,
+          WholeInWords.and(control) + " controls; no mission");
     }
     if (health.isEmpty() && vehicle.publishersOf(Channels.POWER.name()).isEmpty()) {
       return new Finding(
           "independence",
           stated,
           Independence.TASK_AUTONOMY,
-          and(control) + " carries out the mission; nobody watches services or battery");
+          WholeInWords.and(control)
+              + " carries out the mission; nobody watches services or battery");
     }
     if (safety.isEmpty()) {
       return new Finding(
@@ -130,15 +142,10 @@ final class AutonomyEvidence {
         "independence",
         stated,
         Independence.PROBLEM_DETECTION,
-        and(safety)
+        WholeInWords.and(safety)
             + " has failsafes and refuses to arm a vehicle that is not fit"
-            + (health.isEmpty() ? "" : "; " + and(health) + " restarts failed services"));
-  }
-
-  private static String and(List<String> names) {
-    int last = names.size() - 1;
-    return last < 1
-        ? String.join("", names)
-        : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
+            + (health.isEmpty()
+                ? ""
+                : "; " + WholeInWords.and(health) + " restarts failed services"));
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.core.launch.PlannedService;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.gcs.describe.VehicleComposition.AnnouncedActuator;
 import org.u2sa.gcs.describe.VehicleComposition.ComposedService;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.xml.XmlElement;
@@ -23,6 +24,7 @@ final class CompositionOfFile {
    */
   static VehicleComposition of(SystemFile system) throws IOException {
     List<ComposedService> services = new ArrayList<>();
+    List<AnnouncedActuator> actuators = new ArrayList<>();
     for (PlannedService planned : PlannedService.of(system)) {
       Optional<Path> file = planned.entry().configuration();
       services.add(
@@ -32,9 +34,11 @@ final class CompositionOfFile {
               planned.entry().className(),
               file.map(Path::toString).orElse(""),
               file.map(CompositionOfFile::variables).orElse(Map.of()),
+              StatedSensor.of(planned),
               names(planned.publishes()),
               names(planned.subscribes()),
               planned.refusal().map(why -> "could not be made here: " + why).orElse("")));
+      planned.actuators().forEach(each -> actuators.add(AnnouncedActuator.of(each)));
     }
     return new VehicleComposition(
         system.systemId(),
@@ -43,7 +47,7 @@ final class CompositionOfFile {
         system.autonomy(),
         services,
         List.of(),
-        List.of());
+        actuators);
   }
 
   private static Map<String, String> variables(Path file) {

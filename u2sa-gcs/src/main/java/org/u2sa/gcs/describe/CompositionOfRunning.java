@@ -1,7 +1,6 @@
 package org.u2sa.gcs.describe;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -88,11 +87,8 @@ final class CompositionOfRunning {
 
   private void announced(U2SAData message) {
     if (message instanceof ActuatorAnnouncement announcement) {
-      Map<String, String> facts = new LinkedHashMap<>(SourceRecord.facts(message, field -> true));
-      facts.remove("actuatorName");
       synchronized (actuators) {
-        String name = announcement.actuatorName();
-        actuators.put(name, new AnnouncedActuator(name, facts));
+        actuators.put(announcement.actuatorName(), AnnouncedActuator.of(announcement));
       }
     }
   }
@@ -106,6 +102,7 @@ final class CompositionOfRunning {
               service.discovery().map(DiscoveryResponse::serviceType).orElse(""),
               service.discovery().flatMap(DiscoveryResponse::className).orElse(""),
               "",
+              Map.of(),
               Map.of(),
               channels(service.publishes()),
               channels(service.subscribes()),

@@ -56,6 +56,7 @@ final class DescriptionJson {
     if (vehicle.live()) {
       heard(vehicle);
     }
+    actuators(vehicle);
     json.writeEndObject();
   }
 
@@ -74,6 +75,9 @@ final class DescriptionJson {
     text("configuration", service.configuration());
     if (!service.variables().isEmpty()) {
       texts("variables", service.variables());
+    }
+    if (!service.stated().isEmpty()) {
+      texts("states", service.stated());
     }
     json.writeArrayFieldStart("subscribes");
     for (String channel : service.subscribes()) {
@@ -109,6 +113,9 @@ final class DescriptionJson {
       json.writeEndObject();
     }
     json.writeEndArray();
+  }
+
+  private void actuators(VehicleComposition vehicle) throws IOException {
     json.writeArrayFieldStart("actuators");
     for (AnnouncedActuator actuator : vehicle.actuators()) {
       json.writeStartObject();

@@ -33,13 +33,21 @@ final class DescriptionText {
         terminal.bold("System " + vehicle.systemId())
             + (vehicle.live() ? " as it runs at " : " by ")
             + vehicle.origin());
+    words();
     autonomy();
     services();
     if (vehicle.live()) {
       sources();
-      actuators();
+    } else {
+      statedSensors();
     }
+    actuators();
     return lines;
+  }
+
+  private void words() {
+    head("In words");
+    lines.addAll(new WholeInWords(vehicle).sentences());
   }
 
   private void head(String text) {
@@ -150,13 +158,30 @@ final class DescriptionText {
     lines.addAll(table.lines());
   }
 
+  private void statedSensors() {
+    head("What is to be measured, as configured");
+    TextTable table = new TextTable("SERVICE", "STATED");
+    for (ComposedService service : vehicle.services()) {
+      if (!service.stated().isEmpty()) {
+        table.add(service.name(), pairs(service.stated(), " "));
+      }
+    }
+    lines.addAll(table.lines());
+  }
+
   private void actuators() {
-    head("Actuators");
+    head(vehicle.live() ? "Actuators" : "Actuators, as they would announce themselves");
     if (vehicle.actuators().isEmpty()) {
-      lines.add("none has announced itself");
+      lines.add(vehicle.live() ? "none has announced itself" : "none");
     }
     for (AnnouncedActuator actuator : vehicle.actuators()) {
       lines.add(actuator.name() + ": " + pairs(actuator.facts(), " "));
+    }
+    String strength = ActuatorStrength.words(vehicle);
+    if (!strength.isEmpty()) {
+      lines.add("Together, each axis for itself, in the weaker direction: " + strength);
+    } else if (!vehicle.actuators().isEmpty()) {
+      lines.add("None says its effect in numbers (EFFECT): nothing to allocate by.");
     }
   }
 

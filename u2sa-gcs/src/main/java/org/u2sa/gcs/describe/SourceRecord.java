@@ -97,7 +97,8 @@ final class SourceRecord {
     return facts;
   }
 
-  private static String text(Object value) {
+  /** A value for people: numbers with four digits. */
+  static String text(Object value) {
     if (value instanceof Double number) {
       return number == Math.rint(number) && Math.abs(number) < 1e9
           ? String.valueOf(number.longValue())

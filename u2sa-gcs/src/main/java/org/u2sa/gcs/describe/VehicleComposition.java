@@ -1,5 +1,6 @@
 package org.u2sa.gcs.describe;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -7,6 +8,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.u2sa.core.launch.AutonomyLevels;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
  * What a vehicle is made of, by its files or as it runs.
@@ -17,7 +19,7 @@ import org.u2sa.core.launch.AutonomyLevels;
  * @param stated the levels of autonomy that its file states; empty if it states none
  * @param services in the order in which they are started, or by name
  * @param sources what was heard of sensors; only of a vehicle that runs
- * @param actuators what was heard of actuators; only of a vehicle that runs
+ * @param actuators what was heard of actuators, or what they would announce
  */
 record VehicleComposition(
     String systemId,
@@ -39,6 +41,8 @@ record VehicleComposition(
    * @param role by {@link org.u2sa.service.ServiceRole}'s name; empty if it is not known
    * @param configuration its file; empty if it has none, or if it is not known
    * @param variables what the file sets, by name, with unit
+   * @param stated what the configuration states of a sensor's data, by variable, with unit; only of
+   *     a file
    * @param publishes the channels on which it publishes
    * @param subscribes the channels that it hears
    * @param note what is to be said besides; empty if nothing
@@ -49,6 +53,7 @@ record VehicleComposition(
       String className,
       String configuration,
       Map<String, String> variables,
+      Map<String, String> stated,
       List<String> publishes,
       List<String> subscribes,
       String note) {
@@ -81,7 +86,15 @@ record VehicleComposition(
    *
    * @param facts what it announces, by the field's name, with unit
    */
-  record AnnouncedActuator(String name, Map<String, String> facts) {}
+  record AnnouncedActuator(
+      String name, Map<String, String> facts, ActuatorAnnouncement announcement) {
+    static AnnouncedActuator of(ActuatorAnnouncement announcement) {
+      Map<String, String> facts =
+          new LinkedHashMap<>(SourceRecord.facts(announcement, field -> true));
+      facts.remove("actuatorName");
+      return new AnnouncedActuator(announcement.actuatorName(), facts, announcement);
+    }
+  }
 
   /** The services that publish on a channel. */
   List<String> publishersOf(String channel) {

@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
       SkipCommand.class,
       InsertCommand.class,
       UpdateGoalsCommand.class,
+      PauseCommand.class,
       ResumeCommand.class
     })
 public final class MissionCommand implements Runnable {

@@ -39,6 +39,7 @@ final class MissionJson {
     json.writeStringField("system", systemId);
     json.writeStringField("mission", report.mission());
     json.writeBooleanField("over", report.current().isEmpty());
+    json.writeBooleanField("paused", report.paused());
     json.writeNumberField("elapsedS", report.elapsed());
     number("timeLimitS", report.timeLimit());
     names("current", report.current());

@@ -26,6 +26,9 @@ final class MissionTable {
         .ifPresent(
             action ->
                 lines.add(terminal.bad("Failsafe " + action + " is pursued; the mission waits.")));
+    if (report.paused()) {
+      lines.add("The mission is paused; resume goes on with it.");
+    }
     report.resumable().ifPresent(where -> lines.add("resume goes back to " + where + "."));
     lines.add("");
     TextTable table =
@@ -68,8 +71,12 @@ final class MissionTable {
         duration(OptionalDouble.of(report.elapsed()))
             + (report.timeLimit().isPresent() ? " of " + duration(report.timeLimit()) : "");
     String now =
-        report.current().isEmpty() ? "over" : "pursuing " + String.join(", ", report.current());
+        report.current().isEmpty() ? "over" : doing(report) + String.join(", ", report.current());
     return done + " of " + report.goals().size() + " goals done in " + time + ", " + now;
+  }
+
+  private static String doing(MissionReport report) {
+    return report.paused() && report.failsafe().isEmpty() ? "paused at " : "pursuing ";
   }
 
   /** "gate, 2 times; dock; if failed: home". */

@@ -13,7 +13,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "resume",
     description = {
-      "Go back to where the mission was left: before goto, or, with the variable RESUME = ORDERED, by the process before."
+      "Go on with a paused mission.",
+      "",
+      "If it is not paused: go back to where the mission was left, before goto or, with the variable RESUME = ORDERED, "
+          + "by the process before."
     })
 final class ResumeCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

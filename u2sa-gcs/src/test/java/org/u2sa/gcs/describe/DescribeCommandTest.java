@@ -84,6 +84,8 @@ class DescribeCommandTest {
         .containsPattern("perception +2 discrete +2 discrete +Flashlight measures the vehicle")
         .containsPattern("decision +2 static response +2 static response +MissionManager chooses")
         .containsPattern("independence +5 problem detection +5 problem detection +SafetyManager")
+        .contains("Flashlight measures the vehicle.\nStateEstimator makes one estimate of it")
+        .contains("MissionManager says which goal comes next.\nPathPlanner plans the way there")
         .contains("PathPlanner, path planner, org.u2sa.core.planning.PathPlanner")
         .containsPattern("configuration +.*MissionManager.xml")
         .containsPattern("hears .*goals from MissionManager")

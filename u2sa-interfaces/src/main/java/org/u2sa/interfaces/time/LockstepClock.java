@@ -3,7 +3,6 @@ package org.u2sa.interfaces.time;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 
 /**
@@ -14,11 +13,18 @@ import java.util.function.BooleanSupplier;
  * waiter was made first). So a run with many threads repeats bit for bit, as fast as the machine
  * allows, and every service has answered a step of the simulation before the next one begins.
  *
+ * <p>Waking a sleeping thread takes the machine longer than most turns last. So whoever is certain
+ * to be next is woken while the one before still runs, and looks out for its turn for a few
+ * microseconds before it sleeps again. That changes when a thread wakes, never whose turn it is.
+ *
  * <p>The thread that calls {@link #runUntil} or {@link #advance} drives: it is blocked while the
  * services run. A waiter counts as busy from its creation until its thread first waits, so make it
  * where the order is certain (in the thread that starts the services) and start its thread.
  */
 public final class LockstepClock implements Clock {
+  /** With one core, who looks out for its turn would only keep the core from whoever has it. */
+  private static final boolean CALLS_AHEAD = Runtime.getRuntime().availableProcessors() > 1;
+
   private final Object lock =
       new Object(); // guards everything below but nowMicros, which it guards for writing
   private final List<Turn> turns = new ArrayList<>(); // in order of creation
@@ -139,6 +145,15 @@ public final class LockstepClock implements Clock {
       lock.notifyAll();
     } else {
       next.take();
+      callAhead();
+    }
+  }
+
+  /** Wakes the thread whose turn is certain to come next. The caller holds the lock. */
+  private void callAhead() {
+    Turn next = ready.peek();
+    if (CALLS_AHEAD && next != null) {
+      next.wait.callAhead();
     }
   }
 
@@ -156,7 +171,7 @@ public final class LockstepClock implements Clock {
   /** One thread's place in the order. Its fields are guarded by the clock's lock. */
   private final class Turn implements Waiter {
     private Thread thread; // known once it has waited
-    private volatile boolean waiting; // read by its own thread without the lock
+    private final TurnWait wait = new TurnWait();
     private boolean queued;
     private boolean signalled;
     private boolean closed;
@@ -176,18 +191,18 @@ public final class LockstepClock implements Clock {
         }
         thread = Thread.currentThread();
         deadlineMicros = deadline;
-        waiting = true;
+        wait.begin();
         busy--;
         if (signalled) {
           signal();
         }
         passTurnIfIdle();
       }
-      while (waiting) {
-        LockSupport.park(this);
+      while (wait.isWaiting()) {
+        wait.await();
         if (Thread.interrupted()) {
           synchronized (lock) {
-            if (waiting) {
+            if (wait.isWaiting()) {
               take();
             }
           }
@@ -202,17 +217,19 @@ public final class LockstepClock implements Clock {
       signalled = false;
       deadlineMicros = NEVER;
       busy++;
-      waiting = false;
-      LockSupport.unpark(thread);
+      wait.end();
     }
 
     @Override
     public void signal() {
       synchronized (lock) {
         signalled = true;
-        if (waiting && !queued) {
+        if (wait.isWaiting() && !queued) {
           queued = true;
           ready.add(this);
+          if (ready.size() == 1) {
+            callAhead(); // those behind it are, once it has its turn
+          }
         }
       }
     }
@@ -224,7 +241,7 @@ public final class LockstepClock implements Clock {
           return;
         }
         closed = true;
-        if (waiting) {
+        if (wait.isWaiting()) {
           take(); // its thread returns from await and ends; it is no longer waited for
         }
         turns.remove(this);

@@ -10,6 +10,8 @@ public enum MissionAction {
   INSERT,
   /** Change fields of goals that are known. */
   UPDATE,
-  /** Go back to where the mission was left. */
-  RESUME
+  /** Go on with a paused mission, or else back to where the mission was left. */
+  RESUME,
+  /** Stand, or circle if the vehicle cannot stand, until RESUME or GOTO. */
+  PAUSE
 }

@@ -34,6 +34,7 @@ public final class MissionReport extends U2SAData {
   private static final ValueField<MissionReport, Long> BEGAN = SCHEMA.optionalCount("began", "µs");
   private static final ValueField<MissionReport, String> RESUMABLE =
       SCHEMA.optionalText("resumable");
+  private static final ValueField<MissionReport, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
 
   /** The schema. */
   public static final MessageType<MissionReport> TYPE = SCHEMA.build();
@@ -171,5 +172,15 @@ public final class MissionReport extends U2SAData {
   /** Sets {@link #resumable()}. */
   public MissionReport resumable(String value) {
     return put(RESUMABLE, value);
+  }
+
+  /** Whether the mission is paused. False from senders that do not know the field. */
+  public boolean paused() {
+    return Boolean.TRUE.equals(get(PAUSED));
+  }
+
+  /** Sets {@link #paused()}. */
+  public MissionReport paused(boolean value) {
+    return put(PAUSED, value);
   }
 }

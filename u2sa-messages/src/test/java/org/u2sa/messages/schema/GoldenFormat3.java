@@ -156,5 +156,12 @@ final class GoldenFormat3 {
             .serviceName("MissionManager")
             .accepted(true)
             .outcome("goal \"2\" inserted after \"gate\""));
+    golden.add("GoalList-paused", new GoalList().paused(true));
+    golden.add(
+        "MissionReport-paused",
+        new MissionReport().requestId("q2").serviceName("MissionManager").paused(true));
+    golden.add(
+        "MissionOrder-pause",
+        new MissionOrder().requestId("o2").action(MissionAction.PAUSE).operator("anna"));
   }
 }

@@ -1,16 +1,21 @@
 package org.u2sa.scenarios.cessna;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.flightgear.link.Simulator;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.report.Surroundings;
 import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.RunwayStart;
+import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
@@ -23,8 +28,10 @@ final class AircraftSensors {
    * Has the launcher make them, beside the Simulator whose aircraft carries them.
    *
    * @param start where the aircraft stands until the Simulator is made
+   * @param surroundings of which what moves says by a transponder where it is
    */
-  static void attach(LaunchOptions launch, RunwayStart start, long seed) {
+  static void attach(
+      LaunchOptions launch, RunwayStart start, long seed, Surroundings surroundings) {
     AtomicReference<Optional<Cessna172>> aircraft = new AtomicReference<>(Optional.empty());
     launch.making(
         Simulator.class,
@@ -45,10 +52,31 @@ final class AircraftSensors {
             Point.ORIGIN);
     LocalPlane plane =
         new LocalPlane(new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.elevationM()));
-    new SimulatedSensors(
-            seed, plane, () -> aircraft.get().map(AircraftSensors::moment).orElse(parked))
+    Supplier<SimulatedSensors.Moment> now =
+        () -> aircraft.get().map(AircraftSensors::moment).orElse(parked);
+    new SimulatedSensors(seed, plane, now)
         .receiver(GpsParameters.aviation())
+        .traffic(() -> traffic(surroundings, plane, now.get().vehicle().timeS()))
         .attach(launch);
+  }
+
+  private static List<SimulatedTraffic.Other> traffic(
+      Surroundings surroundings, LocalPlane plane, double timeS) {
+    return surroundings.objects().stream()
+        .filter(Surroundings::moves)
+        .map(
+            object -> {
+              Point here = place(object, plane, timeS);
+              Point soon = place(object, plane, timeS + 1.0);
+              return new SimulatedTraffic.Other(
+                  object.uid(), object.objectType(), here, soon.minus(here));
+            })
+        .toList();
+  }
+
+  private static Point place(ObjectDescription object, LocalPlane plane, double timeS) {
+    Point centre = Surroundings.centreAfter(object, timeS);
+    return plane.point(Surroundings.onEarth(object, centre, plane.origin()));
   }
 
   private static SimulatedSensors.Moment moment(Cessna172 aircraft) {

@@ -4,10 +4,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.core.world.xml.WorldFile;
 import org.u2sa.flightgear.link.EmbeddedStart;
+import org.u2sa.messages.shape.Sphere;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.Surroundings;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Simulation;
@@ -41,6 +45,8 @@ final class CessnaDemo implements Callable<Integer>, Demo {
     FUSING
   }
 
+  private static final double HALF_SPAN_M = 5.5;
+
   @Mixin private DemoFrame frame;
   @Spec private CommandSpec command;
 
@@ -59,8 +65,18 @@ final class CessnaDemo implements Callable<Integer>, Demo {
 
   @Option(
       names = "--estimator",
-      description = "One of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
-  private FlightEstimator estimator = FlightEstimator.PASS_THROUGH;
+      description = "One of ${COMPLETION-CANDIDATES}. Default: pass_through; fusing with --world.")
+  private FlightEstimator estimator; // null: not given
+
+  @Option(
+      names = "--world",
+      paramLabel = "FILE",
+      description = {
+        "World XML file with what is around, such as missions/cessna/obstructed.xml: what stands is known as from a chart, what "
+            + "moves is heard by a traffic receiver. Adds that, a World Modeler and a planner that flies around both, on noisy sensors "
+            + "(config/cessna/system-world.xml)."
+      })
+  private Path worldFile; // null: an empty sky
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -74,7 +90,18 @@ final class CessnaDemo implements Callable<Integer>, Demo {
 
   @Override
   public String systemFile() {
+    if (worldFile != null) {
+      return "system-world.xml";
+    }
     return estimator == FlightEstimator.FUSING ? "system-fused.xml" : "system.xml";
+  }
+
+  /** {@inheritDoc} Wings reach farther than the rest. */
+  @Override
+  public Surroundings surroundings() {
+    return worldFile == null
+        ? Surroundings.none()
+        : new Surroundings(WorldFile.load(worldFile).objects(), HALF_SPAN_M);
   }
 
   /** A crawl of 25 m/s over ground to every waypoint, and ten minutes to get ready. */
@@ -97,6 +124,10 @@ final class CessnaDemo implements Callable<Integer>, Demo {
   @Override
   public void check(RunPlan plan) {
     windOf(frame.seed());
+    if (worldFile != null && estimator == FlightEstimator.PASS_THROUGH) {
+      throw new ParameterException(
+          command.commandLine(), "--world: expected --estimator fusing, which is its default");
+    }
   }
 
   @Override
@@ -115,14 +146,30 @@ final class CessnaDemo implements Callable<Integer>, Demo {
     return new Trial(
         mission,
         FlightObserver::new,
-        launch ->
-            demoWind.applyTo(launch.override("Simulator", "MISSION", DemoFrame.absolute(mission))),
+        launch -> {
+          demoWind.applyTo(launch.override("Simulator", "MISSION", DemoFrame.absolute(mission)));
+          around(launch);
+        },
         launch -> {
           launch.override("Simulator", "LINK", "embedded");
-          AircraftSensors.attach(launch, EmbeddedStart.of(mission), seed);
+          AircraftSensors.attach(launch, EmbeddedStart.of(mission), seed, surroundings());
           return new Simulation.Within("embedded Cessna 172", "aircraft");
         },
         launch -> StandInSimulation.of(mission, demoWind.wind(seed), launch));
+  }
+
+  /** The chart, and how far off the greatest of those that move has to be kept. */
+  private void around(LaunchOptions launch) {
+    if (worldFile == null) {
+      return;
+    }
+    launch.override("WorldModeler", "WORLD", worldFile.toAbsolutePath().toString());
+    surroundings().objects().stream()
+        .filter(Surroundings::moves)
+        .filter(Sphere.class::isInstance)
+        .mapToDouble(ball -> ((Sphere) ball).radius())
+        .max()
+        .ifPresent(radius -> launch.override("TrafficSensor", "SEPARATION", Math.max(1.0, radius)));
   }
 
   private DemoWind windOf(long seed) {

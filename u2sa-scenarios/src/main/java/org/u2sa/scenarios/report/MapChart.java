@@ -47,6 +47,7 @@ final class MapChart {
   private final List<TrackSample> track;
   private final Quantity colour;
   private final Rectangle2D size;
+  private final ObstacleLayer obstacles;
   private final List<WaypointSign> signs;
   private final PlotPlane plane;
   private final double unitM;
@@ -58,6 +59,7 @@ final class MapChart {
     this.track = track;
     this.colour = colour;
     this.size = size;
+    obstacles = new ObstacleLayer(plan, score.obstacles(), this::at);
     signs = WaypointSign.of(score.waypoints());
     plane = plane();
     Rectangle2D extent = extent();
@@ -110,6 +112,7 @@ final class MapChart {
     List<Point2D> planned = new ArrayList<>();
     plan.home().ifPresent(home -> planned.add(at(home.longitudeDeg(), home.latitudeDeg())));
     plan.waypoints().forEach(waypoint -> planned.add(at(waypoint)));
+    obstacles.addTo(plot);
     ChartStyle.addLine(plot, fence, ChartStyle.MISSED, 5.0);
     ChartStyle.addLine(plot, planned, ChartStyle.PLANNED, 7.0);
     ChartStyle.addTrack(
@@ -197,6 +200,7 @@ final class MapChart {
   /** The names of home and the waypoints, where they cover least. */
   private final class Names extends AbstractXYAnnotation {
     private static final long serialVersionUID = 1L;
+    private static final Font OBSTACLE = ChartStyle.font(Font.ITALIC, 14);
     private static final double HEIGHT = 18.0; // px
     private static final double HOME_RADIUS = 7.0; // px
     private static final double LEADER_FROM = 14.0; // farther names get a line to the point [px]
@@ -239,6 +243,12 @@ final class MapChart {
         String name = crowded ? String.valueOf(sign.index() + 1) : sign.numberedName();
         name(graphics, placer, pixel(at(sign.waypoint()), area), radius(sign), name);
       }
+      for (ObstacleLayer.Name each : obstacles.names()) {
+        Point2D at = pixel(each.at(), area);
+        if (area.contains(at)) {
+          name(graphics, placer, at, ChartStyle.MARK_RADIUS, each.text(), OBSTACLE, each.colour());
+        }
+      }
       plan.home()
           .map(home -> pixel(at(home.longitudeDeg(), home.latitudeDeg()), area))
           .ifPresent(
@@ -267,7 +277,17 @@ final class MapChart {
 
     private void name(
         Graphics2D graphics, LabelPlacer placer, Point2D at, double radius, String name) {
-      Font font = ChartStyle.LABEL;
+      name(graphics, placer, at, radius, name, ChartStyle.LABEL, ChartStyle.TEXT);
+    }
+
+    private void name(
+        Graphics2D graphics,
+        LabelPlacer placer,
+        Point2D at,
+        double radius,
+        String name,
+        Font font,
+        Color colour) {
       double width = font.getStringBounds(name, FONTS).getWidth() + 4.0;
       Rectangle2D box = placer.place(at.getX(), at.getY(), radius, width, HEIGHT);
       double nearX = Math.max(box.getMinX(), Math.min(box.getMaxX(), at.getX()));
@@ -277,7 +297,7 @@ final class MapChart {
         graphics.setStroke(ChartStyle.stroke(1.0, 0.0));
         graphics.draw(new Line2D.Double(at, new Point2D.Double(nearX, nearY)));
       }
-      graphics.setPaint(ChartStyle.TEXT);
+      graphics.setPaint(colour);
       graphics.setFont(font);
       graphics.drawString(name, (float) (box.getX() + 2.0), (float) (box.getMaxY() - 4.0));
     }

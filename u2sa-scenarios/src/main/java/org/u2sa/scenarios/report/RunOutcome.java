@@ -1,5 +1,6 @@
 package org.u2sa.scenarios.report;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -18,6 +19,13 @@ public record RunOutcome(int contacts, boolean stalled, List<String> violations)
   /** Nothing to complain of. */
   public static RunOutcome clean() {
     return new RunOutcome(0, false, List.of());
+  }
+
+  /** The same with further broken rules. */
+  RunOutcome breaking(List<String> more) {
+    List<String> all = new ArrayList<>(violations);
+    all.addAll(more);
+    return new RunOutcome(contacts, stalled, all);
   }
 
   /** Whether nothing was hit, no wing stalled and no rule was broken. */

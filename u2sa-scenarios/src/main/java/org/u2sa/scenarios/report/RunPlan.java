@@ -13,9 +13,14 @@ import org.u2sa.messages.frame.Point;
  * @param home where the run starts; empty: where the first sample is
  * @param waypoints in the order of the run
  * @param fence corners of the area in which to stay; empty: none was set
+ * @param surroundings what is around
  */
 public record RunPlan(
-    Domain domain, Optional<Start> home, List<Waypoint> waypoints, List<Corner> fence) {
+    Domain domain,
+    Optional<Start> home,
+    List<Waypoint> waypoints,
+    List<Corner> fence,
+    Surroundings surroundings) {
 
   /** A corner of the fence [deg, east and north +]. */
   public record Corner(double longitudeDeg, double latitudeDeg) {}
@@ -25,9 +30,9 @@ public record RunPlan(
     fence = List.copyOf(fence);
   }
 
-  /** Without a fence. */
+  /** Without a fence, and with nothing around. */
   public RunPlan(Domain domain, Optional<Start> home, List<Waypoint> waypoints) {
-    this(domain, home, waypoints, List.of());
+    this(domain, home, waypoints, List.of(), Surroundings.none());
   }
 
   /** Distance of a place from a leg's line [m], right of it positive; 0 where there is no leg. */
@@ -63,7 +68,12 @@ public record RunPlan(
 
   /** The same within a fence. */
   public RunPlan within(List<Corner> corners) {
-    return new RunPlan(domain, home, waypoints, corners);
+    return new RunPlan(domain, home, waypoints, corners, surroundings);
+  }
+
+  /** The same among objects. */
+  public RunPlan among(Surroundings around) {
+    return new RunPlan(domain, home, waypoints, fence, around);
   }
 
   /**

@@ -14,6 +14,7 @@ import java.util.OptionalDouble;
  *     first waypoint is none
  * @param crossTrackRmsWholeLegsM the same with nothing left out [m]
  * @param flight what is measured of aircraft only; empty for others
+ * @param obstacles one result for each object around, in order
  * @param outcome what the simulator says of the end
  * @param simSeconds simulated time from first to last sample [s]
  */
@@ -22,11 +23,13 @@ public record RunScore(
     OptionalDouble crossTrackRmsM,
     OptionalDouble crossTrackRmsWholeLegsM,
     Optional<FlightFigures> flight,
+    List<ObstacleResult> obstacles,
     RunOutcome outcome,
     double simSeconds) {
 
   public RunScore {
     waypoints = List.copyOf(waypoints);
+    obstacles = List.copyOf(obstacles);
   }
 
   /** How many waypoints were captured. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Geodetic;
 
 /**
  * Scores a run against its plan by truth alone. Between samples the vehicle is taken to go
@@ -35,13 +36,34 @@ public final class RunScorer {
       RunPlan.Waypoint to = plan.waypoints().get(leg);
       scoreCrossTrack(from, to, leg, track, settlingM, straights, wholeLegs);
     }
+    List<ObstacleResult> obstacles = obstacles(plan, track);
     return new RunScore(
         results,
         straights.value(),
         wholeLegs.value(),
         plan.domain() == Domain.AIR ? Optional.of(FlightFigures.of(plan, track)) : Optional.empty(),
-        outcome,
+        obstacles,
+        outcome.breaking(
+            obstacles.stream()
+                .filter(ObstacleResult::touched)
+                .map(ObstacleResult::violation)
+                .toList()),
         track.isEmpty() ? 0.0 : track.get(track.size() - 1).timeS() - track.get(0).timeS());
+  }
+
+  private static List<ObstacleResult> obstacles(RunPlan plan, List<TrackSample> track) {
+    if (track.isEmpty()) {
+      return List.of();
+    }
+    TrackSample first = track.get(0);
+    Geodetic home =
+        plan.home()
+            .map(
+                start -> new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()))
+            .orElse(new Geodetic(first.longitudeDeg(), first.latitudeDeg(), first.altitudeM()));
+    return plan.surroundings().objects().stream()
+        .map(each -> ObstacleResult.of(each, plan.surroundings().reachM(), home, track))
+        .toList();
   }
 
   private static void scoreCrossTrack(

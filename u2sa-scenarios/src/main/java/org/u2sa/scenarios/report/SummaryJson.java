@@ -3,6 +3,7 @@ package org.u2sa.scenarios.report;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.Writer;
+import java.util.List;
 import java.util.OptionalDouble;
 
 /** Writes {@code summary.json} of one run, keys in a fixed order. */
@@ -52,6 +53,9 @@ final class SummaryJson {
       json.writeBooleanField("crashed", score.outcome().crashed());
       json.writeBooleanField("stalled", score.outcome().stalled());
     }
+    if (!score.obstacles().isEmpty()) {
+      obstacles(score.obstacles());
+    }
     outcome(score.outcome());
     numbers.number("simSeconds", score.simSeconds());
     numbers.number("wallSeconds", facts.wallSeconds());
@@ -97,6 +101,20 @@ final class SummaryJson {
     numbers.number("maxBankDeg", score.maxBankDeg(), noFlight);
     numbers.number("minAirspeedMps", score.minAirspeedMps(), noFlight);
     json.writeBooleanField("tookOff", score.tookOff());
+  }
+
+  private void obstacles(List<ObstacleResult> results) throws IOException {
+    json.writeArrayFieldStart("obstacles");
+    for (ObstacleResult result : results) {
+      json.writeStartObject();
+      json.writeStringField("name", result.name());
+      json.writeBooleanField("moves", result.moves());
+      numbers.number("leastDistanceM", result.leastM());
+      numbers.number("timeS", result.timeS());
+      json.writeBooleanField("touched", result.touched());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
   }
 
   private void outcome(RunOutcome outcome) throws IOException {

@@ -7,6 +7,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.Surroundings;
 
 /** What one demo adds to what all demos do: its files, and what a run of it consists of. */
 public interface Demo {
@@ -43,6 +44,11 @@ public interface Demo {
    */
   default RunPlan.Start start(Mission mission) {
     return RunPlans.start(mission);
+  }
+
+  /** What truly stands and moves around the vehicle: for the score and the picture. */
+  default Surroundings surroundings() {
+    return Surroundings.none();
   }
 
   /**

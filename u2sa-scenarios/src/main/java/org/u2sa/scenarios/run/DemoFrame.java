@@ -105,7 +105,8 @@ public final class DemoFrame {
 
   /** A mission of the demo as reports and screens see it. */
   public RunPlan plan(Demo demo, Mission mission) {
-    return RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)));
+    return RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)))
+        .among(demo.surroundings());
   }
 
   private LaunchOptions launch(SystemFile system, Demo.Trial trial) {

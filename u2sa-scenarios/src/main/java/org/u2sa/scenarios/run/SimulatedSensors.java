@@ -1,5 +1,6 @@
 package org.u2sa.scenarios.run;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleSupplier;
@@ -14,6 +15,7 @@ import org.u2sa.device.GpsSensor;
 import org.u2sa.device.ImuSensor;
 import org.u2sa.device.MagneticModel;
 import org.u2sa.device.PressureAltitude;
+import org.u2sa.device.TrafficSensor;
 import org.u2sa.device.WheelEncoderSensor;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Geodetic;
@@ -27,6 +29,7 @@ import org.u2sa.sim.device.SimulatedEncoder;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.device.SimulatedImu;
 import org.u2sa.sim.device.SimulatedPitotTube;
+import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;
@@ -42,11 +45,13 @@ import org.u2sa.sim.world.LocalPlane;
 public final class SimulatedSensors {
   private static final double ENCODER_HZ = 50.0;
   private static final double COUNTS_PER_TURN = 2_000.0;
+  private static final double RECEIVER_REACH_M = 20_000.0;
 
   private final long seed;
   private final LocalPlane plane;
   private final Supplier<Moment> now;
   private Optional<Wheels> wheels = Optional.empty();
+  private Supplier<List<SimulatedTraffic.Other>> others = List::of;
   private GpsParameters receiver = GpsParameters.survey();
 
   /**
@@ -88,6 +93,12 @@ public final class SimulatedSensors {
     return this;
   }
 
+  /** Adds others around, whose reports a traffic receiver may hear. */
+  public SimulatedSensors traffic(Supplier<List<SimulatedTraffic.Other>> around) {
+    others = around;
+    return this;
+  }
+
   /** Has the launcher make all sensors so. */
   public void attach(LaunchOptions launch) {
     make(launch, GpsSensor.class, "RECEIVER", GpsSensor::new, c -> new GpsSensor(c, gps(c)));
@@ -110,6 +121,12 @@ public final class SimulatedSensors {
         "PITOT TUBE",
         AirspeedSensor::new,
         c -> new AirspeedSensor(c, pitotTube(c)));
+    make(
+        launch,
+        TrafficSensor.class,
+        "RECEIVER",
+        TrafficSensor::new,
+        c -> new TrafficSensor(c, traffic(c)));
     wheels.ifPresent(
         each ->
             make(
@@ -198,6 +215,16 @@ public final class SimulatedSensors {
         this::truth,
         () -> now.get().wind(),
         this::altitudeM);
+  }
+
+  private SimulatedTraffic traffic(ServiceContext context) {
+    return new SimulatedTraffic(
+        SensorErrors.transponder(),
+        RECEIVER_REACH_M,
+        plane,
+        streams(context, "TrafficSensor"),
+        () -> truth().position(),
+        others);
   }
 
   /** With the wheels' measures as the service's variables, where its file says nothing else. */

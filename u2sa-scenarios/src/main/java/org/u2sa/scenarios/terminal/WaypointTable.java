@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.FlightFigures;
+import org.u2sa.scenarios.report.ObstacleResult;
 import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.report.RunScore;
 import org.u2sa.scenarios.report.WaypointResult;
@@ -24,7 +26,11 @@ public final class WaypointTable {
   /** Prints {@code score}. */
   public static void print(Terminal terminal, RunScore score) {
     List<WaypointResult> results = score.waypoints();
-    int longest = results.stream().mapToInt(r -> r.waypoint().name().length()).max().orElse(0);
+    Stream<String> names =
+        Stream.concat(
+            results.stream().map(each -> each.waypoint().name()),
+            score.obstacles().stream().map(ObstacleResult::name));
+    int longest = names.mapToInt(String::length).max().orElse(0);
     int width = Math.max(LEAST_NAME, Math.min(longest, terminal.columns() - NUMBERS_WIDTH));
     boolean flight = score.flight().isPresent();
     String head =
@@ -36,6 +42,7 @@ public final class WaypointTable {
     for (int i = 0; i < results.size(); i++) {
       row(terminal, i, results.get(i), width, flight);
     }
+    obstacles(score, width).forEach(line -> terminal.out().println(terminal.fitted(line)));
     summary(score).forEach(line -> terminal.out().println(terminal.fitted(line)));
     String verdict = format("%d of %d waypoints captured", score.captured(), results.size());
     terminal.out().println(score.success() ? terminal.good(verdict) : terminal.bad(verdict));
@@ -78,6 +85,27 @@ public final class WaypointTable {
     } else {
       terminal.out().println(cut);
     }
+  }
+
+  /** A line for each object around: how near the vehicle came to it, and when. */
+  private static List<String> obstacles(RunScore score, int width) {
+    List<String> lines = new ArrayList<>();
+    String metres = score.flight().isPresent() ? "%.1f" : "%.2f";
+    for (ObstacleResult result : score.obstacles()) {
+      if (lines.isEmpty()) {
+        lines.add("");
+        lines.add(
+            (format(ROW, "", cell("obstacle", width), "near [m]") + format(TIME, "time"))
+                .stripTrailing());
+      }
+      String remark = result.touched() ? "TOUCHED" : result.moves() ? "moves" : "";
+      lines.add(
+          (format(ROW, "", cell(result.name(), width), format(metres, result.leastM()))
+                  + format(TIME, clock(result.timeS()))
+                  + remark)
+              .stripTrailing());
+    }
+    return lines;
   }
 
   private static List<String> summary(RunScore score) {

@@ -5,20 +5,27 @@ import org.u2sa.sim.sensor.GpsParameters;
 /** Grade of the demo's GPS, in factory settings: the board's service configures it. */
 enum GpsGrade {
   /** Real-time kinematic: 2 cm. */
-  SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0),
+  SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0, 0.0),
   /** A telephone's: errors of 3 m that drift, once a second, late. */
-  PHONE("phone-grade GPS", GpsParameters.phone(), 2.5, 1.5);
+  PHONE("phone-grade GPS", GpsParameters.phone(), 2.5, 1.5, 120.0);
 
   private final String words;
   private final GpsParameters parameters;
   private final double fixTimeoutS;
   private final double leastThresholdM;
+  private final double correlationS;
 
-  GpsGrade(String words, GpsParameters parameters, double fixTimeoutS, double leastThresholdM) {
+  GpsGrade(
+      String words,
+      GpsParameters parameters,
+      double fixTimeoutS,
+      double leastThresholdM,
+      double correlationS) {
     this.words = words;
     this.parameters = parameters;
     this.fixTimeoutS = fixTimeoutS;
     this.leastThresholdM = leastThresholdM;
+    this.correlationS = correlationS;
   }
 
   /** What it is called in reports. */
@@ -43,5 +50,10 @@ enum GpsGrade {
    */
   double leastThresholdM() {
     return leastThresholdM;
+  }
+
+  /** The State Estimator's POSITION CORRELATION: for how long its errors persist [s]. */
+  double correlationS() {
+    return correlationS;
   }
 }

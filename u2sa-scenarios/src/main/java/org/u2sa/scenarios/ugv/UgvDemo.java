@@ -13,6 +13,7 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.scenarios.report.Domain;
 import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.report.Surroundings;
 import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
@@ -33,8 +34,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Drive a ground vehicle round a loop of waypoints, through its IOIO board.",
       "",
-      "Starts the Communication Manager, the services of config/ugv/system.xml, and a simulated IOIO board with GPS, compass "
-          + "and motors at its pins, and shows what happens. All noise follows from the seed.",
+      "Starts the Communication Manager, the services of config/ugv/system.xml, a simulated IOIO board with GPS, compass and "
+          + "motors at its pins, an IMU and wheel encoders, and shows what happens. All noise follows from the seed.",
       "",
       "Other MQTT clients can listen meanwhile, for example:",
       "  mosquitto_sub -t 'u2sa/ugv/#' -F '%%t %%l bytes'"
@@ -50,15 +51,31 @@ final class UgvDemo implements Callable<Integer>, Demo {
 
   /** Which State Estimator says where the vehicle is. */
   enum EstimatorKind {
-    /** What GPS and compass measured. */
-    PASS_THROUGH,
-    /** An error-state Kalman filter of GPS and compass. */
+    /** An error-state Kalman filter of all sensors. */
     FUSING,
-    /** The same of an IMU and wheel encoders too. */
-    FUSING_INERTIAL
+    /** What GPS and compass measured. */
+    PASS_THROUGH
+  }
+
+  /** What measures where the vehicle is. */
+  enum SensorSet {
+    /** GPS and compass at the board, an IMU, and encoders at two driven wheels. */
+    ALL("system.xml"),
+    /** GPS and compass at the board. */
+    BOARD("system-board.xml"),
+    /** GPS, compass, IMU and encoders as services of their own. */
+    FOUR_SERVICES("system-four-sensors.xml");
+
+    private final String file;
+
+    SensorSet(String file) {
+      this.file = file;
+    }
   }
 
   private static final int LAPS = 4;
+  private static final String FUSING = "FusingStateEstimator";
+  private static final double START_SIGMA_M = 0.1;
 
   @Mixin private DemoFrame frame;
   @Mixin private ConditionOptions around;
@@ -82,8 +99,14 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--estimator",
       description =
-          "One of ${COMPLETION-CANDIDATES}; the fusing ones with --control pursuit. Default: ${DEFAULT-VALUE}.")
-  private EstimatorKind estimator = EstimatorKind.PASS_THROUGH;
+          "One of ${COMPLETION-CANDIDATES}; --control proportional drives by pass_through. Default: ${DEFAULT-VALUE}.")
+  private EstimatorKind estimator = EstimatorKind.FUSING;
+
+  @Option(
+      names = "--sensors",
+      description =
+          "What measures where the vehicle is: one of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+  private SensorSet sensors = SensorSet.ALL;
 
   @Option(
       names = "--world",
@@ -93,6 +116,13 @@ final class UgvDemo implements Callable<Integer>, Demo {
             + "(config/ugv/system-world.xml)."
       })
   private Path worldFile; // null: an empty lawn
+
+  @Option(
+      names = "--known-start",
+      description = {
+        "Tell the State Estimator that the vehicle starts at the mission's home, to 0.1 m. Without that, nothing but the receiver knows where it is."
+      })
+  private boolean isStartKnown;
 
   private Integer laps; // null: not given
 
@@ -121,16 +151,20 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Override
   public String systemFile() {
     boolean isUsual = vehicle == VehicleKind.DIFFERENTIAL && control == ControlKind.PURSUIT;
+    boolean isFused = estimator == EstimatorKind.FUSING;
     expect(
         vehicle == VehicleKind.DIFFERENTIAL || control == ControlKind.PURSUIT,
         "--control proportional: is for two driven wheels; expected pursuit with --vehicle ackermann");
     expect(
-        estimator == EstimatorKind.PASS_THROUGH || isUsual,
-        "--estimator " + estimator + ": expected --vehicle differential and --control pursuit");
+        isFused || vehicle == VehicleKind.DIFFERENTIAL,
+        "--estimator pass_through: expected --vehicle differential");
+    expect(
+        sensors == SensorSet.ALL || isUsual && isFused,
+        "--sensors: expected --vehicle differential, --control pursuit and --estimator fusing");
     expect(
         worldFile == null
-            || control == ControlKind.PURSUIT && estimator == EstimatorKind.PASS_THROUGH,
-        "--world: expected --control pursuit and --estimator pass_through");
+            || control == ControlKind.PURSUIT && isFused && sensors == SensorSet.ALL,
+        "--world: expected --control pursuit, --estimator fusing and --sensors all");
     if (vehicle == VehicleKind.ACKERMANN) {
       return worldFile == null ? "system-ackermann.xml" : "system-ackermann-world.xml";
     }
@@ -140,11 +174,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
     if (control == ControlKind.PROPORTIONAL) {
       return "system-proportional.xml";
     }
-    return switch (estimator) {
-      case PASS_THROUGH -> "system.xml";
-      case FUSING -> "system-fused.xml";
-      case FUSING_INERTIAL -> "system-fused-inertial.xml";
-    };
+    return isFused ? sensors.file : "system-pass-through.xml";
   }
 
   private void expect(boolean holds, String otherwise) {
@@ -162,7 +192,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   public Trial trial(Mission mission, Path directory, long seed) {
     int wanted = laps != null ? laps : frame.isOwnMission() ? LAPS : 1;
     Mission driven =
-        Laps.write(mission, wanted, receiver.leastThresholdM(), directory.resolve("mission.xml"));
+        Laps.write(mission, wanted, leastThresholdM(), directory.resolve("mission.xml"));
     DriveConditions conditions = around.conditions(vehicle, frame.plan(this, mission));
     UgvWorld world =
         new UgvWorld(
@@ -172,8 +202,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
         driven,
         TruthObserver.of(world::truth, world.world().plane(), new UnarmedMotion(world)),
         launch -> {
-          configure(launch);
-          world.sensors(seed).attach(launch);
+          configure(launch, start(driven));
+          world.sensors(seed).receiver(receiver.parameters()).attach(launch);
         },
         launch -> {
           launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
@@ -190,13 +220,32 @@ final class UgvDemo implements Callable<Integer>, Demo {
         });
   }
 
+  /** {@inheritDoc} Contacts are the simulation's to count: its vehicle has corners. */
+  @Override
+  public Surroundings surroundings() {
+    return new Surroundings(obstacles(), 0.0);
+  }
+
+  /** The filter's positions do not leap, whatever the receiver's do. */
+  private double leastThresholdM() {
+    boolean leaps = estimator == EstimatorKind.PASS_THROUGH || control == ControlKind.PROPORTIONAL;
+    return leaps ? receiver.leastThresholdM() : 0.0;
+  }
+
   private List<ObjectDescription> obstacles() {
     return worldFile == null ? List.of() : WorldFile.load(worldFile).objects();
   }
 
-  private void configure(LaunchOptions launch) {
+  private void configure(LaunchOptions launch, RunPlan.Start start) {
+    if (isStartKnown) {
+      launch
+          .override(FUSING, "START X", start.longitudeDeg())
+          .override(FUSING, "START Y", start.latitudeDeg())
+          .override(FUSING, "START SIGMA", START_SIGMA_M);
+    }
     launch
         .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
+        .override(FUSING, "POSITION CORRELATION", receiver.correlationS())
         .override("SafetyManager", "ARM AT START", true); // the demo is its own operator
   }
 

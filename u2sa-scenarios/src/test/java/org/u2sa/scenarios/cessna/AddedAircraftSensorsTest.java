@@ -15,6 +15,7 @@ import org.u2sa.core.mission.Mission;
 import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.scenarios.report.Surroundings;
 
 /** A line in the system file adds a sensor to the Cessna, and it rolls all the same. */
 class AddedAircraftSensorsTest {
@@ -44,7 +45,7 @@ class AddedAircraftSensorsTest {
             .logDirectory(directory)
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", true);
-    AircraftSensors.attach(options, EmbeddedStart.of(mission), 1);
+    AircraftSensors.attach(options, EmbeddedStart.of(mission), 1, Surroundings.none());
     try (RunningSystem running = RunningSystem.start(SystemFile.read(file), options)) {
       clock.advance(Clock.micros(5.0));
       assertThat(running.isRunning()).isTrue();

@@ -1,9 +1,11 @@
 package org.u2sa.scenarios.fields;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.core.planning.PathPlanner;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
@@ -66,6 +68,8 @@ final class AircraftRun implements AutoCloseable {
 
   final ServiceKit kit = new ServiceKit();
   private final RandomField field;
+  private final boolean remembers;
+  private final Set<String> known = new HashSet<>();
   private final List<String> contacts = new ArrayList<>();
   private double east;
   private double north;
@@ -73,7 +77,16 @@ final class AircraftRun implements AutoCloseable {
   private double bank;
 
   AircraftRun(RandomField field, String planner) {
+    this(field, planner, true);
+  }
+
+  /**
+   * @param remembers whether what stands is still known when it is out of sight, as the World
+   *     Modeler's map of objects has it
+   */
+  AircraftRun(RandomField field, String planner, boolean remembers) {
     this.field = field;
+    this.remembers = remembers;
     east = field.startEast;
     north = field.startNorth;
     heading = field.startHeading;
@@ -154,7 +167,9 @@ final class AircraftRun implements AutoCloseable {
   private ObjectList seen() {
     List<ObjectDescription> seen = new ArrayList<>();
     for (ObjectDescription obstacle : field.obstacles) {
-      if (obstacle.distanceTo(Point.of(east, north, 0.0)) < RANGE_M) {
+      boolean near = obstacle.distanceTo(Point.of(east, north, 0.0)) < RANGE_M;
+      if (near || (remembers && known.contains(obstacle.uid()))) {
+        known.add(obstacle.uid());
         ObjectDescription high = obstacle.copy();
         high.z(ALTITUDE_M);
         seen.add(high);

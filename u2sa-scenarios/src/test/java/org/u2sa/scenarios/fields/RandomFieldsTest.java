@@ -1,5 +1,7 @@
 package org.u2sa.scenarios.fields;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -19,6 +21,26 @@ class RandomFieldsTest {
     FieldSeries series = aircraft("AIR");
     series.run(1, 6);
     series.check(NEARLY_ALL);
+  }
+
+  /** Field 1144: it was off its route, on whose other side there was traffic. */
+  @Test
+  void aircraft_trafficBetweenItAndItsRoute_isNotTouched() {
+    FieldSeries series = aircraft("AIR");
+    series.run(1144, 1145);
+    series.check(NEARLY_ALL);
+  }
+
+  /** Field 1105, by one who forgets what is out of sight: it would circle before the same wall. */
+  @Test
+  @Tag("long")
+  void aircraft_forgetsTheDeadEnd_givesUpWithThatReason() {
+    try (AircraftRun run = new AircraftRun(new RandomField(AircraftRun.KIND, 1105), "AIR", false)) {
+      FieldResult result = run.run();
+      assertThat(result.reached()).isFalse();
+      assertThat(result.reason()).contains("no nearer to the goal for");
+      assertThat(result.contacts()).isEmpty();
+    }
   }
 
   @Test

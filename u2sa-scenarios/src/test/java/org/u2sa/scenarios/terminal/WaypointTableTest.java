@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.FlightFigures;
+import org.u2sa.scenarios.report.ObstacleResult;
 import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.RunScore;
@@ -56,6 +57,9 @@ class WaypointTableTest {
                 OptionalDouble.of(Math.toRadians(27.5)),
                 OptionalDouble.of(33.3),
                 true)),
+        List.of(
+            new ObstacleResult("tower", false, 81.26, 120.0, false),
+            new ObstacleResult("N101", true, 3.5, 61.0, true)),
         new RunOutcome(0, false, List.of("geofence left at 12.0 s")),
         600.0);
   }
@@ -74,6 +78,10 @@ class WaypointTableTest {
                  waypoint    miss [m]    altitude      time  captured
               1  Ridge           12.3      -2.5 m      1:24  yes
               2  Lighthouse         -           -         -  NO
+
+                 obstacle    near [m]      time
+                 tower           81.3      2:00
+                 N101             3.5      1:01  TOUCHED
 
             cross-track RMS 8.3 m (whole legs 31.0 m)
             altitude on level legs: RMS -, at most -

@@ -87,21 +87,21 @@ class AddedSensorsTest {
   /** Speeds in BODY once took the position's place: "state lacks x or y", and it stood for good. */
   @Test
   void run_encodersAddedToTheEstimatorThatPassesOn_goesOn() throws Exception {
-    drive("system.xml", "WheelEncoderSensor", 1);
+    drive("system-pass-through.xml", "WheelEncoderSensor", 1);
   }
 
   @Tag("long")
   @ParameterizedTest
   @CsvSource({
-    "system.xml, ImuSensor",
-    "system.xml, BarometerSensor",
-    "system.xml, GpsSensor",
-    "system.xml, ImuSensor WheelEncoderSensor BarometerSensor CompassSensor",
-    "system-fused.xml, ImuSensor",
-    "system-fused.xml, WheelEncoderSensor",
-    "system-fused.xml, BarometerSensor",
-    "system-fused.xml, GpsSensor",
-    "system-fused.xml, ImuSensor WheelEncoderSensor BarometerSensor CompassSensor"
+    "system-pass-through.xml, ImuSensor",
+    "system-pass-through.xml, BarometerSensor",
+    "system-pass-through.xml, GpsSensor",
+    "system-pass-through.xml, ImuSensor WheelEncoderSensor BarometerSensor CompassSensor",
+    "system-board.xml, ImuSensor",
+    "system-board.xml, WheelEncoderSensor",
+    "system-board.xml, BarometerSensor",
+    "system-board.xml, GpsSensor",
+    "system-board.xml, ImuSensor WheelEncoderSensor BarometerSensor CompassSensor"
   })
   void run_sensorsAdded_missionIsDrivenToItsEnd(String base, String services) throws Exception {
     drive(base, services, 6);

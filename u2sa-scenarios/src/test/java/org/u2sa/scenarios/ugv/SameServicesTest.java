@@ -7,12 +7,13 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.core.launch.SystemFile;
 
 /**
  * The ground vehicle runs the Cessna's State Estimator, Mission Manager and Path Planner (thesis
- * 4.6): of all services only the control and the one that interacts with the hardware differ.
+ * 4.6): of all services only the control and the one that interacts with the hardware differ,
+ * beside sensors.
  */
 class SameServicesTest {
   private static Set<String> classes(String file) {
@@ -23,6 +24,12 @@ class SameServicesTest {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
+  private static Set<String> withoutSensors(String file) {
+    Set<String> classes = classes(file);
+    classes.removeIf(name -> name.startsWith("org.u2sa.device."));
+    return classes;
+  }
+
   private static Set<String> without(Set<String> all, Set<String> others) {
     Set<String> rest = new TreeSet<>(all);
     rest.removeAll(others);
@@ -30,15 +37,21 @@ class SameServicesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"system.xml", "system-proportional.xml", "system-ackermann.xml"})
-  void services_besideTheCessnas_onlyControlAndInteractionDiffer(String file) {
-    Set<String> cessna = classes("cessna/system.xml");
-    Set<String> ugv = classes("ugv/" + file);
+  @CsvSource({
+    "system.xml, system-fused.xml, FusingStateEstimator",
+    "system-ackermann.xml, system-fused.xml, FusingStateEstimator",
+    "system-pass-through.xml, system.xml, PassThroughStateEstimator",
+    "system-proportional.xml, system.xml, PassThroughStateEstimator"
+  })
+  void services_besideTheCessnas_onlyControlAndInteractionDiffer(
+      String file, String cessnas, String estimator) {
+    Set<String> cessna = withoutSensors("cessna/" + cessnas);
+    Set<String> ugv = withoutSensors("ugv/" + file);
 
     assertThat(ugv)
         .containsAll(
             List.of(
-                "org.u2sa.core.estimation.PassThroughStateEstimator",
+                "org.u2sa.core.estimation." + estimator,
                 "org.u2sa.core.mission.MissionManager",
                 "org.u2sa.core.planning.PathPlanner",
                 "org.u2sa.core.safety.SafetyManager",

@@ -34,8 +34,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * The ground vehicle with its GPS and its compass as services of their own (thesis 4.6.3), and
- * everything else as it is shipped.
+ * The ground vehicle with its GPS and its compass as services of their own (thesis 4.6.3), and the
+ * estimator that passes on. {@link SensorLossTest} drives them by the one that fuses.
  */
 class SeparateSensorsTest {
   private static final String ESTIMATOR =
@@ -50,7 +50,7 @@ class SeparateSensorsTest {
 
   private RunningSystem start(String sensors) throws IOException {
     Path ugv = UgvCommandLine.repository().resolve("config/ugv");
-    String system = Files.readString(ugv.resolve("system.xml"), UTF_8);
+    String system = Files.readString(ugv.resolve("system-pass-through.xml"), UTF_8);
     Path file = directory.resolve("system.xml");
     Files.writeString(
         file,

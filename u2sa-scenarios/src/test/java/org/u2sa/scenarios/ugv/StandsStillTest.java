@@ -102,7 +102,7 @@ class StandsStillTest {
       drive.requireStanding(20.0);
 
       drive.world.cable().power(true);
-      drive.driveUntil("drives on", () -> drive.world.state().forwardMps() > 0.5, 10.0);
+      drive.driveUntil("drives on", () -> drive.world.state().forwardMps() > 0.5, 15.0);
     }
   }
 
@@ -151,9 +151,11 @@ class StandsStillTest {
   }
 
   @Test
-  void satellites_lost_holdsAndGoesOnWhenTheyAreBack() throws InterruptedException, IOException {
+  void satellites_lost_withoutOtherSensors_holdsAndGoesOnWhenTheyAreBack()
+      throws InterruptedException, IOException {
     Hazards outage = Hazards.none().with(new DrivingHazard.GpsOutage(8.0, 30.0));
-    try (UgvDrive drive = start(outage)) {
+    Path system = UgvDrive.config().resolve("system-pass-through.xml");
+    try (UgvDrive drive = new UgvDrive(directory, system, 1, outage, true)) {
       drive.drive(8.0);
       Stop stop = drive.stop(5.0);
       report("GPS lost", stop);
@@ -163,6 +165,17 @@ class StandsStillTest {
       assertThat(drive.operator.action()).isEqualTo(FailsafeAction.HOLD);
       assertThat(drive.operator.causes()).anyMatch(cause -> cause.startsWith("position"));
       drive.driveUntil("drives on", () -> drive.world.state().forwardMps() > 0.5, 20.0);
+      assertThat(drive.operator.action()).isEqualTo(FailsafeAction.CONTINUE);
+    }
+  }
+
+  @Test
+  void satellites_lost_drivesOnByWheelsAndInertialSensor() throws InterruptedException {
+    Hazards outage = Hazards.none().with(new DrivingHazard.GpsOutage(8.0, 60.0));
+    try (UgvDrive drive = start(outage)) {
+      drive.driveUntil("two waypoints", () -> drive.operator.goalsDone() == 2, 60.0);
+
+      assertThat(drive.misses()).allSatisfy(miss -> assertThat(miss).isLessThan(0.6));
       assertThat(drive.operator.action()).isEqualTo(FailsafeAction.CONTINUE);
     }
   }

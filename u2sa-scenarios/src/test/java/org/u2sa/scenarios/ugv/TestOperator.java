@@ -1,7 +1,9 @@
 package org.u2sa.scenarios.ugv;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Queue;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -9,6 +11,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.PeriodicService;
@@ -26,6 +29,7 @@ final class TestOperator extends PeriodicService {
   private final Queue<Runnable> toSay = new ConcurrentLinkedQueue<>();
   private FailsafeState failsafe = new FailsafeState().action(FailsafeAction.CONTINUE);
   private ArmingState arming = new ArmingState().armed(false);
+  private final Map<String, List<String>> remarks = new TreeMap<>();
   private int goalsDone;
   private boolean there;
   private double heartbeatDueS;
@@ -35,6 +39,7 @@ final class TestOperator extends PeriodicService {
     registerSubscriber(Channels.FAILSAFE);
     registerSubscriber(Channels.ARMING_STATE);
     registerSubscriber(Channels.GOAL_REPORTS);
+    registerSubscriber(Channels.HEALTH);
     for (Channel<?> channel :
         List.of(
             Channels.OPERATOR, Channels.ARMING, Channels.EMERGENCY_STOP, Channels.SERVICE_ORDERS)) {
@@ -61,6 +66,8 @@ final class TestOperator extends PeriodicService {
       arming = state;
     } else if (data instanceof GoalInformation report && report.completed()) {
       goalsDone++;
+    } else if (data instanceof HealthReport report) {
+      remarks.put(report.serviceName(), report.remarks());
     }
   }
 
@@ -73,6 +80,11 @@ final class TestOperator extends PeriodicService {
   void isThere(boolean nowThere) {
     there = nowThere;
     heartbeatDueS = 0.0;
+  }
+
+  /** What a service remarked in its newest health report. */
+  List<String> remarks(String service) {
+    return remarks.getOrDefault(service, List.of());
   }
 
   FailsafeAction action() {

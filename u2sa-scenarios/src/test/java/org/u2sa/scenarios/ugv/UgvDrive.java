@@ -1,6 +1,8 @@
 package org.u2sa.scenarios.ugv;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.u2sa.core.launch.LaunchOptions;
@@ -11,11 +13,15 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * A drive of the configured ground vehicle in lockstep, in which a scenario makes things go wrong.
@@ -26,32 +32,70 @@ final class UgvDrive implements AutoCloseable {
 
   private final LockstepClock clock = new LockstepClock();
   private final RunningSystem running;
+  private final Mission mission;
+  private final List<Double> misses = new ArrayList<>();
   final UgvWorld world;
   final TestOperator operator;
 
+  /** One loop by {@code config/ugv/system.xml}. */
   UgvDrive(Path logs, Hazards hazards, boolean armAtStart) {
-    Path root = UgvCommandLine.repository();
-    Mission mission = Mission.load(root.resolve("missions/ugv/loop.xml"));
+    this(logs, config().resolve("system.xml"), 1, hazards, armAtStart);
+  }
+
+  /** One loop by another system file. */
+  UgvDrive(Path logs, Path system, long seed, Hazards hazards, boolean armAtStart) {
+    mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
     world =
         new UgvWorld(
             RunPlans.start(mission),
             VehicleKind.DIFFERENTIAL,
             GpsGrade.SURVEY,
-            1,
+            seed,
             hazards,
             DriveConditions.usual());
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
-            .seed(1)
+            .seed(seed)
             .logDirectory(logs)
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", armAtStart)
             .making(IoioService.class, context -> new IoioService(context, world.connection()));
-    running = RunningSystem.start(SystemFile.read(root.resolve("config/ugv/system.xml")), options);
+    world.sensors(seed).attach(options);
+    running = RunningSystem.start(SystemFile.read(system), options);
     operator =
         new TestOperator(running.contextFor(XmlConfiguration.inMemory("TestOperator", Map.of())));
     operator.start();
+  }
+
+  /** Where the vehicle's files are. */
+  static Path config() {
+    return UgvCommandLine.repository().resolve("config/ugv");
+  }
+
+  /** Ends a service as if its process were gone: nobody restarts it. */
+  void kill(String service) {
+    running.services().stream()
+        .filter(each -> each.getServiceName().equals(service))
+        .findFirst()
+        .orElseThrow(() -> new AssertionError("no service " + service))
+        .kill();
+  }
+
+  /** How far the vehicle truly was from each waypoint when it took it for reached [m]. */
+  List<Double> misses() {
+    return misses;
+  }
+
+  private void noteMisses() {
+    while (misses.size() < Math.min(operator.goalsDone(), mission.goals().size())) {
+      Waypoint reached = (Waypoint) mission.goals().get(misses.size());
+      VehicleTruth truth = world.truth();
+      Geodetic here = world.world().plane().at(truth.position().x(), truth.position().y(), 0.0);
+      Point to =
+          here.enuOf(new Geodetic(reached.x().getAsDouble(), reached.y().getAsDouble(), 0.0));
+      misses.add(Math.hypot(to.x(), to.y()));
+    }
   }
 
   double nowS() {
@@ -60,6 +104,7 @@ final class UgvDrive implements AutoCloseable {
 
   void drive(double seconds) throws InterruptedException {
     clock.advance(Clock.micros(seconds));
+    noteMisses();
   }
 
   /** Fails if it does not come to that. */

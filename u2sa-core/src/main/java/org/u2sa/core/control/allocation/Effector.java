@@ -48,6 +48,29 @@ public final class Effector {
     return of(announced, 1.0);
   }
 
+  private Effector(Effector sound, double left) {
+    name = sound.name;
+    effect = sound.effect.clone();
+    for (int i = 0; i < effect.length; i++) {
+      effect[i] *= left;
+    }
+    astern = sound.astern;
+    lowest = sound.lowest;
+    highest = sound.highest;
+    ratePerS = sound.ratePerS;
+    referenceSpeed = sound.referenceSpeed;
+    curve = sound.curve;
+  }
+
+  /**
+   * The same effector with a share of its effect.
+   *
+   * @param left above 0…1
+   */
+  public Effector weakened(double left) {
+    return new Effector(this, left);
+  }
+
   private static Optional<Effector> of(ActuatorAnnouncement announced, double left) {
     double[] effect = wrench(announced.force(), announced.moment(), left);
     double square = dot(effect, effect);

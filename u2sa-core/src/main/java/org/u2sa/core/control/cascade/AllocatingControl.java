@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.TreeMap;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.core.control.allocation.ActuatorRoster;
 import org.u2sa.core.control.allocation.Allocator;
@@ -64,14 +63,15 @@ public final class AllocatingControl extends ControlSystem {
       @Variable(
               ifAbsentText = "false",
               text =
-                  "Whether an actuator that is commanded without effect is found by the vehicle's motion and left out; needs true masses.")
+                  "Whether an actuator that is commanded without effect, or with less than it announces, is found by the vehicle's motion and left out or counted as weak; needs true masses.")
           boolean watchesResponse,
       @Variable(
               unit = "s",
               min = 1,
               max = 3600,
               ifAbsent = 60,
-              text = "Time after which an actuator that did not respond is tried again.")
+              text =
+                  "Time after which an actuator that did not respond, or weakly, is tried again.")
           double retryTime) {
     Choices {
       axes(essential);
@@ -97,8 +97,7 @@ public final class AllocatingControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Cascade cascade = new Cascade(tuning);
   private final ResponseWatch response = new ResponseWatch();
-  private final Map<String, Long> unresponsive =
-      new TreeMap<>(); // until when each is left out [µs]
+  private final Weaknesses weaknesses = new Weaknesses();
   private final double[] masses = new double[DegreeOfFreedom.COUNT];
   private final AxisTuner tuner = new AxisTuner(settings(AxisTuner.Order.class));
   private Allocator allocator = new Allocator(tuning.weights());
@@ -198,9 +197,14 @@ public final class AllocatingControl extends ControlSystem {
     response
         .step(allocator, axes, cascade.measured(), masses, stepS())
         .ifPresent(
-            name -> {
-              log(LogLevelEnum.WARN, name + " does not respond: left out for a time");
-              unresponsive.put(name, clock().micros() + Clock.micros(choices.get().retryTime()));
+            found -> {
+              log(
+                  LogLevelEnum.WARN,
+                  found.actuator()
+                      + (found.left() > 0.0
+                          ? " responds weakly: counted as weak for a time"
+                          : " does not respond: left out for a time"));
+              weaknesses.add(found, clock().micros() + Clock.micros(choices.get().retryTime()));
               revision = -1;
             });
   }
@@ -226,22 +230,20 @@ public final class AllocatingControl extends ControlSystem {
   private void lookAtActuators() {
     long now = clock().micros();
     long newest = roster.revision(now);
-    boolean isRetry = unresponsive.values().removeIf(until -> until <= now);
+    boolean isRetry = weaknesses.forget(now);
     if (newest == revision && !isRetry) {
       return;
     }
     revision = newest;
     Map<String, Double> costs = Costs.parse(choices.get().costs());
     response.restart();
-    List<Effector> present = roster.present(now);
-    present.removeIf(each -> unresponsive.containsKey(each.name()));
-    allocator.use(present, each -> costs.getOrDefault(each.name(), 1.0));
+    allocator.use(weaknesses.of(roster.present(now)), each -> costs.getOrDefault(each.name(), 1.0));
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
     left = Authority.of(allocator.effectors(), controlled);
     lost = Set.copyOf(left.lost(sound));
     List<String> gone = roster.lost(now);
-    unresponsive.keySet().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
+    weaknesses.lost().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
     gone.forEach(name -> command(name, 0.0));
     say(left.words(sound), gone);
   }
@@ -249,6 +251,7 @@ public final class AllocatingControl extends ControlSystem {
   private void say(String authority, List<String> gone) {
     String words =
         (gone.isEmpty() ? "" : "lost: " + String.join(", ", gone) + "; ")
+            + weaknesses.words()
             + (authority.isEmpty() && !gone.isEmpty() ? "all authority is left" : authority)
             + (essentialsLost() ? "; actuators are neutral" : "");
     if (words.equals(said)) {

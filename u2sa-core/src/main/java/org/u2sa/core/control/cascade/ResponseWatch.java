@@ -6,10 +6,10 @@ import org.u2sa.core.control.allocation.Allocator;
 import org.u2sa.core.control.allocation.DegreeOfFreedom;
 
 /**
- * Finds an actuator that is commanded and does nothing, by what the vehicle does: of all wrenches
- * that are missing suddenly, one looks like what that actuator should give. Missing is the
- * commanded wrench less mass times acceleration less what has been missing for long (drag, current,
- * weight).
+ * Finds an actuator that is commanded and does nothing, or less than it should, by what the vehicle
+ * does: of all wrenches that are missing suddenly, one looks like what that actuator should give.
+ * Missing is the commanded wrench less mass times acceleration less what has been missing for long
+ * (drag, current, weight).
  *
  * <p>One fault at a time; a change of speed looks like one only if it looks like one actuator in
  * all controlled axes at once. Two actuators that act alike cannot be told apart: then neither is
@@ -22,7 +22,8 @@ final class ResponseWatch {
   private static final double MEMORY_S = 1.5;
   private static final double SETTLES_S = 12.0; // after a change of actuators
   private static final double SURE_S = 1.0;
-  private static final double LEAST_LOSS = 0.6;
+  private static final double LEAST_LOSS = 0.25; // less may be an error of the masses
+  private static final double ALL_LOST = 0.6; // what follows usual loads hides the rest
   private static final double MOST_LOSS = 1.5;
   private static final double LEAST_FIT = 0.85;
   private static final double CLEARLY = 0.1; // better than the next
@@ -39,6 +40,13 @@ final class ResponseWatch {
   private double sureS;
   private int suspect = -1;
 
+  /**
+   * What was found.
+   *
+   * @param left share of its effect that the actuator still has, 0…1; 0: it does not respond
+   */
+  record Finding(String actuator, double left) {}
+
   /** Begins anew: actuators came or went, or the vehicle rested. */
   void restart() {
     sinceS = 0.0;
@@ -50,9 +58,9 @@ final class ResponseWatch {
    * @param allocator after the step's allocation
    * @param measured velocities [m/s] and rates [rad/s], by axis
    * @param masses [kg, kg m²], by axis
-   * @return the name of an actuator that does not respond; empty if none is found
+   * @return an actuator that responds weakly or not at all; empty if none is found
    */
-  Optional<String> step(
+  Optional<Finding> step(
       Allocator allocator,
       List<DegreeOfFreedom> controlled,
       double[] measured,
@@ -109,7 +117,7 @@ final class ResponseWatch {
     }
   }
 
-  private Optional<String> judge(Allocator allocator, double stepS) {
+  private Optional<Finding> judge(Allocator allocator, double stepS) {
     int best = -1;
     double bestFit = 0.0;
     double nextFit = 0.0;
@@ -134,6 +142,11 @@ final class ResponseWatch {
             && common[best] < MOST_LOSS * own[best];
     sureS = isLikely && best == suspect ? sureS + stepS : 0.0;
     suspect = isLikely ? best : -1;
-    return sureS >= SURE_S ? Optional.of(allocator.effectors().get(best).name()) : Optional.empty();
+    if (sureS < SURE_S) {
+      return Optional.empty();
+    }
+    double loss = common[best] / own[best];
+    return Optional.of(
+        new Finding(allocator.effectors().get(best).name(), loss < ALL_LOST ? 1.0 - loss : 0.0));
   }
 }

@@ -133,8 +133,9 @@ public final class AckermannPursuitControl extends ControlSystem {
     double throttle = tuning.get().calibration().share(drive.speedMps() + demand.trimMps());
     commandShare(now.throttleActuator(), throttle);
     if (now.steersByAngle()) {
-      double angle = share * now.angleRad();
-      command(AngleCommand.of(now.steeringActuator(), angle), FULL_PERCENT * share);
+      double bounded = Math.max(-1.0, Math.min(1.0, share));
+      double angle = bounded * now.angleRad();
+      command(AngleCommand.of(now.steeringActuator(), angle), FULL_PERCENT * bounded);
     } else {
       commandShare(now.steeringActuator(), share);
     }

@@ -11,9 +11,11 @@ import java.util.function.Function;
  * themselves is learnt anew.
  */
 public final class FilterMemory {
-  private static final String NOMINAL = "FILTER NOMINAL 1";
-  private static final String COVARIANCE = "FILTER COVARIANCE 1";
-  private static final String FLAGS = "FILTER FLAGS 1";
+  private static final String NOMINAL = "FILTER NOMINAL 2";
+  private static final String COVARIANCE = "FILTER COVARIANCE 2";
+  private static final String FLAGS = "FILTER FLAGS 2";
+
+  private static final String PERSISTENT = "FILTER PERSISTENT ERRORS OF ";
 
   private FilterMemory() {}
 
@@ -32,6 +34,11 @@ public final class FilterMemory {
     }
     flags.add(Long.toString(s.micros)).add(Long.toString(s.startedMicros));
     to.accept(FLAGS, flags.toString());
+    for (int slot = 0; slot < PersistentErrors.SLOTS; slot++) {
+      if (s.persistentSource[slot] >= 0) {
+        to.accept(PERSISTENT + slot, filter.trust().name(s.persistentSource[slot]));
+      }
+    }
   }
 
   private static String text(double[] numbers) {
@@ -72,6 +79,10 @@ public final class FilterMemory {
     s.hasFlow = "1".equals(parts[5]);
     s.micros = Long.parseLong(parts[6]);
     s.startedMicros = Long.parseLong(parts[7]);
+    for (int slot = 0; slot < PersistentErrors.SLOTS; slot++) {
+      Optional<String> source = from.apply(PERSISTENT + slot);
+      s.persistentSource[slot] = source.map(filter.trust()::source).orElse(FilterState.NO_SOURCE);
+    }
     s.positionMicros = s.micros;
     s.velocityMicros = s.micros;
     filter.resume(s);

@@ -6,17 +6,18 @@ import org.ejml.data.DMatrixRMaj;
  * Nominal state, covariance of its error, and what the sources have shown of themselves so far, at
  * one time. Flat arrays, so that a moment is kept and brought back by copying them.
  *
- * <p>Error state, 21 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
+ * <p>Error state, 30 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
  * attitude (a small turn about north, east and down [rad]: Solà 2017, section 7, global angular
  * errors), gyroscope bias [rad/s], accelerometer bias [m/s²] and angular rate [rad/s] (each along
- * BODY_FRD), wind or current (north, east [m/s]), wheel-speed scale.
+ * BODY_FRD), wind or current (north, east [m/s]), wheel-speed scale, {@link PersistentErrors} of
+ * sources (positions, north and east [m]; headings [rad]).
  *
  * <p>The nominal position is geodetic, in double precision, as soon as a source says where on earth
  * the vehicle is: error vectors are along north, east and down at the vehicle itself, so there is
  * no tangent plane to leave. North, east and down from the start are kept beside it.
  */
 final class FilterState {
-  static final int N = 21;
+  static final int N = 21 + PersistentErrors.STATES;
   static final int NO_SOURCE = -1;
   static final int RESUMED = -2; // some source, whose biases are known
   static final int POSITION = 0;
@@ -27,6 +28,7 @@ final class FilterState {
   static final int RATE = 15;
   static final int FLOW = 18;
   static final int SCALE = 20;
+  static final int PERSISTENT = 21;
 
   // Nominal state, by index of x.
   static final int LATITUDE = 0; // rad
@@ -47,7 +49,9 @@ final class FilterState {
   static final int INPUT_INTERVAL = 33; // s, running mean
   static final int LEVELLING = 34; // sum of forces while aligning: three numbers
   static final int LEVELLED = 37; // how many
-  private static final int SIZE = 38;
+  static final int PERSISTENT_ERRORS = 38; // in the order of the error state
+  static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PersistentErrors.STATES; // of a slot
+  private static final int SIZE = PERSISTENT_VARIANCE + PersistentErrors.SLOTS;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared
@@ -77,6 +81,7 @@ final class FilterState {
   long constraintMicros;
   long movingMicros; // since when the direction of motion is good enough to stand for a heading
   long resets;
+  final int[] persistentSource = PersistentErrors.nobody(); // by slot
 
   FilterState() {
     x[Q] = 1.0;
@@ -111,6 +116,7 @@ final class FilterState {
     constraintMicros = o.constraintMicros;
     movingMicros = o.movingMicros;
     resets = o.resets;
+    System.arraycopy(o.persistentSource, 0, persistentSource, 0, PersistentErrors.SLOTS);
   }
 
   double variance(int i) {

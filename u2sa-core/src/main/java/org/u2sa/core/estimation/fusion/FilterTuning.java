@@ -20,6 +20,7 @@ package org.u2sa.core.estimation.fusion;
  * @param gate normal deviations beyond which a measurement is gated
  * @param window measurements over which a source's true standard deviation is learnt
  * @param positionCorrelationS time for which a position error persists [s]; 0: each is new
+ * @param headingCorrelationS time for which a heading error persists [s]; 0: each is new
  * @param resetAfterS time after which a quantity that all sources contradict starts anew [s]
  * @param lostSigmaM horizontal standard deviation beyond which the position is lost [m]
  * @param horizonS age at which a late measurement is still fused [s]
@@ -41,6 +42,7 @@ public record FilterTuning(
     double gate,
     int window,
     double positionCorrelationS,
+    double headingCorrelationS,
     double resetAfterS,
     double lostSigmaM,
     double horizonS,
@@ -65,6 +67,7 @@ public record FilterTuning(
         4.0,
         100,
         0.0,
+        60.0,
         5.0,
         50.0,
         1.0,

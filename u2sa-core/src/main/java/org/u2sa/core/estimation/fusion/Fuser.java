@@ -10,6 +10,7 @@ final class Fuser {
   private static final double TRACK_SIGMA_RAD = 0.2; // of a direction of motion as heading
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
+  private static final double SPEED_FRESH_S = 2.0;
   private static final double READABLE_SIGMAS = 3.0;
 
   private final FilterTuning tuning;
@@ -18,6 +19,7 @@ final class Fuser {
   private final InertialInput inertial;
   private final SourceJudge judge;
   private final QuantityStart starts;
+  private final PersistentErrors persistent;
   private final MeasurementModel model = new MeasurementModel();
   private final KalmanUpdate update = new KalmanUpdate();
   private final double[] gates = new double[4];
@@ -29,6 +31,7 @@ final class Fuser {
     inertial = new InertialInput(tuning);
     judge = new SourceJudge(tuning, trust);
     starts = new QuantityStart(tuning);
+    persistent = new PersistentErrors(tuning);
     for (int rows = 1; rows < gates.length; rows++) {
       gates[rows] = threshold(rows, tuning.gate());
     }
@@ -81,7 +84,8 @@ final class Fuser {
       return;
     }
     int at = trust.of(s, source, quantity);
-    if (starts.begin(s, m, quantity, at)) {
+    int slot = persistent.slot(s, m, quantity, source);
+    if (starts.begin(s, m, quantity, at, slot)) {
       count(s, at, SourceTrust.USED);
       used(s, quantity);
       return;
@@ -98,6 +102,7 @@ final class Fuser {
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
       QuantityStart.shift(s, model, quantity, at);
     }
+    PersistentErrors.look(s, m, quantity, model, slot);
     double nis = update.prepare(s, model, SourceTrust.factor(s, at));
     if (judge.isFrozen(s, model, update.expected, source, quantity, at)) {
       s.trust[at + SourceTrust.GATED]++;
@@ -107,10 +112,10 @@ final class Fuser {
     SourceTrust.notedNis(s, at, nis);
     if (nis > gates[model.rows]) {
       if (judge.gated(s, model, source, quantity, at)) {
-        starts.reset(s, m, quantity, at);
+        starts.reset(s, m, quantity, at, slot);
       }
     } else if (SourceJudge.passes(s, at)) {
-      correct(s, source, quantity, at);
+      correct(s, source, quantity, at, slot);
     }
   }
 
@@ -125,9 +130,9 @@ final class Fuser {
             > READABLE_SIGMAS * m.sigma(SensedQuantity.FLUID_VELOCITY, 0);
   }
 
-  private void correct(FilterState s, int source, SensedQuantity quantity, int at) {
+  private void correct(FilterState s, int source, SensedQuantity quantity, int at, int slot) {
     boolean persists =
-        quantity == SensedQuantity.PLACE
+        quantity == SensedQuantity.PLACE && slot == PersistentErrors.NONE
             || quantity == SensedQuantity.ALTITUDE
             || quantity == SensedQuantity.LOCAL_PLACE;
     if (persists && tuning.positionCorrelationS() > 0.0) {
@@ -187,7 +192,8 @@ final class Fuser {
     }
     boolean isGround = tuning.domain() == MotionDomain.GROUND;
     boolean isInFlow = s.hasFlow && (s.micros - s.fluidMicros) / MICROS < FLUID_FRESH_S;
-    if (isGround || isInFlow) {
+    // Where nothing says how fast it goes, "not sideways" by an uncertain heading would seem to.
+    if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
       s.constraintMicros = s.micros;
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);
       if (update.prepare(s, model, 1.0) <= gates[model.rows]) {

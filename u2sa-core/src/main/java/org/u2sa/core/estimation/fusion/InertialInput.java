@@ -33,10 +33,15 @@ final class InertialInput {
     if (s.isStrapdown && (s.micros - s.forceMicros) * 1e-6 > limitS) {
       s.isStrapdown = false;
     }
-    long aided = Math.max(s.positionMicros, s.velocityMicros);
-    if (s.isStrapdown && (s.micros - aided) * 1e-6 > UNAIDED_S) {
+    if (s.isStrapdown && !isAided(s, UNAIDED_S)) {
       s.isStrapdown = false;
     }
+  }
+
+  /** Whether a source said in the last seconds where the vehicle is, or how fast it goes. */
+  static boolean isAided(FilterState s, double lastS) {
+    long aided = Math.max(s.positionMicros, s.velocityMicros);
+    return aided > 0 && (s.micros - aided) * 1e-6 <= lastS;
   }
 
   /** Whether this source drives the prediction, or may from now on. */
@@ -86,9 +91,7 @@ final class InertialInput {
       System.arraycopy(held, 3, x, FilterState.FORCE, 3);
       s.forceMicros = m.micros();
       level(s);
-      long aided = Math.max(s.positionMicros, s.velocityMicros);
-      boolean isAided = aided > 0 && (s.micros - aided) * 1e-6 <= UNAIDED_S;
-      s.isStrapdown = s.hasTilt && s.hasHeading && isAided;
+      s.isStrapdown = s.hasTilt && s.hasHeading && isAided(s, UNAIDED_S);
     }
   }
 

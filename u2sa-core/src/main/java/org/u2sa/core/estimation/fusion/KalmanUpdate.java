@@ -104,5 +104,8 @@ final class KalmanUpdate {
     x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
     x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
     x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
+    for (int i = 0; i < PersistentErrors.STATES; i++) {
+      x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
+    }
   }
 }

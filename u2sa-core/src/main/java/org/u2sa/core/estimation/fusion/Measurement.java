@@ -8,8 +8,11 @@ package org.u2sa.core.estimation.fusion;
 public final class Measurement {
   private static final int WIDTH = 3;
 
-  private final double[] values = new double[SensedQuantity.count() * WIDTH];
-  private final double[] sigmas = new double[SensedQuantity.count() * WIDTH];
+  /** How many numbers it keeps of all quantities. */
+  static final int SIZE = SensedQuantity.count() * WIDTH;
+
+  private final double[] values = new double[SIZE];
+  private final double[] sigmas = new double[SIZE];
   private final byte[] present = new byte[SensedQuantity.count()];
   private String source = "";
   private long micros;

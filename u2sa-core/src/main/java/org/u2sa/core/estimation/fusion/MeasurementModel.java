@@ -94,6 +94,11 @@ final class MeasurementModel {
     h.data[rows * N + column] = value;
   }
 
+  /** Sets one more number of the Jacobian. */
+  void add(int row, int column, double value) {
+    h.data[row * N + column] = value;
+  }
+
   private boolean place(FilterState s, Measurement m) {
     double northRadius = s.northRadiusM();
     double axisDistance = s.axisDistanceM();

@@ -21,6 +21,7 @@ final class ProcessModel {
   private static final double E2 = 6.694379990141316e-3;
 
   private final FilterTuning tuning;
+  private final PersistentErrors persistent;
   private final DMatrixRMaj f = new DMatrixRMaj(N, N);
   private final DMatrixRMaj fp = new DMatrixRMaj(N, N);
   private final double[] r = new double[9];
@@ -29,6 +30,7 @@ final class ProcessModel {
 
   ProcessModel(FilterTuning tuning) {
     this.tuning = tuning;
+    persistent = new PersistentErrors(tuning);
   }
 
   /** Carries the state ahead to that time; does nothing if it is there. */
@@ -159,6 +161,7 @@ final class ProcessModel {
     x[FilterState.FLOW_NORTH + 1] *= flowLeft;
     f.data[FilterState.FLOW * (N + 1)] = flowLeft;
     f.data[(FilterState.FLOW + 1) * (N + 1)] = flowLeft;
+    persistent.fade(s, f.data, dt);
   }
 
   /** Block of F: -[a]× dt. */
@@ -201,6 +204,7 @@ final class ProcessModel {
     if (s.variance(FilterState.SCALE) > 0.0) {
       add(s, FilterState.SCALE, SCALE_NOISE, dt);
     }
+    persistent.wander(s, dt);
   }
 
   private void addTurnNoise(FilterState s, int i, double dt) {

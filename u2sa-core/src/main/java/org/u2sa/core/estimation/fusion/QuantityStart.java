@@ -11,7 +11,7 @@ final class QuantityStart {
   }
 
   /** Begins a quantity anew that its source contradicts for good. */
-  void reset(FilterState s, Measurement m, SensedQuantity quantity, int at) {
+  void reset(FilterState s, Measurement m, SensedQuantity quantity, int at, int slot) {
     double factor = SourceTrust.factor(s, at);
     switch (quantity) {
       case PLACE:
@@ -27,6 +27,7 @@ final class QuantityStart {
       case HEADING:
         Alignment.heading(
             s, m.value(quantity, 0), factor * m.sigma(quantity, 0) * m.sigma(quantity, 0));
+        PersistentErrors.share(s, slot);
         break;
       case TILT:
         s.hasTilt = false;
@@ -43,15 +44,16 @@ final class QuantityStart {
     }
     s.resets++;
     s.trust[at + SourceTrust.STREAK] = 0.0;
-    begin(s, m, quantity, at);
+    begin(s, m, quantity, at, slot);
   }
 
   /**
    * Takes a quantity that was unknown from its first measurement.
    *
+   * @param slot of the source in {@link PersistentErrors}
    * @return whether the measurement has served its purpose by that
    */
-  boolean begin(FilterState s, Measurement m, SensedQuantity quantity, int at) {
+  boolean begin(FilterState s, Measurement m, SensedQuantity quantity, int at, int slot) {
     double factor = SourceTrust.factor(s, at);
     double v0 = factor * m.sigma(quantity, 0) * m.sigma(quantity, 0);
     double v1 = factor * m.sigma(quantity, 1) * m.sigma(quantity, 1);
@@ -61,6 +63,7 @@ final class QuantityStart {
           return false;
         }
         Alignment.place(s, m.value(quantity, 0), m.value(quantity, 1), v0, v1);
+        PersistentErrors.share(s, slot);
         return true;
       case ALTITUDE:
         if (s.hasAltitude) {
@@ -88,6 +91,7 @@ final class QuantityStart {
           return false;
         }
         Alignment.heading(s, m.value(quantity, 0), v0);
+        PersistentErrors.share(s, slot);
         return true;
       case TILT:
         if (s.hasTilt || !m.isWhole(quantity)) {

@@ -22,7 +22,7 @@ final class SourceTrust {
   static final int RUN = 3; // messages with the same values as the one before
   static final int IS_FROZEN = 4;
   private static final int KEPT = 5; // the values themselves
-  private static final int SOURCE_SIZE = KEPT + 36;
+  private static final int SOURCE_SIZE = KEPT + Measurement.SIZE;
 
   // Of a quantity of a source.
   static final int FACTOR = 0; // true over claimed variance, unbounded estimate

@@ -61,7 +61,7 @@ public final class ArcChooser {
       if (turnsTo(north, east, backwards)) {
         return turn(north, east, backwards, track);
       }
-      double curvature = curvatureTo(north, east, backwards);
+      double curvature = limits.curvatureTo(pose, north, east, backwards);
       for (double share : SPEEDS) {
         double speed = Math.max(share * limits.speedMps(), limits.stops() ? 0.0 : speedMps);
         Outcome outcome = forecast.play(Motion.along(track, curvature, backwards, speed, ahead));
@@ -168,21 +168,5 @@ public final class ArcChooser {
     }
     double bearing = Math.atan2(east - pose.eastM(), north - pose.northM()) - pose.headingRad();
     return Math.abs(Pose.wrapped(bearing)) > MotionLimits.SPOT_TURN_RAD;
-  }
-
-  /** Of the arc to a point, tangent to the heading (Coulter, CMU-RI-TR-92-01: 2 y / L²). */
-  private double curvatureTo(double north, double east, boolean backwards) {
-    double dn = north - pose.northM();
-    double de = east - pose.eastM();
-    double right = de * Math.cos(pose.headingRad()) - dn * Math.sin(pose.headingRad());
-    double ahead = dn * Math.cos(pose.headingRad()) + de * Math.sin(pose.headingRad());
-    double square = dn * dn + de * de;
-    if (square < 1.0e-6) {
-      return 0.0;
-    }
-    double tightest = limits.tightest();
-    boolean wrongSide = backwards ? ahead > 0.0 : ahead < 0.0;
-    double wanted = wrongSide ? Math.copySign(tightest, right) : 2.0 * right / square;
-    return Math.max(-tightest, Math.min(tightest, wanted));
   }
 }

@@ -159,11 +159,17 @@ final class MotionForecast {
         : Math.min(4.0 * limits.turnRadiusM(), motion.track().remainingM());
   }
 
-  private static Pose next(Pose at, double step, double gone, Motion motion) {
+  private Pose next(Pose at, double step, double gone, Motion motion) {
     double sign = motion.sign();
     RouteTrack track = motion.track();
     if (gone <= motion.arcM() || track == null) {
       return at.along(sign * step, gone <= motion.arcM() ? motion.curvature() : 0.0);
+    }
+    if (!limits.stops()) { // off its route it has to fly back, and meets what is on the way
+      double ahead = gone + limits.lookAheadM();
+      return at.along(
+          step,
+          limits.curvatureTo(at, track.northAheadM(ahead), track.eastAheadM(ahead), false));
     }
     double north = track.northAheadM(gone);
     double east = track.eastAheadM(gone);

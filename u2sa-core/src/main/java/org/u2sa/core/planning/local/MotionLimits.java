@@ -1,5 +1,7 @@
 package org.u2sa.core.planning.local;
 
+import org.u2sa.core.planning.curve.Pose;
+
 /**
  * How a vehicle may move along its route. Immutable.
  *
@@ -40,6 +42,24 @@ public record MotionLimits(
   /** The tightest arc on which it is led [1/m]. */
   double tightest() {
     return turnsOnTheSpot() ? 2.0 * Math.sin(SPOT_TURN_RAD) / lookAheadM : 1.0 / turnRadiusM;
+  }
+
+  /**
+   * Of the arc to a point, tangent to the heading [1/m], to the right positive, and no tighter than
+   * {@link #tightest()} (Coulter, CMU-RI-TR-92-01: 2 y / L²).
+   */
+  double curvatureTo(Pose from, double north, double east, boolean backwards) {
+    double dn = north - from.northM();
+    double de = east - from.eastM();
+    double right = de * Math.cos(from.headingRad()) - dn * Math.sin(from.headingRad());
+    double ahead = dn * Math.cos(from.headingRad()) + de * Math.sin(from.headingRad());
+    double square = dn * dn + de * de;
+    if (square < 1.0e-6) {
+      return 0.0;
+    }
+    boolean wrongSide = backwards ? ahead > 0.0 : ahead < 0.0;
+    double wanted = wrongSide ? Math.copySign(tightest(), right) : 2.0 * right / square;
+    return Math.max(-tightest(), Math.min(tightest(), wanted));
   }
 
   /**

@@ -59,6 +59,7 @@ public final class SeenWorld {
   private double highDownM;
   private CostGrid costs;
   private Reading costsRead;
+  private GridLayer layer; // as drawn last
   private int revision;
 
   /** An empty world. */
@@ -186,7 +187,8 @@ public final class SeenWorld {
       raster.drawOutside(corridors);
     }
     if (seenGrid != null) {
-      raster.draw(seenGrid, plane, now.occupiedAbove());
+      layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
+      raster.draw(layer);
     }
     boolean different = costs.update(raster::isOccupied, raster::isUnknown) != null;
     if (different || moved) {

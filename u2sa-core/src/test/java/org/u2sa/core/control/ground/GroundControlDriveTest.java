@@ -1,14 +1,19 @@
 package org.u2sa.core.control.ground;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.control.ControlSystem;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.AngleCommand;
 import org.u2sa.service.ServiceContext;
 
 /** The controls of ground vehicles behind the real planner, over corners of 90 and 135 degrees. */
@@ -105,6 +110,39 @@ class GroundControlDriveTest {
 
       drive.until(() -> false, 3.0);
       requireStanding(drive, 5.0);
+    }
+  }
+
+  @Test
+  void steersByAngle_fiveCorners_isTheSameDrive() {
+    Map<String, Object> variables = new HashMap<>();
+    variables.put("MAX SPEED", 3.0);
+    variables.put("CRUISE SPEED", 1.2);
+    variables.put("WHEELBASE", 0.6);
+    variables.put("STEERING ANGLE", Math.toDegrees(RoverDrive.FULL_ANGLE_RAD));
+    try (RoverDrive byPercent = ackermann(PLANNER, variables)) {
+      byPercent.until(() -> false, 40.0);
+      variables.put("STEERS BY ANGLE", true);
+      try (RoverDrive byAngle = ackermann(PLANNER, variables)) {
+        byAngle.until(() -> false, 40.0);
+
+        List<AngleCommand> angles = new ArrayList<>();
+        byAngle.kit.published(Channels.ACTUATION).stream()
+            .filter(AngleCommand.class::isInstance)
+            .forEach(each -> angles.add((AngleCommand) each));
+        assertThat(angles).extracting(AngleCommand::actuatorName).containsOnly("STEERING");
+        assertThat(angles)
+            .extracting(AngleCommand::angle)
+            .anySatisfy(angle -> assertThat(angle).isGreaterThan(0.2))
+            .allSatisfy(
+                angle ->
+                    assertThat(Math.abs(angle)).isLessThanOrEqualTo(RoverDrive.FULL_ANGLE_RAD));
+        RoverDrive.Sample end = byAngle.track.get(byAngle.track.size() - 1);
+        RoverDrive.Sample same = byPercent.track.get(byPercent.track.size() - 1);
+        assertThat(end.north()).isCloseTo(same.north(), within(1e-6));
+        assertThat(end.east()).isCloseTo(same.east(), within(1e-6));
+        assertThat(end.goalsDone()).isGreaterThanOrEqualTo(2);
+      }
     }
   }
 

@@ -15,6 +15,7 @@ import org.u2sa.core.estimation.PassThroughStateEstimator;
 import org.u2sa.core.mission.MissionManager;
 import org.u2sa.core.planning.PathPlanner;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
@@ -27,6 +28,9 @@ import org.u2sa.testkit.ServiceKit;
  * KinematicRover}.
  */
 final class RoverDrive implements AutoCloseable {
+  /** Angle at +100 % of a steering that takes angles [rad]. */
+  static final double FULL_ANGLE_RAD = Math.toRadians(28.0);
+
   private static final double STEP_S = 0.05;
 
   /** Where the vehicle truly was, and how many goals it had completed. */
@@ -100,7 +104,11 @@ final class RoverDrive implements AutoCloseable {
   double percent(String actuator) {
     return kit.published(Channels.ACTUATION).stream()
         .filter(command -> command.actuatorName().equals(actuator))
-        .mapToDouble(command -> ((PercentageCommand) command).percentage())
+        .mapToDouble(
+            command ->
+                command instanceof AngleCommand angle // as an actuator of that FULL ANGLE
+                    ? 100.0 * angle.angle() / FULL_ANGLE_RAD
+                    : ((PercentageCommand) command).percentage())
         .reduce((first, second) -> second)
         .orElse(0.0);
   }

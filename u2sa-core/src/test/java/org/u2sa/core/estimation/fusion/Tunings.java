@@ -23,6 +23,33 @@ final class Tunings {
         t.gate(),
         t.window(),
         t.positionCorrelationS(),
+        0.0,
+        t.resetAfterS(),
+        t.lostSigmaM(),
+        t.horizonS(),
+        t.history());
+  }
+
+  /** For sources whose errors persist so long [s]. */
+  static FilterTuning persistent(double positionS, double headingS) {
+    FilterTuning t = FilterTuning.of(MotionDomain.GROUND);
+    return new FilterTuning(
+        t.domain(),
+        t.accelerationNoise(),
+        t.verticalNoise(),
+        t.turnSigma(),
+        t.sideSlipSigma(),
+        t.constraintS(),
+        t.gyroBiasSigma(),
+        t.gyroBiasNoise(),
+        t.forceBiasSigma(),
+        t.forceBiasNoise(),
+        t.flowSigma(),
+        t.wheelScaleSigma(),
+        t.gate(),
+        t.window(),
+        positionS,
+        headingS,
         t.resetAfterS(),
         t.lostSigmaM(),
         t.horizonS(),

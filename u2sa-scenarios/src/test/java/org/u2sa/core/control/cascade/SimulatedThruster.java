@@ -9,7 +9,7 @@ final class SimulatedThruster extends Actuator {
   private static final double FULL_PERCENT = 100.0;
 
   private final VehicleRun run;
-  private volatile boolean isBroken;
+  private volatile double strength = 1.0; // share of the command that its propeller carries out
 
   SimulatedThruster(ServiceContext context, String name, VehicleRun run) {
     super(context, name);
@@ -18,7 +18,7 @@ final class SimulatedThruster extends Actuator {
 
   @Override
   protected void actuate(double percentage) {
-    run.command(clock().micros(), actuatorName(), isBroken ? 0.0 : percentage / FULL_PERCENT);
+    run.command(clock().micros(), actuatorName(), strength * percentage / FULL_PERCENT);
   }
 
   @Override
@@ -28,8 +28,13 @@ final class SimulatedThruster extends Actuator {
 
   /** Loses its propeller without noticing: obeys, announces itself, and nothing moves. */
   void breaks() {
-    isBroken = true;
+    strength = 0.0;
     neutral();
+  }
+
+  /** Loses a part of its thrust without noticing: the effect grows by the square of the command. */
+  void weakens(double left) {
+    strength = Math.sqrt(left);
   }
 
   /** Says that only a share of its thrust is left [%]. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.u2sa.core.control.ControlSystem;
+import org.u2sa.device.ThrusterActuator;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -99,6 +100,34 @@ final class SixThrusterDive implements AutoCloseable {
     kit.with("TIME CONSTANT", thruster.timeConstantS());
     String name = thruster.name();
     thrusters.put(name, kit.start(context -> new SimulatedThruster(context, name, run)));
+  }
+
+  /** Puts a ThrusterActuator over a propeller that measures its speed in a thruster's place. */
+  ThrusterActuator startMeasuring(VesselThruster thruster, VesselPropeller propeller) {
+    SimulatedThruster before = thrusters.remove(thruster.name());
+    if (before != null) {
+      before.kill();
+    }
+    kit.withoutVariables();
+    measuring(thruster).forEach(kit::with);
+    return kit.start(context -> new ThrusterActuator(context, propeller));
+  }
+
+  /** How a ThrusterActuator is configured for a horizontal thruster. */
+  static Map<String, Object> measuring(VesselThruster thruster) {
+    Point at = thruster.place();
+    Point to = thruster.direction();
+    Map<String, Object> variables = new LinkedHashMap<>();
+    variables.put("SERVICE NAME", thruster.name());
+    variables.put("FULL THRUST", thruster.forwardN());
+    variables.put("REVERSE THRUST", thruster.reverseN());
+    variables.put("DEADBAND", 100 * thruster.deadband());
+    variables.put("MOUNTED X", at.x());
+    variables.put("MOUNTED Y", -at.y()); // BODY: to the left
+    variables.put("MOUNTED Z", at.z());
+    variables.put("MOUNTED PITCH", to.z() > 0.5 ? -Math.PI / 2.0 : 0.0);
+    variables.put("MOUNTED YAW", Math.atan2(-to.y(), to.x()));
+    return variables;
   }
 
   static Map<String, Object> tuning() {

@@ -1,0 +1,142 @@
+package org.u2sa.drivers.mavlink;
+
+import io.dronefleet.mavlink.common.DistanceSensor;
+import io.dronefleet.mavlink.common.MavDistanceSensor;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.device.DeviceProvider;
+import org.u2sa.device.RangeFinder;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * A radar, laser or ultrasonic altimeter or range finder that sends MAVLink's DISTANCE_SENSOR
+ * (132), or an autopilot that passes it on (mavlink.io/en/messages/common.html). It only listens.
+ *
+ * <p>Nearer than its least distance, a sensor says no more than that: it counts as that far.
+ */
+public final class MavlinkRange extends LinkedDevice<RangeFinder.Distance> implements RangeFinder {
+  private static final int OWN_SYSTEM = 255;
+  private static final int OWN_COMPONENT = 191;
+  private static final double CENTI = 1.0e-2;
+  private static final int INVALID = 1; // signal_quality; 0 is unknown, 100 perfect
+  private static final int ANY_ID = -1;
+
+  /** The values of MAV_DISTANCE_SENSOR, in their order. */
+  enum Kind {
+    LASER,
+    ULTRASOUND,
+    INFRARED,
+    RADAR,
+    UNKNOWN,
+    ANY
+  }
+
+  private final MavlinkStream stream = new MavlinkStream(OWN_SYSTEM, OWN_COMPONENT);
+  private final Kind kind;
+  private final int id;
+  private Optional<Distance> latest = Optional.empty();
+  private long refused;
+  private String refusal = "";
+
+  /**
+   * Over that link, which is closed with this.
+   *
+   * @param kind of the sensor to hear
+   * @param id of the sensor to hear; −1: whichever
+   */
+  MavlinkRange(ByteLink link, Kind kind, int id) {
+    super(link);
+    this.kind = kind;
+    this.id = id;
+  }
+
+  @Override
+  protected void found(long nowMicros) {
+    stream.beginAnew();
+  }
+
+  @Override
+  protected void hear(byte[] bytes, int length, long nowMicros) {
+    stream.accept(bytes, length, message -> take(message.payload(), nowMicros));
+  }
+
+  private void take(Object payload, long nowMicros) {
+    if (!(payload instanceof DistanceSensor sensor) || !isMine(sensor)) {
+      return;
+    }
+    int least = sensor.minDistance();
+    int most = sensor.maxDistance();
+    if (least > most) {
+      refused++;
+      refusal = "DISTANCE_SENSOR from " + least + " to " + most + " cm";
+      return;
+    }
+    if (sensor.signalQuality() == INVALID) {
+      return; // it says itself that it has not measured: then it is silent
+    }
+    int now = sensor.currentDistance();
+    latest =
+        Optional.of(
+            new Distance(
+                nowMicros,
+                now > most
+                    ? OptionalDouble.empty()
+                    : OptionalDouble.of(Math.max(least, now) * CENTI)));
+  }
+
+  private boolean isMine(DistanceSensor sensor) {
+    MavDistanceSensor type = sensor.type().entry();
+    boolean isOfKind = kind == Kind.ANY || type != null && type.ordinal() == kind.ordinal();
+    return isOfKind && (id == ANY_ID || id == sensor.id());
+  }
+
+  @Override
+  protected Optional<Distance> latest() {
+    return latest;
+  }
+
+  @Override
+  public long malformed() {
+    return stream.malformed() + refused;
+  }
+
+  @Override
+  public String lastRefusal() {
+    return refusal;
+  }
+
+  /** MODEL MAVLINK in a configuration. */
+  public static final class Provider extends DeviceProvider<RangeFinder> {
+    private record Choice(
+        @Variable(ifAbsentText = "ANY", text = "MAVLINK: kind of the sensor to hear.")
+            Kind distanceSensorKind,
+        @Variable(
+                min = -1,
+                max = 255,
+                ifAbsent = -1,
+                text = "MAVLINK: id of the sensor to hear; -1: whichever.")
+            int distanceSensorId) {}
+
+    /** For {@link java.util.ServiceLoader}. */
+    public Provider() {
+      super(RangeFinder.class, "MAVLINK");
+    }
+
+    @Override
+    protected List<Class<?>> variables() {
+      return List.of(Choice.class);
+    }
+
+    @Override
+    protected RangeFinder open(String name, ServiceContext context) {
+      Choice choice = context.configuration().settings(Choice.class).get();
+      return new MavlinkRange(
+          ByteLinks.of(context), choice.distanceSensorKind(), choice.distanceSensorId());
+    }
+  }
+}
