@@ -145,6 +145,7 @@ MESSAGES = [
         ('upcoming', 'messages:GoalInformation', 'always', (), None, None, (), 1),
         ('landGoals', 'int', 'optional', None, None, None, (), 3),
         ('fileFaults', 'texts', 'optional', None, None, None, (), 3),
+        ('paused', 'bool', 'optional', None, None, None, (), 3),
     ]),
     (('ObjectDescription',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
@@ -863,12 +864,13 @@ MESSAGES = [
         ('timeLimit', 'float64', 'optional', None, 0.0, None, (), 3),
         ('began', 'int', 'optional', None, None, None, (), 3),
         ('resumable', 'text', 'optional', None, None, None, (), 3),
+        ('paused', 'bool', 'optional', None, None, None, (), 3),
     ]),
     (('MissionOrder',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1),
         ('timestamp', 'int', 'optional', None, None, None, (), 1),
         ('requestId', 'text', 'required', None, None, None, (), 3),
-        ('action', 'enum', 'required', None, None, None, ('GOTO', 'SKIP', 'INSERT', 'UPDATE', 'RESUME'), 3),
+        ('action', 'enum', 'required', None, None, None, ('GOTO', 'SKIP', 'INSERT', 'UPDATE', 'RESUME', 'PAUSE'), 3),
         ('uid', 'text', 'optional', None, None, None, (), 3),
         ('goals', 'text', 'optional', None, None, None, (), 3),
         ('file', 'text', 'optional', None, None, None, (), 3),
