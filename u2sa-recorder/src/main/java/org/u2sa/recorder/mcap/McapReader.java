@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * A whole MCAP file with a summary, opened for reading: what it holds is known at once, messages
@@ -115,7 +116,7 @@ public final class McapReader implements AutoCloseable {
 
   /** Names of the attachments, in the file's order. */
   public List<String> attachmentNames() {
-    return attachments.stream().map(AttachmentIndex::name).toList();
+    return attachments.stream().map(AttachmentIndex::name).collect(Collectors.toList());
   }
 
   /** The first attachment of that name. */

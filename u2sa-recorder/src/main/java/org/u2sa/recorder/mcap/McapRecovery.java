@@ -53,7 +53,7 @@ public final class McapRecovery {
   private void copy(FileChannel from) throws IOException {
     try {
       RecordWalk.requireMagic(from, 0);
-      copy(new RecordStream(from, Opcode.magic().length));
+      copy(from, new RecordStream(from, Opcode.magic().length));
     } catch (McapException e) { // what is not MCAP has nothing to recover
       note(e);
     }
@@ -66,7 +66,7 @@ public final class McapRecovery {
     }
   }
 
-  private void copy(RecordStream stream) throws IOException {
+  private void copy(FileChannel from, RecordStream stream) throws IOException {
     int opcode = 0;
     while (opcode != Opcode.DATA_END && opcode != Opcode.FOOTER) {
       try {
@@ -90,17 +90,18 @@ public final class McapRecovery {
       }
     }
     if (opcode == Opcode.DATA_END) {
-      requireEnd(stream);
+      requireEnd(from, stream);
     }
   }
 
   /** Data that are whole may be followed by a summary that is not. */
-  private void requireEnd(RecordStream stream) throws IOException {
+  private void requireEnd(FileChannel from, RecordStream stream) throws IOException {
     try {
       int opcode = 0;
       while (opcode != Opcode.FOOTER) {
         opcode = stream.next().opcode();
       }
+      RecordWalk.requireMagic(from, stream.position());
     } catch (EOFException | McapException e) {
       note(e);
     }

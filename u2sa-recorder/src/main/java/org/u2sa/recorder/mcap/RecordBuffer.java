@@ -1,5 +1,6 @@
 package org.u2sa.recorder.mcap;
 
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -111,7 +112,12 @@ final class RecordBuffer {
   }
 
   void clear() {
-    bytes.clear();
+    place(bytes).clear();
+  }
+
+  /** Android 28 has these methods in Buffer only. */
+  private static Buffer place(ByteBuffer buffer) {
+    return buffer;
   }
 
   private void room(int more) {
@@ -122,7 +128,7 @@ final class RecordBuffer {
         throw new IllegalArgumentException("a record of " + needed + " bytes is too long");
       }
       ByteBuffer grown = ByteBuffer.allocate((int) larger).order(ByteOrder.LITTLE_ENDIAN);
-      bytes.flip();
+      place(bytes).flip();
       bytes = grown.put(bytes);
     }
   }

@@ -1,5 +1,6 @@
 package org.u2sa.recorder.mcap;
 
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -12,6 +13,7 @@ final class RecordFields {
   private final byte[] content;
   private final int from;
   private final ByteBuffer bytes;
+  private final Buffer place; // the same: Android 28 has position(int) in Buffer only
 
   RecordFields(byte[] content) {
     this(content, 0, content.length);
@@ -21,6 +23,7 @@ final class RecordFields {
     this.content = content;
     this.from = from;
     bytes = ByteBuffer.wrap(content, from, length).order(ByteOrder.LITTLE_ENDIAN);
+    place = bytes;
   }
 
   int uint8() throws McapException {
@@ -68,7 +71,7 @@ final class RecordFields {
     long length = uint32();
     require(length);
     RecordFields part = new RecordFields(content, bytes.position(), (int) length);
-    bytes.position(bytes.position() + (int) length);
+    place.position(bytes.position() + (int) length);
     return part;
   }
 
@@ -89,7 +92,7 @@ final class RecordFields {
 
   void skip(long length) throws McapException {
     require(length);
-    bytes.position(bytes.position() + (int) length);
+    place.position(bytes.position() + (int) length);
   }
 
   private void require(long length) throws McapException {

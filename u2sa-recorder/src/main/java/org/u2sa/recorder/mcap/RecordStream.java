@@ -2,6 +2,7 @@ package org.u2sa.recorder.mcap;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.SeekableByteChannel;
@@ -96,7 +97,8 @@ final class RecordStream {
         throw new EOFException("the file became shorter while it was read");
       }
     }
-    bytes.flip();
+    Buffer place = bytes; // Android 28 has rewind() in Buffer only
+    place.rewind();
     return bytes;
   }
 }
