@@ -97,10 +97,11 @@ class RecorderTest {
     StateInformation first = publish(Channels.STATE, state(11.0));
     StateInformation second = publish(Channels.STATE, state(11.1));
     U2SAData command =
-        publish(
-            Channels.ACTUATION, new PercentageCommand().actuatorName("LEFT").percentage(50.0));
+        publish(Channels.ACTUATION, new PercentageCommand().actuatorName("LEFT").percentage(50.0));
     U2SAData announced =
-        publish(Channels.ACTUATORS, new ActuatorAnnouncement().actuatorName("LEFT").minimum(-100.0).maximum(100.0));
+        publish(
+            Channels.ACTUATORS,
+            new ActuatorAnnouncement().actuatorName("LEFT").minimum(-100.0).maximum(100.0));
     StateInformation own = publish(OWN, state(12.0));
     recorder.kill();
     Map<String, List<byte[]>> read = read(folder.resolve("recording.mcap"));
@@ -120,7 +121,7 @@ class RecorderTest {
   @Test
   void record_fromAnotherProcess_isInTheFile() throws IOException {
     Recorder recorder = new Recorder(context(Map.of("FORM", "U2SA")));
-    ConfigurationRequest request = new ConfigurationRequest();
+    ConfigurationRequest request = new ConfigurationRequest().serviceName("Planner");
     request.systemId("rover");
     request.freeze();
     bus.deliver(Channels.CONFIGURATION, request);
@@ -147,7 +148,9 @@ class RecorderTest {
       assertThat(channel.metadata()).containsEntry("channel", "state");
       String schema = new String(reader.schemas().get(channel.schemaId()).data());
       assertThat(schema).contains("\"psiDot\":{\"type\":\"number\",\"unit\":\"rad/s\"}");
-      assertThat(new MessageCodec(MessageTypes.discovered()).decode(StateInformation.TYPE.chain(), message.data()))
+      assertThat(
+              new MessageCodec(MessageTypes.discovered())
+                  .decode(StateInformation.TYPE.chain(), message.data()))
           .isEqualTo(stamped(state(11.0)));
     }
   }
@@ -276,7 +279,9 @@ class RecorderTest {
       assertThat(reader.metadata())
           .anySatisfy(
               metadata ->
-                  assertThat(metadata.entries()).containsEntry("seed", "5").containsEntry("system", "rover"))
+                  assertThat(metadata.entries())
+                      .containsEntry("seed", "5")
+                      .containsEntry("system", "rover"))
           .anySatisfy(
               metadata -> {
                 assertThat(metadata.name()).isEqualTo("not-attached");

@@ -63,7 +63,8 @@ final class HouseRules {
                   "flightgear")),
           Map.entry(
               "android",
-              List.of("messages", "interfaces", "service", "device", "core", "drivers")));
+              List.of(
+                  "messages", "interfaces", "service", "device", "core", "drivers", "recorder")));
 
   /** Calls that read the time of day or of the machine. */
   private static final Map<String, Set<String>> TIME_READERS =

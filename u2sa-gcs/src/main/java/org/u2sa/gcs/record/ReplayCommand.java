@@ -130,7 +130,8 @@ public final class ReplayCommand implements Callable<Integer> {
         names.add(topic(channel).channel());
       }
     }
-    Set<String> unknown = wanted.stream().filter(name -> !names.contains(name)).collect(Collectors.toSet());
+    Set<String> unknown =
+        wanted.stream().filter(name -> !names.contains(name)).collect(Collectors.toSet());
     if (!unknown.isEmpty()) {
       throw new BadInputException(
           file + ": has no channel " + unknown + "; expected some of " + names);
@@ -142,7 +143,8 @@ public final class ReplayCommand implements Callable<Integer> {
         .orElseThrow(
             () ->
                 new BadInputException(
-                    file + ": holds no message as it was published; expected one recorded with --form u2sa or both"));
+                    file
+                        + ": holds no message as it was published; expected one recorded with --form u2sa or both"));
   }
 
   private static boolean isMessage(McapChannel channel) {
@@ -171,8 +173,7 @@ public final class ReplayCommand implements Callable<Integer> {
     try (Clock.Waiter waiter = clock.newWaiter("replay")) {
       for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
         long due =
-            beganMicros
-                + Math.round((m.get().logTimeNanos() - fromNanos) / rate / NANOS_PER_MICRO);
+            beganMicros + Math.round((m.get().logTimeNanos() - fromNanos) / rate / NANOS_PER_MICRO);
         while (clock.micros() < due) {
           waiter.await(due);
         }

@@ -6,10 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.LinkedHashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
@@ -31,7 +32,7 @@ public final class RunFacts {
   private static final int FOLDERS_IN_NAME = 3;
 
   private final RecordingFacts facts = new RecordingFacts();
-  private final Map<Path, String> attached = new LinkedHashMap<>();
+  private final Set<Path> attached = new HashSet<>();
 
   /** Facts about any recording that this program makes. */
   public RunFacts() {
@@ -76,15 +77,21 @@ public final class RunFacts {
     return this;
   }
 
-  /** Attaches one file, for example the mission. */
-  public RunFacts attach(Path file) {
-    Path absolute = file.toAbsolutePath().normalize();
-    if (!attached.containsKey(absolute)) {
-      String name = name(absolute);
-      attached.put(absolute, name);
-      facts.attach(name, absolute);
-    }
+  /** Attaches the mission that is pursued, which may stand elsewhere than is configured. */
+  public RunFacts mission(Path file) {
+    attach("pursued-mission/" + file.getFileName(), file);
     return this;
+  }
+
+  private void attach(Path file) {
+    Path absolute = file.toAbsolutePath().normalize();
+    attach(name(absolute), absolute);
+  }
+
+  private void attach(String name, Path file) {
+    if (attached.add(file.toAbsolutePath().normalize())) {
+      facts.attach(name, file);
+    }
   }
 
   /** Attaches the logs of a folder as they are when the recording ends. */

@@ -1,7 +1,9 @@
 package org.u2sa.recorder.foxglove;
 
 import java.io.IOException;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -36,6 +38,7 @@ public final class FoxgloveMessages {
   private final SceneFrame frames = new SceneFrame();
   private final SceneShapes shapes = new SceneShapes(frames);
   private final SchemaFiles schemas = new SchemaFiles();
+  private final Map<String, String> logged = new HashMap<>(); // last line of each source
 
   /**
    * One message for viewers.
@@ -98,11 +101,11 @@ public final class FoxgloveMessages {
     } else if (message instanceof FailsafeState failsafe) {
       boolean goesOn = failsafe.action() == FailsafeAction.CONTINUE;
       String text = failsafe.action() + ": " + String.join("; ", failsafe.causes());
-      sink.write(log(nanos, goesOn ? INFO : WARNING, "failsafe", text));
+      log(nanos, goesOn ? INFO : WARNING, "failsafe", text, sink);
     } else if (message instanceof ServiceCondition condition) {
       boolean alive = condition.condition() == Condition.ALIVE;
       String text = condition.condition() + " " + condition.reason();
-      sink.write(log(nanos, alive ? INFO : WARNING, condition.serviceName(), text));
+      log(nanos, alive ? INFO : WARNING, condition.serviceName(), text, sink);
     }
   }
 
@@ -110,11 +113,15 @@ public final class FoxgloveMessages {
     return new View(prefix + topic, schema.fullName(), schemas.of(schema), message.bytes());
   }
 
-  private View log(long nanos, int level, String name, String text) {
-    return view(
-        "log",
-        FoxgloveSchema.LOG,
-        new ProtobufMessage().time(1, nanos).whole(2, level).text(3, text).text(4, name));
+  /** States are published again and again; the log gets a line where one changes. */
+  private void log(long nanos, int level, String name, String text, Sink sink) throws IOException {
+    if (!text.equals(logged.put(name, text))) {
+      sink.write(
+          view(
+              "log",
+              FoxgloveSchema.LOG,
+              new ProtobufMessage().time(1, nanos).whole(2, level).text(3, text).text(4, name)));
+    }
   }
 
   private void state(StateInformation state, long nanos, Sink sink) throws IOException {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.zip.CRC32;
 
 /**
  * A chunk's record as it is in the file.
@@ -55,7 +56,15 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     ChunkCompression.Prefix prefix = compression.decompressPrefix(compressed, size);
     List<RecordStream.Entry> records = new ArrayList<>();
     IOException trouble = split(prefix.bytes(), records);
-    return new Salvage(records, prefix.trouble() != null ? prefix.trouble() : trouble);
+    if (prefix.trouble() != null) {
+      trouble = prefix.trouble();
+    }
+    CRC32 actual = new CRC32();
+    actual.update(prefix.bytes());
+    if (trouble == null && crc != 0 && crc != actual.getValue()) {
+      trouble = new McapException("a chunk's checksum is another: some of its bytes are wrong");
+    }
+    return new Salvage(records, trouble);
   }
 
   private static IOException split(byte[] bytes, List<RecordStream.Entry> records) {

@@ -84,8 +84,7 @@ class FullDiskTest {
   void add_diskFullThenFreed_losesCountedMessagesOnly() throws IOException {
     Path path = folder.resolve("a.mcap");
     SmallDisk disk = new SmallDisk(path, 5_000);
-    McapWriter writer =
-        new McapWriter(disk, SmallRecording.options(ChunkCompression.NONE, 1_000));
+    McapWriter writer = new McapWriter(disk, SmallRecording.options(ChunkCompression.NONE, 1_000));
     writer.add(new McapSchema(1, "Thing", "jsonschema", new byte[] {'{', '}'}));
     writer.add(new McapChannel(1, 1, "t", "cbor", Map.of()));
     int refusals = 0;
@@ -149,8 +148,7 @@ class FullDiskTest {
   void add_firstChunkLost_definesItsChannelsAgain() throws IOException {
     Path path = folder.resolve("a.mcap");
     SmallDisk disk = new SmallDisk(path, 100);
-    McapWriter writer =
-        new McapWriter(disk, SmallRecording.options(ChunkCompression.NONE, 1_000));
+    McapWriter writer = new McapWriter(disk, SmallRecording.options(ChunkCompression.NONE, 1_000));
     writer.add(new McapSchema(1, "Thing", "jsonschema", new byte[] {'{', '}'}));
     writer.add(new McapChannel(1, 1, "t", "cbor", Map.of()));
     for (int i = 0; i < 10; i++) {

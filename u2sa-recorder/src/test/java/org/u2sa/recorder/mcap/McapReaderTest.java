@@ -74,7 +74,9 @@ class McapReaderTest {
     }
     try (McapReader reader = McapReader.open(file)) {
       List<McapMessage> read = SmallRecording.read(reader.messages(2, channel -> true));
-      assertThat(read).extracting(McapMessage::logTimeNanos).containsExactly(2L, 2L, 3L, 5L, 7L, 8L, 9L);
+      assertThat(read)
+          .extracting(McapMessage::logTimeNanos)
+          .containsExactly(2L, 2L, 3L, 5L, 7L, 8L, 9L);
       assertThat(read).extracting(McapMessage::sequence).startsWith(5L, 6L); // as in the file
     }
   }

@@ -136,9 +136,10 @@ class McapRecoveryTest {
     ChunkIndex second = chunks.get(1);
     bytes[(int) (second.offset() + second.length() - 8)] ^= 0x55; // in its last block
     List<String> found = recovered(bytes, true);
-    assertThat(written).containsAll(found);
-    assertThat(found).contains(written.get(0), written.get(written.size() - 1));
-    assertThat(found).hasSizeLessThanOrEqualTo(written.size());
+    List<String> ofOtherChunks = new ArrayList<>(written);
+    List<Integer> messagesBy = wholeChunks(file, new ArrayList<>());
+    ofOtherChunks.subList(messagesBy.get(0), messagesBy.get(1)).clear();
+    assertThat(found).containsAll(ofOtherChunks).hasSizeLessThanOrEqualTo(written.size());
   }
 
   @Test

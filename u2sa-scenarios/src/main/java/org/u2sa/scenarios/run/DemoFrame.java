@@ -104,8 +104,8 @@ public final class DemoFrame {
     RunFacts facts =
         new RunFacts()
             .say("demo", run.demo())
+            .mission(Path.of(pursued.origin()))
             .system(system)
-            .attach(Path.of(pursued.origin()))
             .logs(run.directory().resolve("logs"));
     recording.addTo(launch, "../", changes.addTo(facts));
   }
