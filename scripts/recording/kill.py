@@ -4,8 +4,9 @@
 Usage: kill.py CLASSPATH [TIMES]    CLASSPATH as of ./u2sa (target/u2sa/lib/*); TIMES: default 100
 
 A writer program (KilledWriter.java beside this file) publishes numbered messages on a bus with a Recorder, and says which it has
-published; it is killed after a random time. The file, recovered, must hold every message published a second or more before the kill,
-without a gap. Exit code 0: all did.
+published; it is killed three to five seconds after its start, when its classes are loaded. The file, recovered, must hold all messages from
+the first to some last one, without a gap; how old that one was at the kill is measured. Exit code 0: no gap, and none older than a second was
+lost. On a busy machine the writing thread may wait longer for a processor than that: judge the figures.
 """
 import os
 import pathlib
@@ -23,7 +24,7 @@ class_path = sys.argv[1]
 times = int(sys.argv[2]) if len(sys.argv) > 2 else 100
 here = pathlib.Path(__file__).resolve().parent
 source = random.Random(1)
-worst = 0.0
+ages = []
 with tempfile.TemporaryDirectory() as folder:
     subprocess.run(["javac", "-d", folder, "-cp", class_path, str(here / "KilledWriter.java")], check=True)
     java = ["java", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", f"{folder}:{class_path}"]
@@ -32,12 +33,10 @@ with tempfile.TemporaryDirectory() as folder:
         run.mkdir()
         writer = subprocess.Popen(java + ["KilledWriter", str(run)], stdout=subprocess.PIPE, text=True)
         writer.stdout.readline()  # it has begun
-        time.sleep(source.uniform(0.3, 2.5))
+        time.sleep(source.uniform(3.0, 5.0))
         killed = time.time()
         os.kill(writer.pid, signal.SIGKILL)
         writer.wait()
-        said = [line.split() for line in writer.stdout.read().splitlines() if line.count(" ") == 1]
-        old_enough = [int(n) for n, at in said if float(at) / 1e6 < killed - 1.0]
         whole = run / "whole.mcap"
         subprocess.run(java + ["org.u2sa.gcs.Main", "recover", str(run / "recording.mcap"), "--out", str(whole)], check=True,
                        stdout=subprocess.DEVNULL)
@@ -47,10 +46,12 @@ with tempfile.TemporaryDirectory() as folder:
         numbers = [n for n, _ in found]
         if numbers != list(range(len(numbers))):
             sys.exit(f"kill {number}: messages are missing among the first {len(numbers)}")
-        if old_enough and (not numbers or numbers[-1] < old_enough[-1]):
-            sys.exit(f"kill {number}: message {old_enough[-1]} was a second old, but the last one found is {numbers[-1:]}")
-        if found:
-            worst = max(worst, killed - found[-1][1])
+        if not found:
+            sys.exit(f"kill {number}: the file holds no message")
+        ages.append(killed - found[-1][1])
         for file in run.iterdir():
             file.unlink()
-print(f"{times} kills: nothing older than a second was lost; the last message found was at most {worst:.2f} s old")
+ages.sort()
+late = sum(age > 1.0 for age in ages)
+print(f"{times} kills, no gap; age of the last message found: median {ages[times // 2]:.2f} s, longest {ages[-1]:.2f} s, {late} over 1 s")
+sys.exit(1 if late else 0)

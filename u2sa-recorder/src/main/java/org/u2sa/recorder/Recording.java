@@ -28,7 +28,7 @@ import org.u2sa.recorder.mcap.McapWriter;
 final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long NANOS_PER_MICRO = 1_000L;
   private static final long LOOK_UP_EVERY_MS = 100;
-  private static final long SAVE_EVERY_MICROS = 500_000;
+  private static final long SAVE_EVERY_MICROS = 250_000;
   private static final long END_WITHIN_MS = 60_000;
 
   /** A message and when it came [µs of the run's clock]. */
@@ -129,7 +129,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
 
   private void write() {
     files.at(lastNanos, channels::nextFile); // attachments come first, and there is a file at once
-    try {
+    try (DiskSync sync = new DiskSync(trouble)) {
       while (!(closing && waiting.isEmpty())) {
         Taken next = waiting.poll(LOOK_UP_EVERY_MS, TimeUnit.MILLISECONDS);
         if (next != null) {
@@ -137,7 +137,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
           write(next, lastNanos);
         }
         if (inRealTime && stopwatch.micros() - savedMicros >= SAVE_EVERY_MICROS) {
-          files.save();
+          files.save(sync);
           savedMicros = stopwatch.micros();
         }
       }

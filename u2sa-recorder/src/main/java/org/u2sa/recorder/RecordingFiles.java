@@ -41,6 +41,7 @@ final class RecordingFiles {
   private long begunNanos;
   private long tryAgainNanos = Long.MIN_VALUE;
   private long lost;
+  private long failures;
 
   /**
    * @param first where to; with a number if it exists or further ones are to follow
@@ -138,12 +139,16 @@ final class RecordingFiles {
     }
   }
 
-  /** Writes what waits in the present chunk, and has the disk keep it. */
-  void save() {
+  /**
+   * Writes what waits in the present chunk: a program that is killed then does not lose it.
+   *
+   * @param sync has the disk keep it too
+   */
+  void save(DiskSync sync) {
     if (writer != null) {
       try {
         writer.flush();
-        channel.force(false);
+        sync.ask(channel);
       } catch (IOException e) {
         failed(e);
       }
@@ -162,6 +167,10 @@ final class RecordingFiles {
     McapWriter ended = writer;
     try {
       ended.flush();
+    } catch (IOException e) { // there may be room for less
+      failed(e);
+    }
+    try {
       if (!counts.isEmpty()) {
         ended.add(new McapMetadata("recorder", counts));
         List<RecordingFacts.Missing> missing = new ArrayList<>();
@@ -181,7 +190,16 @@ final class RecordingFiles {
 
   /** Takes note of something that could not be written. */
   void failed(IOException e) {
-    trouble.accept("recording into " + written.peekLast() + ": " + e.getMessage());
+    failures++;
+    if (Long.bitCount(failures) == 1) { // 1, 2, 4, 8…: a full disk does not fill the log too
+      trouble.accept(
+          String.format(
+              Locale.ROOT,
+              "recording into %s: %s (%d such failures so far)",
+              written.peekLast(),
+              e.getMessage(),
+              failures));
+    }
   }
 
   /** Messages that were taken and could not be written. */

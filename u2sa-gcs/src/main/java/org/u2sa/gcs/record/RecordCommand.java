@@ -26,8 +26,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Record all messages of a running system until Ctrl-C.",
       "",
-      "Joins the system by MQTT as a service named Recorder. Messages are written to the file at least twice a second: a crash or "
-          + "a power cut loses no more. ./u2sa recover makes a whole file of one that broke off."
+      "Joins the system by MQTT as a service named Recorder. Messages are written to the file four times a second: a crash "
+          + "loses no more. ./u2sa recover makes a whole file of one that broke off."
     })
 public final class RecordCommand implements Callable<Integer> {
   @Spec private CommandSpec command;

@@ -165,7 +165,7 @@ class McapRecoveryTest {
     List<String> written =
         SmallRecording.texts(
             SmallRecording.write(
-                file, SmallRecording.options(ChunkCompression.NONE, 1 << 16), 40_000));
+                file, SmallRecording.options(ChunkCompression.NONE, 1 << 14), 4_000));
     List<Long> ends = endsOfMessages(file);
     byte[] bytes = Files.readAllBytes(file);
     Random random = new Random(11);

@@ -38,20 +38,27 @@ class RecordedDriveTest {
     return run;
   }
 
+  /**
+   * Messages as texts: those of health without their contents, which measure the machine, and none
+   * of the last instant, when services end on threads of their own.
+   */
   private static List<String> messages(Path out) throws IOException {
     List<String> all = new ArrayList<>();
     try (McapReader reader = McapReader.open(out.resolve("recording.mcap"))) {
       McapCursor cursor = reader.messages(Long.MIN_VALUE, channel -> true);
       for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
         McapMessage message = m.get();
-        all.add(
-            reader.channels().get(message.channelId()).topic()
-                + " "
-                + message.sequence()
-                + " "
-                + message.logTimeNanos()
-                + " "
-                + HexFormat.of().formatHex(message.data()));
+        String topic = reader.channels().get(message.channelId()).topic();
+        if (message.logTimeNanos() < reader.statistics().endNanos()) {
+          all.add(
+              topic
+                  + " "
+                  + message.sequence()
+                  + " "
+                  + message.logTimeNanos()
+                  + " "
+                  + (topic.contains("/health/") ? "" : HexFormat.of().formatHex(message.data())));
+        }
       }
     }
     return all;
@@ -64,7 +71,12 @@ class RecordedDriveTest {
     drive("again", "--record");
     assertThat(recorded.track()).isEqualTo(unrecorded.track());
     List<String> messages = messages(folder.resolve("recorded"));
-    assertThat(messages).hasSizeGreaterThan(5_000).isEqualTo(messages(folder.resolve("again")));
+    List<String> again = messages(folder.resolve("again"));
+    assertThat(messages).hasSizeGreaterThan(5_000);
+    for (int i = 0; i < Math.min(messages.size(), again.size()); i++) {
+      assertThat(again.get(i)).as("message %d", i).isEqualTo(messages.get(i));
+    }
+    assertThat(again).hasSameSizeAs(messages);
     assertThat(messages).anyMatch(line -> line.startsWith("u2sa/ugv/goal-reports/"));
     assertThat(folder.resolve("plain/recording.mcap")).doesNotExist();
     try (McapReader reader = McapReader.open(folder.resolve("recorded/recording.mcap"))) {
