@@ -7,7 +7,6 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -18,7 +17,6 @@ import java.util.stream.Stream;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.command.ProgramVersion;
 import org.u2sa.gcs.remote.RemoteSystem;
-import org.u2sa.gcs.run.Setting;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -56,13 +54,11 @@ public final class RunFacts {
     return this;
   }
 
-  /** Adds variables that are set for this run only, and the files that they name. */
-  public RunFacts settings(List<Setting> settings) {
-    for (Setting setting : settings) {
-      String value = String.valueOf(setting.value());
-      facts.say("settings", setting.service() + ":" + setting.variable(), value);
-      attachIfFile(Path.of(""), value);
-    }
+  /** Says that a variable is set for this run only, and attaches the file that it names, if any. */
+  public RunFacts setting(String service, String variable, Object value) {
+    String text = String.valueOf(value);
+    facts.say("settings", service + ":" + variable, text);
+    attachIfFile(Path.of(""), text);
     return this;
   }
 

@@ -122,8 +122,7 @@ public final class RunCommand implements Callable<Integer> {
     }
     set(options, system);
     recording.check();
-    recording.addTo(
-        options, "", new RunFacts().system(system).settings(Setting.parseAll(settings)).logs(logs));
+    recording.addTo(options, "", facts(system));
     if (throughBroker) {
       options.throughBroker();
     }
@@ -146,6 +145,13 @@ public final class RunCommand implements Callable<Integer> {
       options.oneOfSeveral(supervised).restart(restart);
     }
     return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
+  }
+
+  private RunFacts facts(SystemFile system) {
+    RunFacts facts = new RunFacts().system(system).logs(logs);
+    Setting.parseAll(settings)
+        .forEach(setting -> facts.setting(setting.service(), setting.variable(), setting.value()));
+    return facts;
   }
 
   /** Watches the process that started this one, if there is one that holds it. */

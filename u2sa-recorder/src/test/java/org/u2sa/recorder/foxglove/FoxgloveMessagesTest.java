@@ -27,8 +27,7 @@ class FoxgloveMessagesTest {
 
   private final FoxgloveMessages views = new FoxgloveMessages("rover");
 
-  private List<FoxgloveMessages.View> of(Channel<?> channel, U2SAData message)
-      throws IOException {
+  private List<FoxgloveMessages.View> of(Channel<?> channel, U2SAData message) throws IOException {
     List<FoxgloveMessages.View> all = new ArrayList<>();
     views.write(channel, message, NANOS, all::add);
     return all;
@@ -105,7 +104,10 @@ class FoxgloveMessagesTest {
             .maxRange(30.0)
             .x(0.5)
             .z(-0.25)
-            .beams(-1.0, 0.5, List.of(OptionalDouble.of(3.0), OptionalDouble.empty(), OptionalDouble.of(4.0)));
+            .beams(
+                -1.0,
+                0.5,
+                List.of(OptionalDouble.of(3.0), OptionalDouble.empty(), OptionalDouble.of(4.0)));
     ProtobufFields view = named(of(Channels.SCANS, scan), "/rover/scan/lidar");
     assertThat(view.text(2)).isEqualTo("body");
     assertVector(view.message(3).message(1), 0.5, 0.0, 0.25); // BODY's z is down

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.SeekableByteChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Map;
@@ -121,6 +122,7 @@ class FullDiskTest {
       addIgnoringFullDisk(writer, i);
     }
     closeIgnoringFullDisk(writer);
+    assertThat(Files.size(path)).isEqualTo(writer.position());
     long inFile = writer.statistics().messages();
     assertThat(inFile + writer.lost()).isEqualTo(100);
     assertThat(inFile).isGreaterThan(20);

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class McapRecoveryTest {
-  private static final int CHUNK_BYTES = 500;
+  private static final int CHUNK_BYTES = 250;
 
   @TempDir Path folder;
 
@@ -48,7 +48,7 @@ class McapRecoveryTest {
     List<String> written =
         SmallRecording.texts(
             SmallRecording.write(
-                file, SmallRecording.options(ChunkCompression.NONE, CHUNK_BYTES), 30));
+                file, SmallRecording.options(ChunkCompression.NONE, CHUNK_BYTES), 12));
     List<Long> ends = endsOfMessages(file);
     assertThat(ends).hasSameSizeAs(written);
     byte[] bytes = Files.readAllBytes(file);
@@ -67,7 +67,7 @@ class McapRecoveryTest {
     List<String> written =
         SmallRecording.texts(
             SmallRecording.write(
-                file, SmallRecording.options(ChunkCompression.LZ4, CHUNK_BYTES), 30));
+                file, SmallRecording.options(ChunkCompression.LZ4, CHUNK_BYTES), 12));
     List<ChunkIndex> chunks = new ArrayList<>();
     byte[] bytes = Files.readAllBytes(file);
     List<Integer> messagesBy = wholeChunks(file, chunks);
@@ -111,7 +111,7 @@ class McapRecoveryTest {
     SmallRecording.write(file, SmallRecording.options(compression, CHUNK_BYTES), 30);
     byte[] bytes = Files.readAllBytes(file);
     Random random = new Random(3);
-    for (int i = 0; i < 300; i++) {
+    for (int i = 0; i < 100; i++) {
       byte[] damaged = bytes.clone();
       damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
       Path broken = folder.resolve("broken.mcap");

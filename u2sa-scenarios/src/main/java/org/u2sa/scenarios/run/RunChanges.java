@@ -67,7 +67,9 @@ final class RunChanges {
 
   /** Says in a recording what is set for the run. */
   RunFacts addTo(RunFacts facts) {
-    return facts.settings(settings);
+    settings.forEach(
+        setting -> facts.setting(setting.service(), setting.variable(), setting.value()));
+    return facts;
   }
 
   private <T> T parsed(String option, Supplier<T> parse) {
