@@ -46,16 +46,41 @@ class McapReaderTest {
     List<McapMessage> written =
         SmallRecording.write(
             file, SmallRecording.options(ChunkCompression.LZ4, SMALL_CHUNKS), SEVERAL);
-    long from = written.get(200).logTimeNanos();
     try (McapReader reader = McapReader.open(file)) {
-      List<McapMessage> read =
-          SmallRecording.read(reader.messages(from, channel -> channel.topic().equals("topic2")));
-      assertThat(SmallRecording.texts(read))
-          .isEqualTo(
-              SmallRecording.texts(
-                  written.subList(200, SEVERAL).stream()
-                      .filter(message -> message.channelId() == 2)
-                      .toList()));
+      for (int first = 180; first < 220; first++) { // over a chunk's beginning and its middle
+        List<McapMessage> read =
+            SmallRecording.read(
+                reader.messages(
+                    written.get(first).logTimeNanos(),
+                    channel -> channel.topic().equals("topic2")));
+        assertThat(SmallRecording.texts(read))
+            .as("from message %d", first)
+            .isEqualTo(
+                SmallRecording.texts(
+                    written.subList(first, SEVERAL).stream()
+                        .filter(message -> message.channelId() == 2)
+                        .toList()));
+      }
+    }
+  }
+
+  @Test
+  void messages_ofEqualTimesInTwoChunks_comeInTheFilesOrder() throws IOException {
+    Path file = folder.resolve("a.mcap");
+    try (McapWriter writer =
+        new McapWriter(
+            FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+            SmallRecording.options(ChunkCompression.NONE, 1 << 20))) {
+      writer.add(new McapChannel(1, 0, "t", "cbor", Map.of()));
+      writer.add(new McapMessage(1, 0, 5, 5, new byte[0]));
+      writer.flush();
+      writer.add(new McapMessage(1, 1, 3, 3, new byte[0]));
+      writer.add(new McapMessage(1, 2, 5, 5, new byte[0]));
+    }
+    try (McapReader reader = McapReader.open(file)) {
+      assertThat(SmallRecording.read(reader.messages(0, channel -> true)))
+          .extracting(McapMessage::sequence)
+          .containsExactly(1L, 0L, 2L);
     }
   }
 
