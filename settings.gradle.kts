@@ -28,6 +28,7 @@ rootProject.name = "u2sa"
 include("u2sa-messages")
 include("u2sa-interfaces")
 include("u2sa-abstract")
+include("u2sa-recorder")
 include("u2sa-core")
 include("u2sa-sim")
 include("u2sa-drivers")

@@ -50,6 +50,7 @@ tasks.named("preBuild") { dependsOn(vehicleAssets) }
 
 dependencies {
     api(project(":u2sa-core"))
+    api(project(":u2sa-recorder"))
     api(project(":u2sa-drivers"))
     api(libs.kotlin.stdlib)
     api(libs.stax)

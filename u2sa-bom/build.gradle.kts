@@ -11,6 +11,7 @@ dependencies {
         api(project(":u2sa-interfaces"))
         api(project(":u2sa-abstract"))
         api(project(":u2sa-core"))
+        api(project(":u2sa-recorder"))
         api(project(":u2sa-sim"))
         api(project(":u2sa-drivers"))
         api(project(":u2sa-gcs"))

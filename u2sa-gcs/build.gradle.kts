@@ -6,6 +6,7 @@ description = "Ground control: the command line and what joins a running system.
 
 dependencies {
     api(project(":u2sa-core"))
+    api(project(":u2sa-recorder"))
     api(libs.picocli)
     api(libs.logback)
     api(libs.jackson.core)

@@ -45,7 +45,8 @@ final class HouseRules {
           Map.entry("core", List.of("messages", "interfaces", "service", "device")),
           Map.entry("drivers", List.of("messages", "interfaces", "service", "device")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
-          Map.entry("gcs", List.of("messages", "interfaces", "service", "core")),
+          Map.entry("recorder", List.of("messages", "interfaces", "service")),
+          Map.entry("gcs", List.of("messages", "interfaces", "service", "core", "recorder")),
           Map.entry("flightgear", List.of("messages", "interfaces", "service", "core", "sim")),
           Map.entry(
               "scenarios",
@@ -56,12 +57,14 @@ final class HouseRules {
                   "device",
                   "core",
                   "drivers",
+                  "recorder",
                   "sim",
                   "gcs",
                   "flightgear")),
           Map.entry(
               "android",
-              List.of("messages", "interfaces", "service", "device", "core", "drivers")));
+              List.of(
+                  "messages", "interfaces", "service", "device", "core", "drivers", "recorder")));
 
   /** Calls that read the time of day or of the machine. */
   private static final Map<String, Set<String>> TIME_READERS =

@@ -56,6 +56,7 @@ class HouseRulesTest {
                 "device",
                 "core",
                 "drivers",
+                "recorder",
                 "sim",
                 "gcs",
                 "flightgear",

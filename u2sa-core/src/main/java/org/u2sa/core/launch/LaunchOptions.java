@@ -2,13 +2,16 @@ package org.u2sa.core.launch;
 
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.service.ServiceContext;
@@ -27,6 +30,7 @@ public final class LaunchOptions {
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
   private final Map<String, Function<ServiceContext, ? extends U2SAService>> makers =
       new HashMap<>();
+  private final List<Companion> companions = new ArrayList<>();
 
   /** Sets the time of the run; without it, real time. */
   public LaunchOptions clock(Clock value) {
@@ -86,6 +90,26 @@ public final class LaunchOptions {
     makers.put(serviceClass.getName(), Objects.requireNonNull(maker, "maker"));
     return this;
   }
+
+  /**
+   * Adds a service beside those of the system file, such as a recorder: made and started before
+   * them, so that it misses nothing, and ended after them.
+   *
+   * @param configuration its variables
+   */
+  public LaunchOptions beside(
+      XmlConfiguration configuration, Function<ServiceContext, ? extends U2SAService> maker) {
+    companions.add(new Companion(configuration, maker));
+    return this;
+  }
+
+  List<Companion> companions() {
+    return companions;
+  }
+
+  /** A service beside those of the system file. */
+  record Companion(
+      XmlConfiguration configuration, Function<ServiceContext, ? extends U2SAService> maker) {}
 
   /**
    * Refuses a class of which no service can be made, such as one that a swap is to start later.

@@ -2,6 +2,7 @@ package org.u2sa.core.launch;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -27,6 +28,7 @@ public final class RunningSystem implements AutoCloseable {
   private final SystemFile file;
   private final LaunchOptions options;
   private final MessageTypes types = MessageTypes.discovered();
+  private final List<U2SAService> companions = new ArrayList<>(); // ended last
   private volatile CommunicationManager manager;
   private volatile ServiceMaker maker;
   private volatile HostedServices hosted;
@@ -50,6 +52,7 @@ public final class RunningSystem implements AutoCloseable {
     RunningSystem system = new RunningSystem(file, options);
     try {
       system.prepare();
+      system.companions.forEach(U2SAService::start);
       system.services().forEach(U2SAService::start);
       if (system.launcher != null) {
         system.launcher.start();
@@ -72,6 +75,7 @@ public final class RunningSystem implements AutoCloseable {
     manager = CommunicationManager.start(file.systemId(), communication, types, options.console());
     communication.refuseUndeclared();
     maker = new ServiceMaker(file.systemId(), options, types, transport());
+    options.companions().forEach(companion -> companions.add(maker.make(companion)));
     hosted = new HostedServices(maker, options.supervised(), options.console());
     hosted.makeAll(file.services());
     if (!file.services().isEmpty()) {
@@ -214,6 +218,7 @@ public final class RunningSystem implements AutoCloseable {
     if (hosted != null) {
       hosted.close();
     }
+    companions.forEach(U2SAService::kill);
     if (manager != null) {
       manager.close();
       manager = null;

@@ -63,6 +63,15 @@ final class ServiceMaker {
   }
 
   /**
+   * Makes a service that stands in no system file.
+   *
+   * @throws RuntimeException if its constructor refuses
+   */
+  U2SAService make(LaunchOptions.Companion companion) {
+    return make(context(companion.configuration()), companion.maker());
+  }
+
+  /**
    * Makes a service anew that ran before in this run, of a class that may stand in no system file.
    *
    * @throws RuntimeException if the class is no service or its constructor refuses

@@ -122,12 +122,31 @@ public final class RemoteSystem {
    * @throws BadInputException if several are heard and none was chosen
    */
   public RemoteLink connect() throws InterruptedException {
+    return new RemoteLink(transport(), name(), new SystemClock(), timeoutS, this::tell);
+  }
+
+  /**
+   * The way to the system, for a service that joins it; fails like {@link #connect}, except where a
+   * system was chosen by its ID: whether its broker answers, who connects will learn.
+   */
+  public MqttTransport transport() throws InterruptedException {
     Clock clock = new SystemClock();
     if (broker == null) {
       broker = search(clock);
     }
-    String id = systemId == null ? theOnlyOne(clock) : systemId;
-    return new RemoteLink(transport(id), name(), clock, timeoutS, this::tell);
+    return transportTo(systemId == null ? theOnlyOne(clock) : systemId);
+  }
+
+  /**
+   * The way to a system that need not be there, by the ID that was chosen.
+   *
+   * @param otherwise its ID if none was chosen
+   */
+  public MqttTransport transport(String otherwise) throws InterruptedException {
+    if (broker == null) {
+      broker = search(new SystemClock());
+    }
+    return transportTo(systemId == null ? otherwise : systemId);
   }
 
   private BrokerAddress search(Clock clock) throws InterruptedException {
@@ -182,7 +201,7 @@ public final class RemoteSystem {
   private SortedSet<String> heard(String name, Clock clock) throws InterruptedException {
     SortedSet<String> heard = new ConcurrentSkipListSet<>();
     try (RemoteLink everywhere =
-        new RemoteLink(transport(Topic.ANY_SYSTEM), name, clock, timeoutS, trouble -> {})) {
+        new RemoteLink(transportTo(Topic.ANY_SYSTEM), name, clock, timeoutS, trouble -> {})) {
       everywhere.listen(Channels.HEALTH, report -> heard.add(report.systemId()));
       everywhere.await(() -> !heard.isEmpty(), timeoutS);
       if (!heard.isEmpty()) {
@@ -193,7 +212,7 @@ public final class RemoteSystem {
     return heard;
   }
 
-  private MqttTransport transport(String id) {
+  private MqttTransport transportTo(String id) {
     return new MqttTransport(
             broker.hostInAddress(),
             broker.port(),

@@ -14,9 +14,12 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.record.RunFacts;
+import org.u2sa.gcs.record.RunRecording;
 import org.u2sa.gcs.remote.BrokerAddress;
 import org.u2sa.service.U2SAService;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -94,6 +97,8 @@ public final class RunCommand implements Callable<Integer> {
           "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
   private boolean throughBroker;
 
+  @Mixin private RunRecording recording;
+
   @Option(
       names = "--supervised",
       hidden = true,
@@ -116,6 +121,8 @@ public final class RunCommand implements Callable<Integer> {
       settings.addAll(settingsOfBroker());
     }
     set(options, system);
+    recording.check();
+    recording.addTo(options, "", facts(system));
     if (throughBroker) {
       options.throughBroker();
     }
@@ -138,6 +145,13 @@ public final class RunCommand implements Callable<Integer> {
       options.oneOfSeveral(supervised).restart(restart);
     }
     return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
+  }
+
+  private RunFacts facts(SystemFile system) {
+    RunFacts facts = new RunFacts().system(system).logs(logs);
+    Setting.parseAll(settings)
+        .forEach(setting -> facts.setting(setting.service(), setting.variable(), setting.value()));
+    return facts;
   }
 
   /** Watches the process that started this one, if there is one that holds it. */

@@ -8,6 +8,9 @@ import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
 import org.u2sa.gcs.describe.DescribeCommand;
 import org.u2sa.gcs.mission.MissionCommand;
+import org.u2sa.gcs.record.RecordCommand;
+import org.u2sa.gcs.record.RecoverCommand;
+import org.u2sa.gcs.record.ReplayCommand;
 import org.u2sa.gcs.safety.ArmingCommand;
 import org.u2sa.gcs.safety.EmergencyStopCommand;
 import org.u2sa.gcs.safety.OperatorCommand;
@@ -24,6 +27,9 @@ public final class SystemCommands implements CommandProvider {
   public List<Contribution> commands() {
     return Stream.of(
             new RunCommand(),
+            new RecordCommand(),
+            new RecoverCommand(),
+            new ReplayCommand(),
             new ConfigCommand(),
             new ServicesCommand(),
             new GraphCommand(),

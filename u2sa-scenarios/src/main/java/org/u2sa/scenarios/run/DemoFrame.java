@@ -8,6 +8,9 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.launch.VehicleMission;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.gcs.record.RecordOptions;
+import org.u2sa.gcs.record.RunFacts;
+import org.u2sa.gcs.record.RunRecording;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.RunPlan;
 import org.u2sa.scenarios.report.RunReport;
@@ -23,6 +26,7 @@ public final class DemoFrame {
   @Mixin private DemoOptions options;
   @Mixin private BrokerPort broker;
   @Mixin private RunChanges changes;
+  @Mixin private RunRecording recording;
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -64,6 +68,7 @@ public final class DemoFrame {
     SystemFile system =
         SystemFile.read(root.resolve("config").resolve(name).resolve(demo.systemFile()));
     changes.check(system);
+    recording.check();
     LaunchOptions changed = new LaunchOptions();
     changes.applyTo(changed);
     Path own = root.resolve("missions").resolve(name).resolve(demo.profile().missionFile());
@@ -86,8 +91,23 @@ public final class DemoFrame {
                       terminal(),
                       interruption,
                       changes.swaps());
-              return run(run, launch(system, trial), trial, seed, realTime, patience);
+              LaunchOptions launch = launch(system, trial);
+              record(launch, system, trial.mission(), run);
+              return run(run, launch, trial, seed, realTime, patience);
             });
+  }
+
+  private void record(LaunchOptions launch, SystemFile system, Mission pursued, DemoRun run) {
+    if (recording.isWanted()) {
+      RecordOptions.deleteEarlier(run.directory());
+    }
+    RunFacts facts =
+        new RunFacts()
+            .say("demo", run.demo())
+            .mission(Path.of(pursued.origin()))
+            .system(system)
+            .logs(run.directory().resolve("logs"));
+    recording.addTo(launch, "../", changes.addTo(facts));
   }
 
   private static RunReport run(

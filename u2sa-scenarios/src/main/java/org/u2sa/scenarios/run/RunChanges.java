@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.gcs.record.RunFacts;
 import org.u2sa.gcs.run.Setting;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -62,6 +63,13 @@ final class RunChanges {
   void applyTo(LaunchOptions options) {
     settings.forEach(
         setting -> options.override(setting.service(), setting.variable(), setting.value()));
+  }
+
+  /** Says in a recording what is set for the run. */
+  RunFacts addTo(RunFacts facts) {
+    settings.forEach(
+        setting -> facts.setting(setting.service(), setting.variable(), setting.value()));
+    return facts;
   }
 
   private <T> T parsed(String option, Supplier<T> parse) {

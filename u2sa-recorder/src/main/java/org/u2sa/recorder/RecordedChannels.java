@@ -1,0 +1,109 @@
+package org.u2sa.recorder;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapChannel;
+import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.McapSchema;
+import org.u2sa.recorder.mcap.McapWriter;
+
+/**
+ * The channels and schemas of a recording, numbered as they come; each file of the recording
+ * defines those that it uses. Belongs to one thread.
+ */
+final class RecordedChannels {
+  private static final int MOST = 0xFFFF; // numbers have 16 bits
+
+  private final Map<String, Track> tracks = new HashMap<>();
+  private final Map<String, McapSchema> schemas = new HashMap<>();
+  private int file;
+
+  /** One channel of the recording. */
+  static final class Track {
+    private final McapChannel channel;
+    private final McapSchema schema;
+    private long sequence;
+    private int definedIn; // which file; 0: none yet
+
+    private Track(McapChannel channel, McapSchema schema) {
+      this.channel = channel;
+      this.schema = schema;
+    }
+  }
+
+  private final Map<Integer, Integer> schemaDefinedIn = new HashMap<>();
+
+  /** Takes note that a new file is begun. */
+  void nextFile() {
+    file++;
+  }
+
+  /** The channel of a message as it is: its topic at a broker. */
+  Track of(String systemId, Channel<?> channel, U2SAData message) {
+    String topic = Topic.of(systemId, channel, message).toString();
+    Track known = tracks.get(topic);
+    if (known != null) {
+      return known;
+    }
+    List<String> chain = message.typeChain();
+    String name = chain.get(chain.size() - 1);
+    // A type unknown here is described as the nearest known ancestor; its bytes hold all fields.
+    byte[] text = SchemaText.of(message.type()).getBytes(StandardCharsets.UTF_8);
+    return add(topic, "cbor", name, "jsonschema", text, Map.of("channel", channel.name()));
+  }
+
+  /** The channel of that topic; null if there is none yet. */
+  Track named(String topic) {
+    return tracks.get(topic);
+  }
+
+  /** A further channel. */
+  Track add(
+      String topic,
+      String messageEncoding,
+      String schemaName,
+      String schemaEncoding,
+      byte[] schemaData,
+      Map<String, String> metadata) {
+    if (tracks.size() >= MOST) {
+      throw new IllegalStateException("a recording cannot have more than 65535 channels");
+    }
+    McapSchema schema =
+        schemas.computeIfAbsent(
+            schemaEncoding + " " + schemaName,
+            key -> new McapSchema(schemas.size() + 1, schemaName, schemaEncoding, schemaData));
+    Track track =
+        new Track(
+            new McapChannel(tracks.size() + 1, schema.id(), topic, messageEncoding, metadata),
+            schema);
+    tracks.put(topic, track);
+    return track;
+  }
+
+  /**
+   * Writes a message, and before it what defines its channel, unless this file has it.
+   *
+   * @param logNanos when it was recorded [ns]
+   * @param publishNanos when it was measured, as it says itself [ns]
+   */
+  void write(McapWriter writer, Track track, long logNanos, long publishNanos, byte[] data)
+      throws IOException {
+    if (track.definedIn != file) {
+      track.definedIn = file;
+      if (schemaDefinedIn.getOrDefault(track.schema.id(), 0) != file) {
+        schemaDefinedIn.put(track.schema.id(), file);
+        writer.add(track.schema);
+      }
+      writer.add(track.channel);
+    }
+    writer.add(
+        new McapMessage(
+            track.channel.id(), track.sequence++ & 0xFFFF_FFFFL, logNanos, publishNanos, data));
+  }
+}

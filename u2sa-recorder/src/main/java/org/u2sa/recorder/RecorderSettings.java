@@ -1,0 +1,79 @@
+package org.u2sa.recorder;
+
+import java.util.OptionalInt;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.recorder.mcap.ChunkCompression;
+
+/** The variables of a {@link Recorder}. */
+record RecorderSettings(
+    @Variable(
+            ifAbsentText = "recording.mcap",
+            text =
+                "File to record into, relative to the folder of the log files. If it exists, a number is appended to the name.")
+        String file,
+    @Variable(ifAbsentText = "BOTH", text = "In which form messages are recorded.") Form form,
+    @Variable(ifAbsentText = "LZ4", text = "How the file is compressed.")
+        ChunkCompression compression,
+    @Variable(
+            min = 0,
+            max = 1_000_000,
+            ifAbsent = 0,
+            text = "Size at which the next file is begun, in megabytes (10^6 bytes); 0: never.")
+        double splitMegabytes,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 1_000_000,
+            ifAbsent = 0,
+            text = "Time after which the next file is begun; 0: never.")
+        double splitTime,
+    @Variable(
+            min = 0,
+            max = 100_000,
+            ifAbsent = 0,
+            text = "Number of files to keep: of more, the oldest is deleted; 0: all are kept.")
+        int keep,
+    @Variable(
+            min = 16,
+            max = 1_000_000,
+            ifAbsent = 8192,
+            text = "Messages that may wait to be written; more are dropped and counted.")
+        int waitingAtMost) {
+  /** In which form messages are recorded. */
+  enum Form {
+    /** As they are. */
+    U2SA,
+    /** As Foxglove's types, those that have one; the others are not recorded. */
+    FOXGLOVE,
+    /** As they are and, those that have one, as Foxglove's types too. */
+    BOTH
+  }
+
+  private static final double BYTES_PER_MEGABYTE = 1e6;
+
+  /** Bytes after which the next file is begun; never for the largest number. */
+  long splitBytes() {
+    return splitMegabytes == 0 ? Long.MAX_VALUE : Math.round(splitMegabytes * BYTES_PER_MEGABYTE);
+  }
+
+  /** Time after which the next file is begun [ns]; never for the largest number. */
+  long splitNanos() {
+    return splitTime == 0 ? Long.MAX_VALUE : Math.round(splitTime * 1e9);
+  }
+
+  boolean splits() {
+    return splitMegabytes > 0 || splitTime > 0;
+  }
+
+  OptionalInt keptAtMost() {
+    return keep == 0 ? OptionalInt.empty() : OptionalInt.of(keep);
+  }
+
+  boolean recordsMessages() {
+    return form != Form.FOXGLOVE;
+  }
+
+  boolean recordsFoxglove() {
+    return form != Form.U2SA;
+  }
+}

@@ -1,0 +1,218 @@
+package org.u2sa.recorder;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.foxglove.FoxgloveMessages;
+import org.u2sa.recorder.mcap.McapWriter;
+
+/**
+ * Takes messages from any thread and writes them on one of its own. Whoever publishes never waits
+ * for the disk: what finds no room in the queue is dropped and counted. In simulated time, where
+ * waiting costs nothing, publishers wait instead, and nothing is dropped.
+ */
+final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
+  private static final long NANOS_PER_MICRO = 1_000L;
+  private static final long LOOK_UP_EVERY_MS = 100;
+  private static final long SAVE_EVERY_MICROS = 250_000;
+  private static final long END_WITHIN_MS = 60_000;
+
+  /** A message and when it came [µs of the run's clock]. */
+  private record Taken(Channel<?> channel, U2SAData message, long micros) {}
+
+  private final String systemId;
+  private final Clock clock;
+  private final boolean inRealTime;
+  private final Clock stopwatch = new SystemClock();
+  private final RecordingFiles files;
+  private final RecorderSettings settings;
+  private final Consumer<String> trouble;
+  private final BlockingQueue<Taken> waiting;
+  private final RecordedChannels channels = new RecordedChannels();
+  private final FoxgloveMessages foxglove;
+  private final AtomicLong dropped = new AtomicLong();
+  private final AtomicLong taken = new AtomicLong();
+  private final Thread thread = new Thread(this::write, "u2sa-recorder");
+  private long failedToWrite; // by the writing thread, as are the following
+  private long savedMicros;
+  private long lastNanos; // of the run's clock
+  private volatile boolean closing;
+
+  /**
+   * @param clock the run's
+   * @param trouble told what cannot be recorded; from any thread
+   */
+  Recording(
+      String systemId,
+      Clock clock,
+      RecorderSettings settings,
+      RecordingFiles files,
+      Consumer<String> trouble) {
+    this.systemId = systemId;
+    this.clock = clock;
+    this.settings = settings;
+    this.files = files;
+    this.trouble = trouble;
+    inRealTime = clock instanceof SystemClock;
+    waiting = new ArrayBlockingQueue<>(settings.waitingAtMost());
+    foxglove = new FoxgloveMessages(systemId);
+    thread.setDaemon(true);
+  }
+
+  void start() {
+    savedMicros = stopwatch.micros();
+    lastNanos = clock.micros() * NANOS_PER_MICRO;
+    thread.start();
+  }
+
+  @Override
+  public void receive(Channel<?> channel, U2SAData message) {
+    Taken one = new Taken(channel, message, clock.micros());
+    taken.incrementAndGet();
+    if (inRealTime || closing) {
+      if (!waiting.offer(one)) {
+        drop();
+      }
+      return;
+    }
+    try {
+      waiting.put(one);
+    } catch (InterruptedException e) {
+      drop();
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Of local services: the channels that are not standard, to which nobody could subscribe. */
+  @Override
+  public void forward(Channel<?> channel, U2SAData message) {
+    if (Channels.named(channel.name()).isEmpty()) {
+      receive(channel, message);
+    }
+  }
+
+  @Override
+  public void trouble(String what) {
+    trouble.accept(what);
+  }
+
+  private void drop() {
+    long count = dropped.incrementAndGet();
+    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      trouble.accept("messages come faster than they are recorded: " + count + " dropped so far");
+    }
+  }
+
+  /** Messages that were taken or dropped so far. */
+  long taken() {
+    return taken.get();
+  }
+
+  /** Messages that found no room. */
+  long dropped() {
+    return dropped.get();
+  }
+
+  private void write() {
+    files.at(lastNanos, channels::nextFile); // attachments come first, and there is a file at once
+    try (DiskSync sync = new DiskSync(trouble)) {
+      while (!(closing && waiting.isEmpty())) {
+        Taken next = waiting.poll(LOOK_UP_EVERY_MS, TimeUnit.MILLISECONDS);
+        if (next != null) {
+          lastNanos = next.micros * NANOS_PER_MICRO;
+          write(next, lastNanos);
+        }
+        if (inRealTime && stopwatch.micros() - savedMicros >= SAVE_EVERY_MICROS) {
+          files.save(sync);
+          savedMicros = stopwatch.micros();
+        }
+      }
+    } catch (InterruptedException e) {
+      trouble.accept("interrupted: " + waiting.size() + " messages are not recorded");
+    }
+    files.end(lastNanos, counts());
+  }
+
+  private void write(Taken next, long nanos) {
+    McapWriter writer = files.at(nanos, channels::nextFile);
+    if (writer == null) {
+      failedToWrite++;
+      return;
+    }
+    try {
+      U2SAData message = next.message;
+      long publishedNanos =
+          message.timestamp().isPresent()
+              ? message.timestamp().getAsLong() * NANOS_PER_MICRO
+              : nanos;
+      if (settings.recordsMessages()) {
+        String system = message.systemId().isEmpty() ? systemId : message.systemId();
+        channels.write(
+            writer,
+            channels.of(system, next.channel, message),
+            nanos,
+            publishedNanos,
+            message.serialize());
+      }
+      if (settings.recordsFoxglove()) {
+        foxglove.write(next.channel, message, nanos, view -> write(writer, view, nanos));
+      }
+    } catch (IOException e) {
+      files.failed(e);
+    } catch (RuntimeException e) { // this one cannot be written; others can
+      failedToWrite++;
+      trouble.accept("a message on \"" + next.channel + "\" cannot be recorded: " + e);
+    }
+  }
+
+  private void write(McapWriter writer, FoxgloveMessages.View view, long nanos) throws IOException {
+    RecordedChannels.Track track = channels.named(view.topic());
+    if (track == null) {
+      track =
+          channels.add(
+              view.topic(), "protobuf", view.schemaName(), "protobuf", view.schemaData(), Map.of());
+    }
+    channels.write(writer, track, nanos, nanos, view.data());
+  }
+
+  private Map<String, String> counts() {
+    Map<String, String> counts = new LinkedHashMap<>();
+    counts.put("messages", Long.toString(taken()));
+    counts.put("dropped", Long.toString(dropped()));
+    counts.put("not-written", Long.toString(failedToWrite + files.lost()));
+    return counts;
+  }
+
+  /** The files so far; for when it is closed. */
+  List<Path> written() {
+    return files.written();
+  }
+
+  /** Writes all that was taken, and ends the file. Safe to call twice. */
+  @Override
+  public void close() {
+    closing = true;
+    try {
+      thread.join(END_WITHIN_MS);
+      if (thread.isAlive()) {
+        trouble.accept("the recording's last messages are still being written");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,214 @@
+package org.u2sa.recorder;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.u2sa.recorder.mcap.McapAttachment;
+import org.u2sa.recorder.mcap.McapMetadata;
+import org.u2sa.recorder.mcap.McapOptions;
+import org.u2sa.recorder.mcap.McapWriter;
+
+/**
+ * The files of one recording: begins the next where the present one is full, and deletes the oldest
+ * where only some are to be kept. Belongs to one thread.
+ *
+ * <p>A disk that is full, or gone, ends nothing: what cannot be written is counted, and tried again
+ * with the next chunk.
+ */
+final class RecordingFiles {
+  private static final String SUFFIX = ".mcap";
+  private static final long TRY_AGAIN_NANOS = 1_000_000_000L;
+
+  private final Path first;
+  private final RecorderSettings settings;
+  private final McapOptions options;
+  private final RecordingFacts facts;
+  private final Consumer<String> trouble;
+  private final Deque<Path> written = new ArrayDeque<>();
+  private int number;
+  private McapWriter writer; // null: none could be begun
+  private FileChannel channel; // the writer's
+  private long begunNanos;
+  private long tryAgainNanos = Long.MIN_VALUE;
+  private long lost;
+  private long failures;
+
+  /**
+   * @param first where to; with a number if it exists or further ones are to follow
+   */
+  RecordingFiles(
+      Path first,
+      RecorderSettings settings,
+      String library,
+      RecordingFacts facts,
+      Consumer<String> trouble) {
+    this.first = first;
+    this.settings = settings;
+    options = McapOptions.usual(settings.compression(), library);
+    this.facts = facts;
+    this.trouble = trouble;
+  }
+
+  /**
+   * The file to write messages of that time into; null if there is none at present.
+   *
+   * @param onBegin told when another file was begun
+   */
+  McapWriter at(long nanos, Runnable onBegin) {
+    if (writer != null && isFull(nanos)) {
+      end(nanos, Map.of());
+    }
+    if (writer == null && nanos >= tryAgainNanos) {
+      begin(nanos);
+      if (writer != null) {
+        onBegin.run();
+      }
+    }
+    return writer;
+  }
+
+  private boolean isFull(long nanos) {
+    return writer.position() >= settings.splitBytes()
+        || nanos - begunNanos >= settings.splitNanos();
+  }
+
+  private void begin(long nanos) {
+    try {
+      dropOldest();
+      Files.createDirectories(first.toAbsolutePath().getParent());
+      Path file = nextName();
+      channel = FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+      written.add(file);
+      begunNanos = nanos;
+      McapWriter begun = new McapWriter(channel, options);
+      writer = begun;
+      for (McapMetadata metadata : facts.metadata()) {
+        begun.add(metadata);
+      }
+      List<RecordingFacts.Missing> missing = new ArrayList<>();
+      attach(facts.attachments(nanos, missing), missing);
+    } catch (IOException e) {
+      failed(e);
+      if (writer == null) {
+        tryAgainNanos = nanos + TRY_AGAIN_NANOS;
+      }
+    }
+  }
+
+  private void dropOldest() throws IOException {
+    while (settings.keptAtMost().isPresent()
+        && written.size() >= settings.keptAtMost().getAsInt()) {
+      Files.deleteIfExists(written.poll());
+    }
+  }
+
+  private Path nextName() {
+    String name = first.getFileName().toString();
+    String stem = name.endsWith(SUFFIX) ? name.substring(0, name.length() - SUFFIX.length()) : name;
+    Path file;
+    do {
+      number++;
+      String numbered =
+          settings.splits()
+              ? String.format(Locale.ROOT, "%s-%04d%s", stem, number, SUFFIX)
+              : stem + (number == 1 ? "" : "-" + number) + SUFFIX;
+      file = first.resolveSibling(numbered);
+    } while (Files.exists(file));
+    return file;
+  }
+
+  private void attach(List<McapAttachment> attachments, List<RecordingFacts.Missing> missing)
+      throws IOException {
+    for (McapAttachment attachment : attachments) {
+      writer.add(attachment);
+    }
+    if (!missing.isEmpty()) {
+      Map<String, String> why = new LinkedHashMap<>();
+      missing.forEach(one -> why.put(one.name(), one.why()));
+      writer.add(new McapMetadata("not-attached", why));
+    }
+  }
+
+  /**
+   * Writes what waits in the present chunk: a program that is killed then does not lose it.
+   *
+   * @param sync has the disk keep it too
+   */
+  void save(DiskSync sync) {
+    if (writer != null) {
+      try {
+        writer.flush();
+        sync.ask(channel);
+      } catch (IOException e) {
+        failed(e);
+      }
+    }
+  }
+
+  /**
+   * Ends the present file.
+   *
+   * @param counts what the recorder has counted so far
+   */
+  void end(long nanos, Map<String, String> counts) {
+    if (writer == null) {
+      return;
+    }
+    McapWriter ended = writer;
+    try {
+      ended.flush();
+    } catch (IOException e) { // there may be room for less
+      failed(e);
+    }
+    try {
+      if (!counts.isEmpty()) {
+        ended.add(new McapMetadata("recorder", counts));
+        List<RecordingFacts.Missing> missing = new ArrayList<>();
+        attach(facts.attachmentsOfEnd(nanos, missing), missing);
+      }
+    } catch (IOException e) {
+      failed(e);
+    }
+    try {
+      ended.close();
+    } catch (IOException e) {
+      failed(e);
+    }
+    lost += ended.lost();
+    writer = null;
+  }
+
+  /** Takes note of something that could not be written. */
+  void failed(IOException e) {
+    failures++;
+    if (Long.bitCount(failures) == 1) { // 1, 2, 4, 8…: a full disk does not fill the log too
+      trouble.accept(
+          String.format(
+              Locale.ROOT,
+              "recording into %s: %s (%d such failures so far)",
+              written.peekLast(),
+              e.getMessage(),
+              failures));
+    }
+  }
+
+  /** Messages that were taken and could not be written. */
+  long lost() {
+    return lost + (writer == null ? 0 : writer.lost());
+  }
+
+  /** The files of the recording, those deleted since left out; oldest first. */
+  List<Path> written() {
+    return List.copyOf(written);
+  }
+}

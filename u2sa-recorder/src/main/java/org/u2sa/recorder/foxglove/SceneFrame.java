@@ -1,0 +1,116 @@
+package org.u2sa.recorder.foxglove;
+
+import java.util.Optional;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.Rotation;
+
+/**
+ * The frames that views are in, all right-handed and metric: {@code map} is east-north-up of where
+ * the vehicle was first, {@code body} forward-left-up of the vehicle, {@code local} the
+ * east-north-up of local frames.
+ */
+final class SceneFrame {
+  static final String MAP = "map";
+  static final String BODY = "body";
+  private static final String LOCAL = "local";
+
+  private Geodetic origin; // of the map; null: not known yet
+
+  /** A place in one of the frames. */
+  record Placed(String frame, Point point) {}
+
+  /** Where a global place is on the map; the first one becomes its origin. */
+  Point onMap(Geodetic place) {
+    if (origin == null) {
+      origin = place;
+    }
+    return origin.enuOf(place);
+  }
+
+  /** A point of a message's frame; empty for a place on the earth before the map has an origin. */
+  Optional<Placed> place(ReferenceFrame frame, Point point) {
+    if (frame.equals(ReferenceFrame.GLOBAL)) {
+      return origin == null
+          ? Optional.empty()
+          : Optional.of(new Placed(MAP, origin.enuOf(Geodetic.of(point))));
+    }
+    if (frame.equals(ReferenceFrame.LOCAL_ENU)) {
+      return Optional.of(new Placed(LOCAL, point));
+    }
+    if (frame.equals(ReferenceFrame.LOCAL_NED)) {
+      return Optional.of(new Placed(LOCAL, Point.of(point.y(), point.x(), -point.z())));
+    }
+    if (frame.equals(ReferenceFrame.BODY)) { // the thesis's axes: z is down, y is left
+      return Optional.of(new Placed(BODY, Point.of(point.x(), point.y(), -point.z())));
+    }
+    if (frame.equals(ReferenceFrame.BODY_FRD)) {
+      return Optional.of(new Placed(BODY, Point.of(point.x(), -point.y(), -point.z())));
+    }
+    if (frame.equals(ReferenceFrame.BODY_FLU)) {
+      return Optional.of(new Placed(BODY, point));
+    }
+    return Optional.empty();
+  }
+
+  /**
+   * The vehicle's attitude on the map: turns forward-left-up into east-north-up.
+   *
+   * @param phi right wing down [rad]
+   * @param theta nose up [rad]
+   * @param psi clockwise from north [rad]
+   */
+  static ProtobufMessage attitude(double phi, double theta, double psi) {
+    Rotation ned = Rotation.nedFromFrd(phi, theta, psi);
+    return quaternion(
+        enu(ned.times(Point.of(1.0, 0.0, 0.0))),
+        enu(ned.times(Point.of(0.0, -1.0, 0.0))),
+        enu(ned.times(Point.of(0.0, 0.0, -1.0))));
+  }
+
+  private static Point enu(Point ned) {
+    return Point.of(ned.y(), ned.x(), -ned.z());
+  }
+
+  /** Of the rotation with these columns (Shepperd 1978). */
+  static ProtobufMessage quaternion(Point a, Point b, Point c) {
+    double trace = a.x() + b.y() + c.z();
+    double[] squares = {
+      1 + a.x() - b.y() - c.z(), 1 - a.x() + b.y() - c.z(), 1 - a.x() - b.y() + c.z(), 1 + trace
+    };
+    int largest = 0;
+    for (int i = 1; i < squares.length; i++) {
+      largest = squares[i] > squares[largest] ? i : largest;
+    }
+    double r = Math.sqrt(squares[largest]);
+    double s = 0.5 / r;
+    double[] q =
+        switch (largest) {
+          case 0 ->
+              new double[] {r / 2, (a.y() + b.x()) * s, (a.z() + c.x()) * s, (b.z() - c.y()) * s};
+          case 1 ->
+              new double[] {(a.y() + b.x()) * s, r / 2, (b.z() + c.y()) * s, (c.x() - a.z()) * s};
+          case 2 ->
+              new double[] {(a.z() + c.x()) * s, (b.z() + c.y()) * s, r / 2, (a.y() - b.x()) * s};
+          default ->
+              new double[] {(b.z() - c.y()) * s, (c.x() - a.z()) * s, (a.y() - b.x()) * s, r / 2};
+        };
+    return new ProtobufMessage().number(1, q[0]).number(2, q[1]).number(3, q[2]).number(4, q[3]);
+  }
+
+  /** A {@code foxglove.Quaternion} about the upward axis [rad], anticlockwise from above. */
+  static ProtobufMessage aboutUp(double angle) {
+    return new ProtobufMessage().number(3, Math.sin(angle / 2)).number(4, Math.cos(angle / 2));
+  }
+
+  /** A {@code foxglove.Vector3} or {@code Point3}. */
+  static ProtobufMessage vector(Point point) {
+    return new ProtobufMessage().number(1, point.x()).number(2, point.y()).number(3, point.z());
+  }
+
+  /** A {@code foxglove.Pose}. */
+  static ProtobufMessage pose(Point position, ProtobufMessage quaternion) {
+    return new ProtobufMessage().message(1, vector(position)).message(2, quaternion);
+  }
+}

@@ -1,0 +1,137 @@
+package org.u2sa.recorder.mcap;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.zip.CRC32;
+
+/** The chunk that is being filled: its records, and where in it each channel's messages are. */
+final class ChunkBuilder {
+  private static final int FIRST_CAPACITY = 1 << 16;
+  private static final int FIRST_ENTRIES = 64;
+
+  private final McapOptions options;
+  private final RecordBuffer records = new RecordBuffer(FIRST_CAPACITY, false);
+  private final Map<Integer, Entries> entries = new TreeMap<>();
+  private final List<McapSchema> schemas = new ArrayList<>();
+  private final List<McapChannel> channels = new ArrayList<>();
+  private MessageCount count = new MessageCount();
+
+  /** Log time and offset of each message of a channel, in turn. */
+  private static final class Entries {
+    private long[] values = new long[FIRST_ENTRIES];
+    private int size;
+
+    void add(long logTimeNanos, long offset) {
+      if (size == values.length) {
+        values = java.util.Arrays.copyOf(values, 2 * size);
+      }
+      values[size++] = logTimeNanos;
+      values[size++] = offset;
+    }
+  }
+
+  ChunkBuilder(McapOptions options) {
+    this.options = options;
+  }
+
+  void add(McapSchema schema) {
+    schema.write(records);
+    schemas.add(schema);
+  }
+
+  void add(McapChannel channel) {
+    channel.write(records);
+    channels.add(channel);
+  }
+
+  void add(McapMessage message) {
+    if (options.has(McapFeature.MESSAGE_INDEX)) {
+      entries
+          .computeIfAbsent(message.channelId(), id -> new Entries())
+          .add(message.logTimeNanos(), records.length());
+    }
+    message.write(records);
+    count.add(message.channelId(), message.logTimeNanos());
+  }
+
+  boolean isEmpty() {
+    return records.length() == 0;
+  }
+
+  /** Whether a message of that time belongs in the next chunk. */
+  boolean isDone(long logTimeNanos) {
+    return count.messages() > 0
+        && (records.length() >= options.chunkBytes()
+            || logTimeNanos - count.startNanos() >= options.chunkNanos());
+  }
+
+  MessageCount count() {
+    return count;
+  }
+
+  List<McapSchema> schemas() {
+    return schemas;
+  }
+
+  List<McapChannel> channels() {
+    return channels;
+  }
+
+  /**
+   * Writes chunk and message indexes, and says where they will be.
+   *
+   * @param position where in the file the first byte will be
+   */
+  ChunkIndex write(RecordBuffer out, long position) throws IOException {
+    int length = records.length();
+    CRC32 crc = new CRC32();
+    crc.update(records.array(), 0, length);
+    byte[] compressed = options.compression().compress(records.array(), length);
+    String compression = options.compression().inFile();
+    long offset = position + out.length();
+    out.begin(Opcode.CHUNK).uint64(count.startNanos()).uint64(count.endNanos());
+    out.uint64(length).uint32(crc.getValue()).string(compression);
+    out.uint64(compressed.length).bytes(compressed, 0, compressed.length).endAsIs();
+    long indexesAt = position + out.length();
+    Map<Integer, Long> indexes = new LinkedHashMap<>();
+    entries.forEach(
+        (channel, list) -> {
+          if (list.size > 0) {
+            indexes.put(channel, position + out.length());
+            writeIndex(out, channel, list);
+          }
+        });
+    return new ChunkIndex(
+        count.startNanos(),
+        count.endNanos(),
+        offset,
+        indexesAt - offset,
+        indexes,
+        position + out.length() - indexesAt,
+        compression,
+        compressed.length,
+        length);
+  }
+
+  private static void writeIndex(RecordBuffer out, int channel, Entries list) {
+    out.begin(Opcode.MESSAGE_INDEX).uint16(channel);
+    int array = out.beginLength();
+    for (int i = 0; i < list.size; i++) {
+      out.uint64(list.values[i]);
+    }
+    out.endLength(array);
+    out.end();
+  }
+
+  void clear() {
+    records.clear();
+    entries.values().forEach(list -> list.size = 0);
+    schemas.clear();
+    channels.clear();
+    count = new MessageCount();
+  }
+}

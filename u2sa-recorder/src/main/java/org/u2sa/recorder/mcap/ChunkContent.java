@@ -1,0 +1,87 @@
+package org.u2sa.recorder.mcap;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.zip.CRC32;
+
+/**
+ * A chunk's record as it is in the file.
+ *
+ * @param size of its records [B]
+ * @param crc of its records; 0: unknown
+ * @param compression how they are compressed
+ * @param compressed the records; perhaps not all of them, if the file breaks off
+ */
+record ChunkContent(long size, long crc, ChunkCompression compression, byte[] compressed) {
+  /** Records up to where a chunk goes wrong, and why it does; null: it does not. */
+  record Salvage(List<RecordStream.Entry> records, IOException trouble) {}
+
+  static ChunkContent read(RecordFields in) throws McapException {
+    return read(in, false);
+  }
+
+  /** As much of a chunk as there is. */
+  static ChunkContent readBrokenOff(RecordFields in) throws McapException {
+    return read(in, true);
+  }
+
+  private static ChunkContent read(RecordFields in, boolean brokenOff) throws McapException {
+    in.uint64(); // its first and last time, which its messages tell too
+    in.uint64();
+    long size = in.uint64();
+    long crc = in.uint32();
+    ChunkCompression compression = ChunkCompression.of(in.string());
+    long length = in.uint64();
+    if (size < 0 || size > RecordStream.LONGEST) {
+      throw new McapException("a chunk of " + size + " bytes: more than is read at once");
+    }
+    return new ChunkContent(
+        size, crc, compression, in.bytes(brokenOff ? Math.min(length, in.remaining()) : length));
+  }
+
+  /** Its records, each with its offset in the chunk. */
+  List<RecordStream.Entry> records() throws McapException {
+    List<RecordStream.Entry> records = new ArrayList<>();
+    IOException trouble = split(compression.decompress(compressed, size, crc), records);
+    if (trouble != null) {
+      throw new McapException("a chunk is damaged: " + trouble.getMessage(), trouble);
+    }
+    return records;
+  }
+
+  /** All whole records of what can be decompressed. */
+  Salvage salvage() {
+    ChunkCompression.Prefix prefix = compression.decompressPrefix(compressed, size);
+    List<RecordStream.Entry> records = new ArrayList<>();
+    IOException trouble = split(prefix.bytes(), records);
+    if (prefix.trouble() != null) {
+      trouble = prefix.trouble();
+    }
+    CRC32 actual = new CRC32();
+    actual.update(prefix.bytes());
+    if (trouble == null && crc != 0 && crc != actual.getValue()) {
+      trouble = new McapException("a chunk's checksum is another: some of its bytes are wrong");
+    }
+    return new Salvage(records, trouble);
+  }
+
+  private static IOException split(byte[] bytes, List<RecordStream.Entry> records) {
+    RecordFields in = new RecordFields(bytes);
+    try {
+      while (in.remaining() > 0) {
+        int offset = in.position();
+        int opcode = in.uint8();
+        long length = in.uint64();
+        int from = in.position();
+        in.skip(length);
+        records.add(
+            new RecordStream.Entry(offset, opcode, Arrays.copyOfRange(bytes, from, in.position())));
+      }
+      return null;
+    } catch (McapException e) {
+      return e;
+    }
+  }
+}

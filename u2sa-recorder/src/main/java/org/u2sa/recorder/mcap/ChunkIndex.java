@@ -1,0 +1,51 @@
+package org.u2sa.recorder.mcap;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Where a chunk is.
+ *
+ * @param startNanos log time of its earliest message [ns]
+ * @param endNanos log time of its latest message [ns]
+ * @param offset of its record in the file [B]
+ * @param length of its record [B]
+ * @param messageIndexes offsets of its message indexes, by channel
+ * @param messageIndexLength of all its message indexes [B]
+ * @param compression as the chunk says
+ * @param compressedSize of its records as they are in the file [B]
+ * @param size of its records [B]
+ */
+record ChunkIndex(
+    long startNanos,
+    long endNanos,
+    long offset,
+    long length,
+    Map<Integer, Long> messageIndexes,
+    long messageIndexLength,
+    String compression,
+    long compressedSize,
+    long size) {
+  void write(RecordBuffer out) {
+    out.begin(Opcode.CHUNK_INDEX).uint64(startNanos).uint64(endNanos);
+    out.uint64(offset).uint64(length);
+    int map = out.beginLength();
+    messageIndexes.forEach((channel, index) -> out.uint16(channel).uint64(index));
+    out.endLength(map);
+    out.uint64(messageIndexLength).string(compression).uint64(compressedSize).uint64(size).end();
+  }
+
+  static ChunkIndex read(RecordFields in) throws McapException {
+    long start = in.uint64();
+    long end = in.uint64();
+    long offset = in.uint64();
+    long length = in.uint64();
+    RecordFields map = in.part();
+    Map<Integer, Long> indexes = new LinkedHashMap<>();
+    while (map.remaining() > 0) {
+      indexes.put(map.uint16(), map.uint64());
+    }
+    return new ChunkIndex(
+        start, end, offset, length, indexes, in.uint64(), in.string(), in.uint64(), in.uint64());
+  }
+}

@@ -1,0 +1,35 @@
+package org.u2sa.recorder.mcap;
+
+import java.util.zip.CRC32;
+
+/**
+ * A file within the file.
+ *
+ * @param logTimeNanos when it was recorded [ns]
+ * @param createTimeNanos when it was made [ns]; 0: unknown
+ * @param name its name, perhaps with folders
+ * @param mediaType such as {@code text/xml}
+ * @param data its bytes; not copied, not to be changed
+ */
+public record McapAttachment(
+    long logTimeNanos, long createTimeNanos, String name, String mediaType, byte[] data) {
+  void write(RecordBuffer out) {
+    out.begin(Opcode.ATTACHMENT).uint64(logTimeNanos).uint64(createTimeNanos);
+    out.string(name).string(mediaType).uint64(data.length).bytes(data, 0, data.length);
+    out.uint32(out.crcOfContent()).end();
+  }
+
+  static McapAttachment read(RecordFields in) throws McapException {
+    long logTime = in.uint64();
+    long createTime = in.uint64();
+    String name = in.string();
+    String mediaType = in.string();
+    byte[] data = in.bytes(in.uint64());
+    CRC32 actual = in.crcSoFar();
+    long expected = in.uint32();
+    if (expected != 0 && expected != actual.getValue()) {
+      throw new McapException("attachment \"" + name + "\" is damaged: its checksum is another");
+    }
+    return new McapAttachment(logTime, createTime, name, mediaType, data);
+  }
+}

@@ -1,0 +1,19 @@
+package org.u2sa.recorder.mcap;
+
+import java.util.Map;
+
+/**
+ * Named texts about the recording.
+ *
+ * @param name what they are about
+ * @param entries the texts by their names, in the order in which they are to be written
+ */
+public record McapMetadata(String name, Map<String, String> entries) {
+  void write(RecordBuffer out) {
+    out.begin(Opcode.METADATA).string(name).map(entries).end();
+  }
+
+  static McapMetadata read(RecordFields in) throws McapException {
+    return new McapMetadata(in.string(), in.map());
+  }
+}

@@ -1,0 +1,169 @@
+package org.u2sa.recorder.mcap;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+
+/**
+ * A whole MCAP file with a summary, opened for reading: what it holds is known at once, messages
+ * are read as they are asked for. Belongs to one thread.
+ */
+public final class McapReader implements AutoCloseable {
+  private static final int FOOTER_LENGTH = Opcode.PREFIX + 8 + 8 + 4;
+
+  private final FileChannel file;
+  private final Map<Integer, McapSchema> schemas = new TreeMap<>();
+  private final Map<Integer, McapChannel> channels = new TreeMap<>();
+  private final List<ChunkIndex> chunks = new ArrayList<>();
+  private final List<AttachmentIndex> attachments = new ArrayList<>();
+  private final List<MetadataIndex> metadata = new ArrayList<>();
+  private McapStatistics statistics;
+
+  private McapReader(FileChannel file) {
+    this.file = file;
+  }
+
+  /**
+   * Opens a file.
+   *
+   * @throws McapException if it is no MCAP, or none that is whole and has a summary; it may be
+   *     recovered then
+   * @throws IOException if it cannot be read
+   */
+  public static McapReader open(Path path) throws IOException {
+    FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
+    try {
+      McapReader reader = new McapReader(file);
+      reader.readSummary();
+      return reader;
+    } catch (EOFException | McapException e) {
+      file.close();
+      throw new McapException(path + ": " + e.getMessage() + "; recover it first", e);
+    } catch (IOException | RuntimeException e) {
+      file.close();
+      throw e;
+    }
+  }
+
+  private void readSummary() throws IOException {
+    RecordWalk.requireMagic(file, 0);
+    long endMagic = file.size() - Opcode.magic().length;
+    RecordWalk.requireMagic(file, endMagic);
+    RecordStream.Entry footer = new RecordStream(file, endMagic - FOOTER_LENGTH).next();
+    if (footer.opcode() != Opcode.FOOTER) {
+      throw new McapException("the file does not end with a footer");
+    }
+    long start = footer.fields().uint64();
+    if (start <= 0 || start >= footer.offset()) {
+      throw new McapException("the file has no summary");
+    }
+    RecordStream stream = new RecordStream(file, start);
+    for (RecordStream.Entry e = stream.next(); e.opcode() != Opcode.FOOTER; e = stream.next()) {
+      take(e);
+    }
+    if (statistics == null) {
+      throw new McapException("the file's summary has no statistics");
+    }
+    if (statistics.chunks() != chunks.size() || statistics.messages() > 0 && chunks.isEmpty()) {
+      throw new McapException("the file's summary does not say where its messages are");
+    }
+  }
+
+  private void take(RecordStream.Entry entry) throws McapException {
+    RecordFields in = entry.fields();
+    switch (entry.opcode()) {
+      case Opcode.SCHEMA -> {
+        McapSchema schema = McapSchema.read(in);
+        schemas.put(schema.id(), schema);
+      }
+      case Opcode.CHANNEL -> {
+        McapChannel channel = McapChannel.read(in);
+        channels.put(channel.id(), channel);
+      }
+      case Opcode.STATISTICS -> statistics = McapStatistics.read(in);
+      case Opcode.CHUNK_INDEX -> chunks.add(ChunkIndex.read(in));
+      case Opcode.ATTACHMENT_INDEX -> attachments.add(AttachmentIndex.read(in));
+      case Opcode.METADATA_INDEX -> metadata.add(MetadataIndex.read(in));
+      default -> {
+        // summary offsets: all of the summary is read anyway
+      }
+    }
+  }
+
+  /** All schemas by their numbers. */
+  public Map<Integer, McapSchema> schemas() {
+    return Map.copyOf(schemas);
+  }
+
+  /** All channels by their numbers. */
+  public Map<Integer, McapChannel> channels() {
+    return Map.copyOf(channels);
+  }
+
+  /** What is in the file. */
+  public McapStatistics statistics() {
+    return statistics;
+  }
+
+  /** Names of the attachments, in the file's order. */
+  public List<String> attachmentNames() {
+    return attachments.stream().map(AttachmentIndex::name).collect(Collectors.toList());
+  }
+
+  /** The first attachment of that name. */
+  public Optional<McapAttachment> attachment(String name) throws IOException {
+    for (AttachmentIndex index : attachments) {
+      if (index.name().equals(name)) {
+        return Optional.of(McapAttachment.read(at(index.offset(), Opcode.ATTACHMENT)));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** All metadata, in the file's order. */
+  public List<McapMetadata> metadata() throws IOException {
+    List<McapMetadata> all = new ArrayList<>();
+    for (MetadataIndex index : metadata) {
+      all.add(McapMetadata.read(at(index.offset(), Opcode.METADATA)));
+    }
+    return all;
+  }
+
+  private RecordFields at(long offset, int opcode) throws IOException {
+    RecordStream.Entry entry = new RecordStream(file, offset).next();
+    if (entry.opcode() != opcode) {
+      throw new McapException(
+          "at byte " + offset + " is a record of kind " + entry.opcode() + ", not " + opcode);
+    }
+    return entry.fields();
+  }
+
+  /**
+   * Messages in the order of their log times; of equal ones, in the file's order. Holds one chunk
+   * at a time where chunks do not overlap.
+   *
+   * @param fromNanos log time of the earliest wanted [ns]
+   * @param wanted channels of which messages are wanted
+   */
+  public McapCursor messages(long fromNanos, Predicate<McapChannel> wanted) {
+    return new McapCursor(
+        chunks,
+        fromNanos,
+        id -> channels.containsKey(id) && wanted.test(channels.get(id)),
+        index -> ChunkContent.read(at(index.offset(), Opcode.CHUNK)).records());
+  }
+
+  @Override
+  public void close() throws IOException {
+    file.close();
+  }
+}

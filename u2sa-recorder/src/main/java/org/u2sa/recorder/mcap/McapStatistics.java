@@ -1,0 +1,55 @@
+package org.u2sa.recorder.mcap;
+
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * What a file holds.
+ *
+ * @param messages how many
+ * @param schemas how many
+ * @param channels how many
+ * @param attachments how many
+ * @param metadata how many records
+ * @param chunks how many
+ * @param startNanos log time of the earliest message [ns]; 0: none
+ * @param endNanos log time of the latest message [ns]; 0: none
+ * @param messagesByChannel how many, by the channel's number
+ */
+public record McapStatistics(
+    long messages,
+    int schemas,
+    long channels,
+    long attachments,
+    long metadata,
+    long chunks,
+    long startNanos,
+    long endNanos,
+    Map<Integer, Long> messagesByChannel) {
+  void write(RecordBuffer out) {
+    out.begin(Opcode.STATISTICS).uint64(messages).uint16(schemas).uint32(channels);
+    out.uint32(attachments).uint32(metadata).uint32(chunks).uint64(startNanos).uint64(endNanos);
+    int map = out.beginLength();
+    messagesByChannel.forEach((channel, count) -> out.uint16(channel).uint64(count));
+    out.endLength(map);
+    out.end();
+  }
+
+  static McapStatistics read(RecordFields in) throws McapException {
+    long messages = in.uint64();
+    int schemas = in.uint16();
+    long channels = in.uint32();
+    long attachments = in.uint32();
+    long metadata = in.uint32();
+    long chunks = in.uint32();
+    long start = in.uint64();
+    long end = in.uint64();
+    RecordFields map = in.part();
+    Map<Integer, Long> counts = new TreeMap<>();
+    while (map.remaining() > 0) {
+      counts.put(map.uint16(), map.uint64());
+    }
+    return new McapStatistics(
+        messages, schemas, channels, attachments, metadata, chunks, start, end, counts);
+  }
+}

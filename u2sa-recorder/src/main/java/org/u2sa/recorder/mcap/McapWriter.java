@@ -1,0 +1,239 @@
+package org.u2sa.recorder.mcap;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.CRC32;
+
+/**
+ * Writes one MCAP file from beginning to end. Belongs to one thread.
+ *
+ * <p>What is in the file is whole records at any time, as far as the file system keeps what it is
+ * given: a chunk and its indexes are written together, and what could only be written in part, as
+ * on a full disk, is cut off again. Its messages are counted in {@link #lost}, and the next chunk
+ * repeats its definitions.
+ */
+public final class McapWriter implements AutoCloseable {
+  private static final int FIRST_CAPACITY = 1 << 12;
+
+  private final SeekableByteChannel file;
+  private final McapOptions options;
+  private final RecordBuffer out;
+  private final ChunkBuilder chunk; // null: messages are written as they come
+  private final Summary summary = new Summary();
+  private final CRC32 dataCrc = new CRC32();
+  private long position;
+  private long lost;
+  private boolean closed;
+
+  /**
+   * Begins a file.
+   *
+   * @param file where to; empty, and closed by {@link #close}
+   * @throws IOException if it cannot be written
+   */
+  public McapWriter(SeekableByteChannel file, McapOptions options) throws IOException {
+    this.file = file;
+    this.options = options;
+    out = new RecordBuffer(FIRST_CAPACITY, options.has(McapFeature.LATER_FIELDS));
+    chunk = options.has(McapFeature.CHUNKS) ? new ChunkBuilder(options) : null;
+    byte[] magic = Opcode.magic();
+    out.bytes(magic, 0, magic.length);
+    out.begin(Opcode.HEADER).string(options.profile()).string(options.library()).end();
+    write();
+  }
+
+  /**
+   * Defines a schema, before the first channel that has it.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void add(McapSchema schema) throws IOException {
+    if (chunk != null) {
+      chunk.add(schema);
+    } else {
+      schema.write(out);
+      write();
+      summary.add(schema);
+    }
+  }
+
+  /**
+   * Defines a channel, before its first message.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void add(McapChannel channel) throws IOException {
+    if (chunk != null) {
+      chunk.add(channel);
+    } else {
+      channel.write(out);
+      write();
+      summary.add(channel);
+    }
+  }
+
+  /**
+   * Adds a message. The chunk before it is written first if it is full.
+   *
+   * @throws IOException if that cannot be written; the message itself is kept nonetheless
+   */
+  public void add(McapMessage message) throws IOException {
+    if (chunk == null) {
+      message.write(out);
+      write();
+      MessageCount one = new MessageCount();
+      one.add(message.channelId(), message.logTimeNanos());
+      summary.add(one);
+      return;
+    }
+    try {
+      if (chunk.isDone(message.logTimeNanos())) {
+        flush();
+      }
+    } finally {
+      chunk.add(message);
+    }
+  }
+
+  /**
+   * Adds an attachment; not part of any chunk.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void add(McapAttachment attachment) throws IOException {
+    attachment.write(out);
+    long at = position;
+    write();
+    summary.add(
+        new AttachmentIndex(
+            at,
+            position - at,
+            attachment.logTimeNanos(),
+            attachment.createTimeNanos(),
+            attachment.data().length,
+            attachment.name(),
+            attachment.mediaType()));
+  }
+
+  /**
+   * Adds metadata; not part of any chunk.
+   *
+   * @throws IOException if they cannot be written
+   */
+  public void add(McapMetadata metadata) throws IOException {
+    metadata.write(out);
+    long at = position;
+    write();
+    summary.add(new MetadataIndex(at, position - at, metadata.name()));
+  }
+
+  /**
+   * Writes what is in the present chunk, if anything is.
+   *
+   * @throws IOException if it cannot be written; its messages are lost then
+   */
+  public void flush() throws IOException {
+    if (chunk == null || chunk.isEmpty()) {
+      return;
+    }
+    ChunkIndex index;
+    try {
+      index = chunk.write(out, position);
+      write();
+    } catch (IOException e) {
+      out.clear();
+      lost += chunk.count().messages();
+      repeatDefinitions();
+      throw e;
+    }
+    chunk.schemas().forEach(summary::add);
+    chunk.channels().forEach(summary::add);
+    summary.add(chunk.count());
+    summary.add(index);
+    chunk.clear();
+  }
+
+  private void repeatDefinitions() {
+    List<McapSchema> schemas = new ArrayList<>(chunk.schemas());
+    List<McapChannel> channels = new ArrayList<>(chunk.channels());
+    chunk.clear();
+    schemas.forEach(chunk::add);
+    channels.forEach(chunk::add);
+  }
+
+  /** How long the file is, the present chunk left out [B]. */
+  public long position() {
+    return position;
+  }
+
+  /** Messages that were taken and could not be written. */
+  public long lost() {
+    return lost;
+  }
+
+  /** What is in the file, the present chunk left out. */
+  public McapStatistics statistics() {
+    return summary.statistics();
+  }
+
+  /**
+   * Ends the file with its summary. Safe to call twice.
+   *
+   * @throws IOException if it cannot be written; the file then ends without a summary, after its
+   *     last whole record
+   */
+  @Override
+  public void close() throws IOException {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    try {
+      flush();
+    } finally {
+      try {
+        writeEnd();
+      } finally {
+        file.close();
+      }
+    }
+  }
+
+  private void writeEnd() throws IOException {
+    out.begin(Opcode.DATA_END).uint32(dataCrc.getValue()).endAsIs();
+    int dataEnd = out.length();
+    RecordBuffer end = new RecordBuffer(FIRST_CAPACITY, options.has(McapFeature.LATER_FIELDS));
+    summary.write(end, position + dataEnd, options);
+    byte[] magic = Opcode.magic();
+    out.bytes(end.array(), 0, end.length()).bytes(magic, 0, magic.length);
+    write();
+  }
+
+  private void write() throws IOException {
+    ByteBuffer bytes = ByteBuffer.wrap(out.array(), 0, out.length());
+    int length = out.length();
+    out.clear();
+    try {
+      while (bytes.hasRemaining()) {
+        file.write(bytes);
+      }
+    } catch (IOException e) {
+      cutOff(e);
+      throw e;
+    }
+    dataCrc.update(bytes.array(), 0, length);
+    position += length;
+  }
+
+  private void cutOff(IOException cause) {
+    try {
+      file.truncate(position);
+      file.position(position);
+    } catch (IOException e) {
+      cause.addSuppressed(e);
+    }
+  }
+}

@@ -1,0 +1,104 @@
+package org.u2sa.recorder.mcap;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.Buffer;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.SeekableByteChannel;
+
+/** The records of a file from some place on, one after the other. */
+final class RecordStream {
+  /** No record is longer: what says so is damaged. */
+  static final long LONGEST = 1L << 30;
+
+  private final SeekableByteChannel file;
+  private final long size;
+  private long position;
+
+  /**
+   * One record.
+   *
+   * @param offset where it begins in the file [B]
+   * @param opcode its kind
+   * @param content without opcode and length
+   */
+  record Entry(long offset, int opcode, byte[] content) {
+    RecordFields fields() {
+      return new RecordFields(content);
+    }
+
+    long length() {
+      return Opcode.PREFIX + (long) content.length;
+    }
+  }
+
+  RecordStream(SeekableByteChannel file, long from) throws IOException {
+    this.file = file;
+    size = file.size();
+    position = from;
+  }
+
+  /** Where the next record begins [B]. */
+  long position() {
+    return position;
+  }
+
+  /** The kind of the next record, and its length without the prefix; null at the file's end. */
+  long[] peek() throws IOException {
+    if (size - position < Opcode.PREFIX) {
+      return null;
+    }
+    ByteBuffer prefix = read(position, Opcode.PREFIX);
+    return new long[] {prefix.get() & 0xFF, prefix.getLong()};
+  }
+
+  /**
+   * The next record.
+   *
+   * @throws EOFException if the file breaks off before its end
+   * @throws McapException if it cannot be a record
+   */
+  Entry next() throws IOException {
+    long[] prefix = peek();
+    if (prefix == null) {
+      throw new EOFException("the file breaks off at byte " + size);
+    }
+    long length = prefix[1];
+    if (prefix[0] == 0 || length < 0 || length > LONGEST) {
+      throw new McapException(
+          "at byte " + position + " is no record: opcode " + prefix[0] + ", length " + length);
+    }
+    if (length > size - position - Opcode.PREFIX) {
+      throw new EOFException("the file breaks off at byte " + size + ", within a record");
+    }
+    Entry entry =
+        new Entry(position, (int) prefix[0], read(position + Opcode.PREFIX, (int) length).array());
+    position += entry.length();
+    return entry;
+  }
+
+  /** What there is of a record that breaks off, from its content's beginning. */
+  byte[] rest() throws IOException {
+    long from = Math.min(size, position + Opcode.PREFIX);
+    return read(from, (int) Math.min(LONGEST, size - from)).array();
+  }
+
+  /** Goes on behind the next record without reading it. */
+  void skip(long contentLength) {
+    position += Opcode.PREFIX + contentLength;
+  }
+
+  private ByteBuffer read(long from, int length) throws IOException {
+    ByteBuffer bytes = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
+    file.position(from);
+    while (bytes.hasRemaining()) {
+      if (file.read(bytes) < 0) {
+        throw new EOFException("the file became shorter while it was read");
+      }
+    }
+    Buffer place = bytes; // Android 28 has rewind() in Buffer only
+    place.rewind();
+    return bytes;
+  }
+}

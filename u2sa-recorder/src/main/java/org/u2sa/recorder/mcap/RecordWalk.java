@@ -1,0 +1,54 @@
+package org.u2sa.recorder.mcap;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
+
+/**
+ * All records of a whole file in their order, from header to footer; of chunks, the records in them
+ * instead. Message indexes are left out.
+ */
+final class RecordWalk {
+  private final RecordStream stream;
+  private final Deque<RecordStream.Entry> ofChunk = new ArrayDeque<>();
+  private boolean ended;
+
+  RecordWalk(SeekableByteChannel file) throws IOException {
+    requireMagic(file, 0);
+    stream = new RecordStream(file, Opcode.magic().length);
+  }
+
+  static void requireMagic(SeekableByteChannel file, long at) throws IOException {
+    ByteBuffer magic = ByteBuffer.allocate(Opcode.magic().length);
+    if (at < 0 || file.size() < at + magic.capacity()) {
+      throw new McapException("the file has " + file.size() + " bytes: too few for MCAP");
+    }
+    file.position(at);
+    while (magic.hasRemaining() && file.read(magic) >= 0) {
+      continue; // a channel may hand over a part
+    }
+    if (!Arrays.equals(magic.array(), Opcode.magic())) {
+      throw new McapException("at byte " + at + " are not the bytes that mark MCAP's version 0");
+    }
+  }
+
+  /** The next record; null after the footer. */
+  RecordStream.Entry next() throws IOException {
+    while (ofChunk.isEmpty()) {
+      if (ended) {
+        return null;
+      }
+      RecordStream.Entry entry = stream.next();
+      if (entry.opcode() == Opcode.CHUNK) {
+        ofChunk.addAll(ChunkContent.read(entry.fields()).records());
+      } else if (entry.opcode() != Opcode.MESSAGE_INDEX) {
+        ended = entry.opcode() == Opcode.FOOTER;
+        return entry;
+      }
+    }
+    return ofChunk.poll();
+  }
+}

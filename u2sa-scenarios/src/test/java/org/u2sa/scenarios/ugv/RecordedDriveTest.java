@@ -1,0 +1,110 @@
+package org.u2sa.scenarios.ugv;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.recorder.mcap.McapCursor;
+import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.McapReader;
+
+/** A drive that is recorded. */
+class RecordedDriveTest {
+  private static final String TWO_WAYPOINTS =
+      """
+      <mission>
+        <home><x>11</x><y>48</y><psi>0</psi></home>
+        <waypoint><y>48.0001</y><x>11</x></waypoint>
+        <waypoint><y>48.0001</y><x>11.0001</x></waypoint>
+      </mission>
+      """;
+
+  @TempDir Path folder;
+
+  private UgvCommandLine drive(String out, String... options) throws IOException {
+    Path mission = Files.writeString(folder.resolve("short.xml"), TWO_WAYPOINTS);
+    List<String> all = new ArrayList<>(List.of(options));
+    all.addAll(List.of("--seed", "3", "--mission", mission.toString()));
+    UgvCommandLine run = UgvCommandLine.demo(folder.resolve(out), all.toArray(new String[0]));
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    return run;
+  }
+
+  /**
+   * Messages as texts: those of health without their contents, which measure the machine, and none
+   * of the last instant, when services end on threads of their own.
+   */
+  private static List<String> messages(Path out) throws IOException {
+    List<String> all = new ArrayList<>();
+    try (McapReader reader = McapReader.open(out.resolve("recording.mcap"))) {
+      McapCursor cursor = reader.messages(Long.MIN_VALUE, channel -> true);
+      for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
+        McapMessage message = m.get();
+        String topic = reader.channels().get(message.channelId()).topic();
+        if (message.logTimeNanos() < reader.statistics().endNanos()) {
+          all.add(
+              topic
+                  + " "
+                  + message.sequence()
+                  + " "
+                  + message.logTimeNanos()
+                  + " "
+                  + (topic.contains("/health/") ? "" : HexFormat.of().formatHex(message.data())));
+        }
+      }
+    }
+    return all;
+  }
+
+  @Test
+  void demo_recordedTwice_drivesAsUnrecordedAndGivesTheSameMessages() throws IOException {
+    UgvCommandLine unrecorded = drive("plain");
+    UgvCommandLine recorded = drive("recorded", "--record");
+    drive("again", "--record");
+    assertThat(recorded.track()).isEqualTo(unrecorded.track());
+    List<String> messages = messages(folder.resolve("recorded"));
+    List<String> again = messages(folder.resolve("again"));
+    assertThat(messages).hasSizeGreaterThan(5_000);
+    for (int i = 0; i < Math.min(messages.size(), again.size()); i++) {
+      assertThat(again.get(i)).as("message %d", i).isEqualTo(messages.get(i));
+    }
+    assertThat(again).hasSameSizeAs(messages);
+    assertThat(messages).anyMatch(line -> line.startsWith("u2sa/ugv/goal-reports/"));
+    assertThat(folder.resolve("plain/recording.mcap")).doesNotExist();
+    try (McapReader reader = McapReader.open(folder.resolve("recorded/recording.mcap"))) {
+      assertThat(reader.attachmentNames())
+          .contains(
+              "config/ugv/system.xml",
+              "config/ugv/Control.xml",
+              "config/ugv/fence.xml",
+              "logs/PathPlanner.log")
+          .anyMatch(name -> name.startsWith("pursued-mission/"));
+      assertThat(reader.metadata())
+          .anySatisfy(
+              metadata ->
+                  assertThat(metadata.entries())
+                      .containsEntry("dropped", "0")
+                      .containsEntry("not-written", "0"))
+          .anySatisfy(
+              metadata ->
+                  assertThat(metadata.entries())
+                      .containsEntry("seed", "3")
+                      .containsEntry("demo", "ugv"));
+    }
+  }
+
+  @Test
+  void demo_splitWithoutRecord_isRefused() {
+    UgvCommandLine run = UgvCommandLine.demo(folder.resolve("out"), "--split", "10s");
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run.err()).contains("--record");
+  }
+}
