@@ -98,10 +98,17 @@ public record CourseSettings(
             ifAbsent = 0.305,
             text = "Radius of the white discs that mark potholes.")
         double potholeRadius,
-    @Variable(unit = "m", min = 0.1, max = 3, ifAbsent = 0.58, text = "Diameter of a barrel.")
+    @Variable(unit = "m", min = 0.1, max = 3, ifAbsent = 0.6, text = "Diameter of a barrel.")
         double barrelWidth,
-    @Variable(unit = "m", min = 0.2, max = 3, ifAbsent = 0.95, text = "Height of a barrel.")
+    @Variable(unit = "m", min = 0.2, max = 3, ifAbsent = 1, text = "Height of a barrel.")
         double barrelHeight,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 1,
+            ifAbsent = 0.08,
+            text = "Height of a barrel's lowest orange above the ground.")
+        double barrelBase,
     @Variable(
             unit = "m",
             min = 0.3,
@@ -109,6 +116,13 @@ public record CourseSettings(
             ifAbsent = 1.2,
             text = "Length of a sawhorse's plank.")
         double sawhorseWidth,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 2,
+            ifAbsent = 0.3,
+            text = "Height of the lower edge of a sawhorse's lowest plank above the ground.")
+        double sawhorseClear,
     @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.32, text = "Width of a flag's cloth.")
         double flagWidth,
     @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.26, text = "Height of a flag's cloth.")
@@ -117,7 +131,7 @@ public record CourseSettings(
             unit = "m",
             min = 0.1,
             max = 5,
-            ifAbsent = 0.75,
+            ifAbsent = 1,
             text = "Height of a flag's upper edge above the ground.")
         double flagTop,
     @Variable(

@@ -66,7 +66,9 @@ public final class CourseSight {
             new ObjectSettings(
                 settings.barrelWidth(),
                 settings.barrelHeight(),
+                settings.barrelBase(),
                 settings.sawhorseWidth(),
+                settings.sawhorseClear(),
                 settings.flagWidth(),
                 settings.flagTop(),
                 settings.flagCloth(),

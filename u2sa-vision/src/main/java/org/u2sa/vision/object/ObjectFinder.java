@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiPredicate;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.ground.GroundSigma;
@@ -16,17 +17,24 @@ import org.u2sa.vision.ground.GroundView;
  * memory.
  */
 public final class ObjectFinder {
-  private static final double STRIPE = 0.75; // widest white stripe, of the patches' width
+  private static final double STRIPE = 1.8; // widest stripe of a plank, of its height
+  private static final double WHITE_BAND = 0.75; // highest between two bands, of their width
   private static final double IN_LINE = 0.6; // overlap of the bands of one barrel
+  private static final double ALIKE_WIDE = 0.55; // of two bands
   private static final double EDGE_PX = 2.0; // error of a patch's edge
   private static final double SLIM = 0.55; // of a barrel's width
   private static final double STOUT = 1.6;
+  private static final double SQUAT = 0.7; // of its width: a trestle is not as high as wide
+  private static final double SOLID = 0.48; // least orange of a row of barrels: a trestle has less
+  private static final double LOW = 0.35; // of a barrel's height
+  private static final double EDGE_M = 0.03; // error of an edge's height above the ground
+  private static final double LARGEST_FLAG = 0.3; // of the picture's height
   private static final int BORDER_PX = 3;
 
   private final ColourPatches patches = new ColourPatches();
   private final ObjectSettings settings;
   private final GroundSigma sigma;
-  private List<ColourPatch> hiding = List.of(); // of the picture last looked at
+  private final List<ColourPatch> hiding = new ArrayList<>(); // of the picture last looked at
 
   /** For things of these sizes, with a camera as uncertain as this. */
   public ObjectFinder(ObjectSettings settings, GroundSigma sigma) {
@@ -38,16 +46,20 @@ public final class ObjectFinder {
   public List<SeenObject> find(CameraFrame frame, GroundView view) {
     List<ColourPatch> orange = new ArrayList<>();
     List<SeenObject> found = new ArrayList<>();
+    hiding.clear();
     for (ColourPatch patch : patches.find(frame)) {
       if (patch.colour() == ColourClass.ORANGE) {
         orange.add(patch);
-      } else {
+      } else if (patch.height() < LARGEST_FLAG * frame.height()) {
+        hiding.add(withPole(patch));
         flag(patch, frame, view).ifPresent(found::add);
       }
     }
-    hiding = joined(orange);
-    for (ColourPatch patch : hiding) {
-      orange(patch, frame, view).ifPresent(found::add);
+    for (ColourPatch patch : joined(orange)) {
+      hiding.add(patch);
+      for (ColourPatch each : apart(patch, frame, view)) {
+        orange(each, frame, view).ifPresent(found::add);
+      }
     }
     found.sort(Comparator.comparingDouble(object -> object.foot().distance()));
     return found;
@@ -55,7 +67,7 @@ public final class ObjectFinder {
 
   /**
    * Marks the pixels behind which the ground is not seen, in the picture last looked at: what is
-   * orange, and the white bands within, which are no painted lines.
+   * orange and the white bands within, flags and their poles. None of it is a painted line.
    *
    * @param into every second pixel of every second row, row by row
    * @param width pixels of the picture's rows
@@ -76,89 +88,113 @@ public final class ObjectFinder {
     }
   }
 
-  /** Bands of one barrel, and stripes of one plank, as one patch. */
+  /**
+   * The stripes of a plank as one patch, then the bands of a barrel and the planks of a trestle.
+   */
   private static List<ColourPatch> joined(List<ColourPatch> single) {
+    return joined(joined(single, ObjectFinder::areStripes), ObjectFinder::areBands);
+  }
+
+  private static List<ColourPatch> joined(
+      List<ColourPatch> single, BiPredicate<ColourPatch, ColourPatch> belong) {
     List<ColourPatch> patches = new ArrayList<>(single);
-    boolean hasChanged = true;
-    while (hasChanged) {
-      hasChanged = false;
-      for (int i = 0; i < patches.size(); i++) {
-        for (int k = patches.size() - 1; k > i; k--) {
-          if (belong(patches.get(i), patches.get(k))) {
-            patches.set(i, patches.get(i).with(patches.remove(k)));
-            hasChanged = true;
-          }
+    for (int i = 0; i < patches.size(); i++) {
+      for (int k = 0; k < patches.size(); k++) {
+        if (k != i && belong.test(patches.get(i), patches.get(k))) {
+          patches.set(i, patches.get(i).with(patches.get(k)));
+          patches.remove(k);
+          i = k < i ? i - 1 : i;
+          k = -1; // it is larger now: all others once more
         }
       }
     }
     return patches;
   }
 
-  private static boolean belong(ColourPatch a, ColourPatch b) {
-    int widest = Math.max(a.width(), b.width());
-    int narrowest = Math.min(a.width(), b.width());
-    if (a.overlap(b) >= IN_LINE && a.rowsBetween(b) <= STRIPE * widest) {
-      return narrowest >= 0.5 * widest || a.rowsBetween(b) <= 0.3 * widest;
-    }
-    int between = Math.max(a.left(), b.left()) - Math.min(a.right(), b.right()) - 1;
-    boolean sideBySide = a.rowsBetween(b) < 0 && between <= Math.max(6, 1.2 * narrowest);
-    boolean alikeHigh = Math.min(a.height(), b.height()) >= 0.5 * Math.max(a.height(), b.height());
-    return sideBySide && alikeHigh && isStripe(a) && isStripe(b);
+  /** Slanted stripes side by side: each reaches into the next one's columns. */
+  private static boolean areStripes(ColourPatch a, ColourPatch b) {
+    int high = Math.min(a.height(), b.height());
+    int tall = Math.max(a.height(), b.height());
+    int apart = Math.max(a.left(), b.left()) - Math.min(a.right(), b.right()) - 1;
+    boolean isOneStripe = a.width() <= STRIPE * a.height() || b.width() <= STRIPE * b.height();
+    return isOneStripe && apart <= 2 && -a.rowsBetween(b) >= 0.7 * high && high >= 0.6 * tall;
   }
 
-  /** Much smaller than what a barrel's band looks like beside it: as wide as high, or narrower. */
-  private static boolean isStripe(ColourPatch patch) {
-    return patch.width() <= 2.0 * patch.height();
+  /** Bands above each other, about as wide. */
+  private static boolean areBands(ColourPatch a, ColourPatch b) {
+    int wide = Math.max(a.width(), b.width());
+    int narrow = Math.min(a.width(), b.width());
+    return narrow >= ALIKE_WIDE * wide
+        && a.overlap(b) >= IN_LINE
+        && a.rowsBetween(b) <= WHITE_BAND * wide;
+  }
+
+  /** Barrels that stand so close that their colours touch, each by itself. */
+  private List<ColourPatch> apart(ColourPatch patch, CameraFrame frame, GroundView view) {
+    double middle = 0.5 * (patch.left() + patch.right());
+    RangeEstimate range = byEdge(patch, middle, settings.barrelBaseM(), 0.0, frame, view);
+    double barrels =
+        2.0 * range.range() * Math.tan(0.5 * viewRad(patch, view)) / settings.barrelWidthM();
+    boolean isSolid = patch.count() >= SOLID * patch.width() * patch.height();
+    if (!range.isKnown() || !isSolid || barrels < STOUT || patch.height() > patch.width()) {
+      return List.of(patch);
+    }
+    int count = (int) Math.max(2, Math.round(barrels));
+    List<ColourPatch> each = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      each.add(
+          new ColourPatch(
+              patch.colour(),
+              patch.left() + i * patch.width() / count,
+              patch.top(),
+              patch.left() + (i + 1) * patch.width() / count - 1,
+              patch.bottom(),
+              patch.count() / count));
+    }
+    return each;
   }
 
   private Optional<SeenObject> orange(ColourPatch patch, CameraFrame frame, GroundView view) {
     double middle = 0.5 * (patch.left() + patch.right());
-    RangeEstimate byFoot = byFoot(patch, middle, frame, view);
+    double radius = 0.5 * settings.barrelWidthM();
     double viewRad = viewRad(patch, view);
     boolean isCut = isCut(patch, frame);
+    RangeEstimate byFoot = byEdge(patch, middle, settings.barrelBaseM(), radius, frame, view);
     RangeEstimate byWidth =
-        isCut ? RangeEstimate.UNKNOWN : bySize(settings.barrelWidthM(), viewRad, patch.width());
-    RangeEstimate asBarrel = byFoot.with(byWidth);
-    if (!asBarrel.isKnown() || asBarrel.range() > settings.farthestM()) {
+        isCut ? RangeEstimate.UNKNOWN : bySize(2.0 * radius, viewRad, patch.width());
+    RangeEstimate range = byFoot.with(byWidth);
+    if (!range.isKnown() || range.range() > settings.farthestM()) {
       return Optional.empty();
     }
-    double widthM = 2.0 * asBarrel.range() * Math.tan(0.5 * viewRad);
+    double widthM = 2.0 * (byFoot.isKnown() ? byFoot : range).range() * Math.tan(0.5 * viewRad);
+    if (widthM > STOUT * 2.0 * radius && patch.height() < SQUAT * patch.width()) {
+      return sawhorse(patch, middle, frame, view);
+    }
     double heightM = widthM * patch.height() / patch.width();
-    double barrel = settings.barrelWidthM();
-    boolean isSlim = widthM < SLIM * barrel && !isCut;
-    boolean isSquat = patch.height() < 0.7 * patch.width();
-    if (byFoot.isKnown() && widthM > STOUT * barrel && isSquat) {
-      return sawhorse(patch, byFoot, widthM, middle, frame, view);
-    }
-    if (isSlim || heightM < 0.35 * settings.barrelHeightM()) {
+    if (widthM < SLIM * 2.0 * radius && !isCut || heightM < LOW * settings.barrelHeightM()) {
       return Optional.empty();
     }
-    double centre = asBarrel.range() + (byFoot.isKnown() ? 0.5 * barrel : 0.0);
+    double confidence = byFoot.agreesWith(byWidth) ? 0.9 : 0.6;
     return place(
         ObjectKind.BARREL,
         patch,
-        new RangeEstimate(centre, asBarrel.sigma()),
-        0.5 * barrel,
+        range,
+        radius,
         settings.barrelHeightM(),
-        byFoot.agreesWith(byWidth) ? 0.9 : 0.6,
+        confidence,
         middle,
         view);
   }
 
   private Optional<SeenObject> sawhorse(
-      ColourPatch patch,
-      RangeEstimate byFoot,
-      double widthM,
-      double middle,
-      CameraFrame frame,
-      GroundView view) {
-    // Its lower plank hangs above the ground: what is seen of orange ends there, not at the feet.
-    RangeEstimate bySize =
-        isCut(patch, frame)
-            ? RangeEstimate.UNKNOWN
-            : new RangeEstimate(
-                byFoot.range() * settings.sawhorseWidthM() / widthM, 0.3 * byFoot.range());
-    RangeEstimate range = byFoot.with(bySize);
+      ColourPatch patch, double middle, CameraFrame frame, GroundView view) {
+    RangeEstimate range = byEdge(patch, middle, settings.sawhorseClearM(), 0.0, frame, view);
+    double widthM = 2.0 * range.range() * Math.tan(0.5 * viewRad(patch, view));
+    if (!range.isKnown()
+        || range.range() > settings.farthestM()
+        || widthM > STOUT * settings.sawhorseWidthM()) {
+      return Optional.empty();
+    }
     return place(
         ObjectKind.SAWHORSE,
         patch,
@@ -168,6 +204,19 @@ public final class ObjectFinder {
         0.7,
         middle,
         view);
+  }
+
+  /** A flag down to the ground: its pole is bright and thin like paint, and is none. */
+  private ColourPatch withPole(ColourPatch cloth) {
+    double down = cloth.height() * (settings.flagTopM() / settings.flagClothM() - 1.0);
+    int side = cloth.width() / 3; // the pole stands at either side of the cloth
+    return new ColourPatch(
+        cloth.colour(),
+        cloth.left() - side,
+        cloth.top(),
+        cloth.right() + side,
+        cloth.bottom() + (int) Math.ceil(1.3 * down),
+        cloth.count());
   }
 
   private Optional<SeenObject> flag(ColourPatch patch, CameraFrame frame, GroundView view) {
@@ -246,22 +295,34 @@ public final class ObjectFinder {
             });
   }
 
-  /** The distance of the ground at its lower edge. */
-  private RangeEstimate byFoot(
-      ColourPatch patch, double middle, CameraFrame frame, GroundView view) {
+  /**
+   * The distance of its middle by its lower edge.
+   *
+   * @param edgeM height of that edge above the ground [m]
+   * @param behindM how far behind the edge the middle is [m]
+   */
+  private RangeEstimate byEdge(
+      ColourPatch patch,
+      double middle,
+      double edgeM,
+      double behindM,
+      CameraFrame frame,
+      GroundView view) {
     if (patch.bottom() >= frame.height() - BORDER_PX) {
       return RangeEstimate.UNKNOWN; // it goes on below the picture
     }
-    return view.ground(middle, patch.bottom() + 0.5)
-        .map(foot -> range(foot, view.camera()))
-        .map(range -> new RangeEstimate(range, footSigma(range, view)))
+    double edgeRad = Math.hypot(EDGE_PX / view.lens().pinhole().focalY(), sigma.tiltRad());
+    double clearance = Math.max(0.1, view.heightM() - edgeM);
+    return view.atHeight(middle, patch.bottom() + 0.5, edgeM)
+        .map(edge -> range(edge, view.camera()))
+        .map(
+            range ->
+                new RangeEstimate(
+                    range + behindM,
+                    Math.hypot(
+                        edgeRad * (range * range + clearance * clearance) / clearance,
+                        EDGE_M * range / clearance)))
         .orElse(RangeEstimate.UNKNOWN);
-  }
-
-  private double footSigma(double range, GroundView view) {
-    double edge = EDGE_PX / view.lens().pinhole().focalY();
-    double height = view.heightM();
-    return Math.hypot(edge, sigma.tiltRad()) * (range * range + height * height) / height;
   }
 
   private static RangeEstimate bySize(double sizeM, double viewRad, int pixels) {
