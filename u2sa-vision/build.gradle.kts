@@ -6,11 +6,10 @@ description = "Perception: what a camera and a laser see, as objects on the grou
 
 dependencies {
     api(project(":u2sa-abstract"))
-    // EJML is ours, and maps of primitives are for recognition that nobody does here.
+    // EJML is ours, which is newer.
     api(libs.boofcv.recognition) {
         exclude(group = "org.ejml")
-        exclude(group = "net.sf.trove4j", module = "trove4j")
     }
-    api(libs.ejml)
+    api(libs.ejml.simple)
     testImplementation(testFixtures(project(":u2sa-abstract")))
 }

@@ -115,8 +115,7 @@ final class SightScore {
         counts[2]++;
         Point best = null;
         for (Point place : there) {
-          best =
-              best == null || place.distanceTo(point) < best.distanceTo(point) ? place : best;
+          best = best == null || place.distanceTo(point) < best.distanceTo(point) ? place : best;
         }
         if (best != null && flat(best, point) <= objectTolerance(best)) {
           counts[3]++;

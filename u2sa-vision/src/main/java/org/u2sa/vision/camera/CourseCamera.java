@@ -8,6 +8,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.vision.camera.CourseSight.Seen;
+import org.u2sa.vision.ground.AttitudeHistory;
 
 /**
  * Sees white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In:

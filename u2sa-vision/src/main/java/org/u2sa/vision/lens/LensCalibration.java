@@ -120,6 +120,9 @@ public record LensCalibration(
       Spot seen = distorted(x, y);
       double offX = seen.x() - wantedX;
       double offY = seen.y() - wantedY;
+      if (Math.abs(offX) + Math.abs(offY) < SMALLEST) {
+        break;
+      }
       double r2 = x * x + y * y;
       double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
       double slope = 2.0 * (k1 + r2 * (2.0 * k2 + 3.0 * r2 * k3)); // of radial by x²/2 or y²/2

@@ -1,11 +1,11 @@
-package org.u2sa.vision.camera;
+package org.u2sa.vision.ground;
 
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /** How the vehicle stood lately, so that a picture is seen from where it was taken. */
-final class AttitudeHistory {
+public final class AttitudeHistory {
   private static final int LENGTH = 64;
   private static final long STALE_MICROS = Clock.micros(1.0);
 
@@ -15,7 +15,7 @@ final class AttitudeHistory {
   private int count;
 
   /** Takes a state; one without time, roll and pitch, or older than the last, says nothing. */
-  void add(StateInformation state) {
+  public void add(StateInformation state) {
     if (!state.timestamp().isPresent()
         || state.referenceFrame().isBody()
         || !state.phi().isPresent()
@@ -34,12 +34,12 @@ final class AttitudeHistory {
   }
 
   /** Right side down [rad]; 0 if nothing is known of that time. */
-  double roll(long atMicros) {
+  public double roll(long atMicros) {
     return at(rolls, atMicros);
   }
 
   /** Front up [rad]; 0 if nothing is known of that time. */
-  double pitch(long atMicros) {
+  public double pitch(long atMicros) {
     return at(pitches, atMicros);
   }
 
