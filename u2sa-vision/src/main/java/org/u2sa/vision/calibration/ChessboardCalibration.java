@@ -11,6 +11,7 @@ import boofcv.struct.geo.PointIndex2D_F64;
 import boofcv.struct.image.GrayF32;
 import java.util.ArrayList;
 import java.util.List;
+import org.ejml.data.DMatrixRMaj;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraFrame.Intrinsics;
 import org.u2sa.device.CameraFrame.PixelFormat;
@@ -29,6 +30,8 @@ public final class ChessboardCalibration {
 
   private static final int RADIAL = 2; // k1, k2: a third is ill determined by a few pictures
   private static final double LARGEST_ERROR_PX = 3.0;
+  private static final double LEAST_TILT =
+      Math.toRadians(10.0); // between two pictures of the board
   private static final double HALF = 0.5; // BoofCV's 0 is the first pixel's edge, ours its middle
 
   private final Chessboard board;
@@ -122,6 +125,9 @@ public final class ChessboardCalibration {
     } catch (RuntimeException e) { // BoofCV's own word for views that determine nothing
       throw new BadInputException(undetermined(), e);
     }
+    if (tilt(calibrator) < LEAST_TILT) {
+      throw new BadInputException(undetermined());
+    }
     double error = rootMeanSquare(calibrator.getErrors());
     boolean isPossible = brown.fx > 0.0 && brown.fy > 0.0 && error < LARGEST_ERROR_PX;
     if (!isPossible || !Double.isFinite(brown.fx + brown.fy + brown.cx + brown.cy)) {
@@ -145,6 +151,23 @@ public final class ChessboardCalibration {
   private static String undetermined() {
     return "the pictures do not determine the camera: show the board tilted in several ways, near "
         + "the corners of the picture too";
+  }
+
+  /** Largest angle between the boards of two pictures [rad]: parallel boards determine nothing. */
+  private double tilt(CalibrateMonoPlanar calibrator) {
+    double least = 1.0; // cosine
+    for (int i = 0; i < boards(); i++) {
+      for (int k = 0; k < i; k++) {
+        DMatrixRMaj a = calibrator.getTargetToView(i).getR();
+        DMatrixRMaj b = calibrator.getTargetToView(k).getR();
+        double cosine = 0.0;
+        for (int row = 0; row < 3; row++) {
+          cosine += a.get(row, 2) * b.get(row, 2); // of the boards' normals
+        }
+        least = Math.min(least, cosine);
+      }
+    }
+    return Math.acos(Math.max(-1.0, Math.min(1.0, least)));
   }
 
   private static double rootMeanSquare(List<ImageResults> errors) {

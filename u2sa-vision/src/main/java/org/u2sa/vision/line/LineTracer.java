@@ -124,25 +124,26 @@ final class LineTracer {
     double hereY = y;
     double toX = dx;
     double toY = dy;
-    List<double[]> bridge = new ArrayList<>();
+    List<double[]> bridge = new ArrayList<>(); // steps without paint since the last with it
     while (bridge.size() <= mostMissed) {
       double nextX = hereX + step * toX;
       double nextY = hereY + step * toY;
-      double reach = (1.0 + 0.5 * bridge.size()) * WINDOW_M / area.cellM();
-      if (centre(nextX, nextY, Math.min(reach, 2.5 * WINDOW_M / area.cellM())) < leastWeight) {
-        bridge.add(new double[] {nextX, nextY});
-        hereX = nextX;
-        hereY = nextY;
-        continue;
-      }
+      double reach = Math.min(1.0 + 0.5 * bridge.size(), 2.5) * WINDOW_M / area.cellM();
+      boolean isPaint = centre(nextX, nextY, reach) >= leastWeight;
       double foundX = middleX;
       double foundY = middleY;
       double[] anchor = last ? chain.getLast() : chain.getFirst();
       double wayX = foundX - anchor[0];
       double wayY = foundY - anchor[1];
       double way = Math.hypot(wayX, wayY);
-      boolean isAhead = way > 0.3 * step && (wayX * toX + wayY * toY) / way >= SHARPEST;
-      if (!isAhead || wasHere(chain, foundX, foundY, step)) {
+      boolean isAhead = way > 0.4 * step && (wayX * toX + wayY * toY) / way >= SHARPEST;
+      if (!isPaint || !isAhead) { // nothing, or the end of what has been followed already
+        bridge.add(new double[] {nextX, nextY});
+        hereX = nextX;
+        hereY = nextY;
+        continue;
+      }
+      if (wasHere(chain, foundX, foundY, step)) {
         return;
       }
       if (direction(foundX, foundY)) {

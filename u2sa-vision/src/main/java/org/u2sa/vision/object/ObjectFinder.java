@@ -25,7 +25,7 @@ public final class ObjectFinder {
   private static final double SLIM = 0.55; // of a barrel's width
   private static final double STOUT = 1.6;
   private static final double SQUAT = 0.7; // of its width: a trestle is not as high as wide
-  private static final double SOLID = 0.48; // least orange of a row of barrels: a trestle has less
+  private static final double SOLID = 0.53; // least orange of a row of barrels: a trestle has less
   private static final double LOW = 0.35; // of a barrel's height
   private static final double EDGE_M = 0.03; // error of an edge's height above the ground
   private static final double LARGEST_FLAG = 0.3; // of the picture's height

@@ -11,7 +11,7 @@ import org.u2sa.vision.ground.GroundView;
 
 /**
  * Pictures with a known truth: grass, paint and upright things on a level ground, drawn pixel by
- * pixel with four rays each. Places are LEVEL.
+ * pixel with two rays each. Places are LEVEL.
  */
 public final class PaintedScene {
   private static final int[] GRASS = {88, 112, 62};
@@ -130,11 +130,10 @@ public final class PaintedScene {
     for (int row = 0; row < height; row++) {
       for (int column = 0; column < width; column++) {
         double[] sum = new double[3];
-        for (int part = 0; part < 4; part++) {
-          int[] colour =
-              colour(view, column - 0.25 + 0.5 * (part % 2), row - 0.25 + 0.5 * (part / 2));
+        for (int part = 0; part < 2; part++) {
+          int[] colour = colour(view, column - 0.25 + 0.5 * part, row - 0.25 + 0.5 * part);
           for (int k = 0; k < 3; k++) {
-            sum[k] += 0.25 * colour[k];
+            sum[k] += 0.5 * colour[k];
           }
         }
         int at = row * width + column;
