@@ -59,8 +59,16 @@ class CameraCommandTest {
     Path file = saved(lawn(), "lawn.png");
     // Focal length 277 px (60 deg): the horizon, 20 px above the middle, is 4.1 deg above the axis.
     int code =
-        u2sa("camera", "look", file.toString(), "--height", "1.1", "--down", "4.1",
-            "--out", folder.resolve("seen").toString());
+        u2sa(
+            "camera",
+            "look",
+            file.toString(),
+            "--height",
+            "1.1",
+            "--down",
+            "4.1",
+            "--out",
+            folder.resolve("seen").toString());
     assertThat(err.toString()).isEmpty();
     assertThat(code).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("white line").contains("not calibrated");

@@ -112,6 +112,9 @@ final class SightScore {
       }
       for (int i = 0; i < told.size(); i++) {
         Point point = told.get(i);
+        if (point.distance() > objectsM) {
+          continue;
+        }
         counts[2]++;
         Point best = null;
         for (Point place : there) {
@@ -138,7 +141,7 @@ final class SightScore {
   }
 
   private static double objectTolerance(Point place) {
-    return Math.max(0.5, 0.15 * place.distance());
+    return Math.max(0.5, 0.20 * place.distance());
   }
 
   private static double tolerance(Point point) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.BiPredicate;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.messages.frame.Point;
@@ -237,7 +238,9 @@ public final class ObjectFinder {
             Math.hypot(edge, sigma.tiltRad())
                 * (lowRange * lowRange + clearance * clearance)
                 / Math.max(0.05, Math.abs(clearance)));
-    double viewRad = patch.height() / view.lens().pinhole().focalY();
+    double viewRad =
+        angle(view, middle, patch.top() - 0.5, middle, patch.bottom() + 0.5)
+            .orElse(patch.height() / view.lens().pinhole().focalY());
     RangeEstimate bySize = bySize(settings.flagClothM(), viewRad, patch.height());
     RangeEstimate range = bySize.with(byLow);
     double wide = 2.0 * range.range() * Math.tan(0.5 * viewRad(patch, view));
@@ -332,15 +335,22 @@ public final class ObjectFinder {
 
   private static double viewRad(ColourPatch patch, GroundView view) {
     double row = 0.5 * (patch.top() + patch.bottom());
-    Optional<Point> left = view.ray(patch.left() - 0.5, row);
-    Optional<Point> right = view.ray(patch.right() + 0.5, row);
-    if (!left.isPresent() || !right.isPresent()) {
-      return patch.width() / view.lens().pinhole().focalX();
+    return angle(view, patch.left() - 0.5, row, patch.right() + 0.5, row)
+        .orElse(patch.width() / view.lens().pinhole().focalX());
+  }
+
+  /** Between the rays of two pixels [rad]; empty where the lens shows nothing. */
+  private static OptionalDouble angle(
+      GroundView view, double column, double row, double toColumn, double toRow) {
+    Optional<Point> from = view.ray(column, row);
+    Optional<Point> to = view.ray(toColumn, toRow);
+    if (!from.isPresent() || !to.isPresent()) {
+      return OptionalDouble.empty();
     }
-    Point a = left.get();
-    Point b = right.get();
+    Point a = from.get();
+    Point b = to.get();
     double cosine = (a.x() * b.x() + a.y() * b.y() + a.z() * b.z()) / (a.distance() * b.distance());
-    return Math.acos(Math.max(-1.0, Math.min(1.0, cosine)));
+    return OptionalDouble.of(Math.acos(Math.max(-1.0, Math.min(1.0, cosine))));
   }
 
   private static double range(Point level, Point camera) {
