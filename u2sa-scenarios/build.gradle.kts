@@ -6,6 +6,7 @@ description = "Demos: vehicles and competitions with their worlds and scorers."
 
 dependencies {
     api(project(":u2sa-core"))
+    api(project(":u2sa-vision"))
     api(project(":u2sa-drivers"))
     api(project(":u2sa-sim"))
     api(project(":u2sa-gcs"))

@@ -41,6 +41,16 @@ public abstract class CameraSensor extends ExteroceptiveSensor {
     this(context, serviceName, Optional.of(camera));
   }
 
+  /**
+   * The camera that a configuration names, opened without a service, for a command; the caller
+   * closes it.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if no driver has the name
+   */
+  public static Camera open(ServiceContext context) {
+    return Devices.open(Camera.class, USUAL, context, Optional.empty());
+  }
+
   private CameraSensor(ServiceContext context, String serviceName, Optional<Camera> made) {
     super(context, serviceName, STEPS_PER_S);
     double silentAfterS = settings(Tuning.class).get().timeout();

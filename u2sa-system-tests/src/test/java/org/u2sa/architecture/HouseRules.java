@@ -44,6 +44,7 @@ final class HouseRules {
           Map.entry("testkit", List.of("messages", "interfaces", "service", "device")),
           Map.entry("core", List.of("messages", "interfaces", "service", "device")),
           Map.entry("drivers", List.of("messages", "interfaces", "service", "device")),
+          Map.entry("vision", List.of("messages", "interfaces", "service", "device")),
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
           Map.entry("gcs", List.of("messages", "interfaces", "service", "core", "recorder")),
@@ -56,6 +57,7 @@ final class HouseRules {
                   "service",
                   "device",
                   "core",
+                  "vision",
                   "drivers",
                   "recorder",
                   "sim",
@@ -64,7 +66,14 @@ final class HouseRules {
           Map.entry(
               "android",
               List.of(
-                  "messages", "interfaces", "service", "device", "core", "drivers", "recorder")));
+                  "messages",
+                  "interfaces",
+                  "service",
+                  "device",
+                  "core",
+                  "vision",
+                  "drivers",
+                  "recorder")));
 
   /** Calls that read the time of day or of the machine. */
   private static final Map<String, Set<String>> TIME_READERS =
@@ -98,6 +107,8 @@ final class HouseRules {
             "org.xml.sax..",
             "com.ctc.wstx..",
             "com.fasterxml.jackson.dataformat.xml.."));
+    rules.put(
+        "BoofCV", confined("vision.calibration", "boofcv..", "georegression..", "org.ddogleg.."));
     rules.put("SVG", confined("scenarios.report", "org.apache.batik..", "org.w3c.dom.."));
     rules.put("charts", confined("scenarios.report", "org.jfree.."));
     rules.put("no circles between packages", noCircles());

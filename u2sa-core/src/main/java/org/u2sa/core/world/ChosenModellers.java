@@ -15,6 +15,7 @@ final class ChosenModellers {
   static final String REACTIVE = "REACTIVE";
   static final String OBJECTS = "OBJECTS";
   static final String GRID = "GRID";
+  static final String LINES = "LINES";
 
   private final Map<String, Modeller> all = new LinkedHashMap<>();
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
@@ -26,6 +27,7 @@ final class ChosenModellers {
     all.put(REACTIVE, new ReactiveModeller(configuration));
     all.put(OBJECTS, new ObjectMapModeller(configuration));
     all.put(GRID, new GridModeller(configuration));
+    all.put(LINES, new LineModeller(configuration));
     for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
       all.putIfAbsent(provider.name(), provider.modeller(configuration));
     }

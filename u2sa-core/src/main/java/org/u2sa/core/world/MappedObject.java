@@ -101,13 +101,23 @@ final class MappedObject {
 
   private void see(Detection detection, long micros) {
     if (!fromFile || template == null) {
-      template = detection.object();
+      template = template == null ? detection.object() : knownAs(detection.object());
       radius = Extent.radius(template);
     }
     if (!detection.object().sensorName().isEmpty()) {
       sensorUids.put(detection.object().sensorName(), detection.object().uid());
     }
     seenMicros = Math.max(seenMicros, micros);
+  }
+
+  /** A sighting as what is known of it: a scanner says where something is, a camera what it is. */
+  private ObjectDescription knownAs(ObjectDescription newest) {
+    if (!newest.objectType().isEmpty() || template.objectType().isEmpty()) {
+      return newest;
+    }
+    ObjectDescription known = newest.copy().objectType(template.objectType());
+    template.level().filter(level -> !newest.level().isPresent()).ifPresent(known::level);
+    return known;
   }
 
   /** Takes note that a sensor looked where it is and did not see it. */

@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.time.Clock;
@@ -35,8 +36,12 @@ final class ObjectMapModeller implements Modeller {
   }
 
   @Override
-  public void objects(List<ObjectDescription> seen, Sighting sighting) {
+  public void objects(List<ObjectDescription> all, Sighting sighting) {
     ObjectMapSettings tuning = settings.get();
+    List<ObjectDescription> seen =
+        all.stream()
+            .filter(each -> !tuning.isUnmapped(each.objectType()))
+            .collect(Collectors.toList());
     List<Detection> detections = new ArrayList<>();
     for (ObjectDescription each : seen) {
       Optional<Detection> placed = Detection.of(each, sighting, tuning.defaultSigma());
@@ -46,7 +51,7 @@ final class ObjectMapModeller implements Modeller {
     sightings += seen.size();
     tracks.forEach(track -> track.predict(sighting.micros(), tuning));
     int[] match = new SightingMatch(tracks, tuning).of(detections);
-    String sensor = seen.get(0).sensorName();
+    String sensor = all.get(0).sensorName();
     Set<MappedObject> hit = new HashSet<>();
     for (int i = 0; i < match.length; i++) {
       if (match[i] != SightingMatch.NONE) {

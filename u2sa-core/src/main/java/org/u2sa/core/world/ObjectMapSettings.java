@@ -8,6 +8,11 @@ import org.u2sa.interfaces.configuration.Variable;
 /** The variables of the {@link ObjectMapModeller}. */
 record ObjectMapSettings(
     @Variable(
+            ifAbsentText = "",
+            text =
+                "OBJECTS: types that other modellers keep, such as painted lines, separated by commas: they are not mapped.")
+        String unmappedTypes,
+    @Variable(
             unit = "m",
             min = 0.001,
             max = 10_000,
@@ -156,6 +161,10 @@ record ObjectMapSettings(
   /** Whether a scanner would see an object of that type. */
   boolean scannerSees(String type) {
     return names(scannersSee, type);
+  }
+
+  boolean isUnmapped(String type) {
+    return names(unmappedTypes, type);
   }
 
   private static boolean names(String list, String type) {

@@ -8,7 +8,7 @@ record WorldSettings(
     @Variable(
             ifAbsentText = "OBJECTS, GRID",
             text =
-                "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), or an extension's.")
+                "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), LINES (painted lines), or an extension's.")
         String modellers,
     @Variable(
             ifAbsentText = "",

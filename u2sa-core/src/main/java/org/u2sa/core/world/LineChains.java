@@ -1,0 +1,268 @@
+package org.u2sa.core.world;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+
+/** Beads strung to lines, and what is missing between their ends. Metres from the map's anchor. */
+final class LineChains {
+  private static final double LINK_M = 0.5; // longest step from bead to bead
+  private static final double ASIDE = 0.7; // sine of the angle by which a step may leave the line
+  private static final double SHORTEST_M = 0.5; // what is shorter is no line
+  private static final double TANGENT_M = 0.8; // of an end: over which its direction is measured
+  private static final double FACING = Math.cos(Math.toRadians(50.0));
+  private static final double CURVE_STEP_M = 0.3;
+
+  private final List<List<Point>> lines;
+  private final double laneWidthM;
+
+  /** An end of a line, and where it points to. */
+  private record End(List<Point> line, Point at, Point before, double dx, double dy) {}
+
+  private record Join(End one, End other, double cost) {}
+
+  private LineChains(List<List<Point>> lines, double laneWidthM) {
+    this.lines = lines;
+    this.laneWidthM = laneWidthM;
+  }
+
+  static LineChains of(List<LineBeads.Bead> beads, double laneWidthM) {
+    int[][] next = new int[beads.size()][];
+    Neighbours near = new Neighbours(beads);
+    for (int i = 0; i < next.length; i++) {
+      next[i] = new int[] {near.step(i, 1.0), near.step(i, -1.0)};
+    }
+    boolean[] strung = new boolean[next.length];
+    List<List<Point>> lines = new ArrayList<>();
+    for (int i = 0; i < next.length; i++) {
+      if (!strung[i]) {
+        List<Point> line = string(i, beads, next, strung);
+        if (lengthM(line) >= SHORTEST_M) {
+          lines.add(line);
+        }
+      }
+    }
+    return new LineChains(lines, laneWidthM);
+  }
+
+  /** From a bead to both sides as far as beads name each other. */
+  private static List<Point> string(
+      int from, List<LineBeads.Bead> beads, int[][] next, boolean[] strung) {
+    List<Point> line = new ArrayList<>();
+    strung[from] = true;
+    line.add(place(beads.get(from)));
+    for (int way = 0; way < 2; way++) {
+      int before = from;
+      int at = next[from][way];
+      while (at >= 0 && !strung[at] && (next[at][0] == before || next[at][1] == before)) {
+        strung[at] = true;
+        line.add(place(beads.get(at)));
+        int on = next[at][0] == before ? next[at][1] : next[at][0];
+        before = at;
+        at = on;
+      }
+      Collections.reverse(line);
+    }
+    return line;
+  }
+
+  private static Point place(LineBeads.Bead bead) {
+    return Point.of(bead.x, bead.y, 0.0);
+  }
+
+  private static double lengthM(List<Point> line) {
+    double length = 0.0;
+    for (int i = 1; i < line.size(); i++) {
+      length += metres(line.get(i - 1), line.get(i));
+    }
+    return length;
+  }
+
+  private static double metres(Point a, Point b) {
+    return Math.hypot(a.x() - b.x(), a.y() - b.y());
+  }
+
+  /** What was seen. */
+  List<List<Point>> lines() {
+    return lines;
+  }
+
+  /** What closes gaps between ends that face each other, and what goes on beyond other ends. */
+  List<List<Point>> gaps(double longestM, double extensionM) {
+    List<End> ends = new ArrayList<>();
+    for (List<Point> line : lines) {
+      ends.add(end(line, false));
+      ends.add(end(line, true));
+    }
+    List<Join> joins = new ArrayList<>();
+    for (int i = 0; i < ends.size(); i++) {
+      for (int k = i + 1; k < ends.size(); k++) {
+        if (ends.get(i).line() != ends.get(k).line()) {
+          join(ends.get(i), ends.get(k), longestM, joins);
+        }
+      }
+    }
+    joins.sort(Comparator.comparingDouble(Join::cost)); // stable
+    List<List<Point>> gaps = new ArrayList<>();
+    for (Join join : joins) {
+      if (ends.contains(join.one) && ends.contains(join.other)) {
+        ends.remove(join.one);
+        ends.remove(join.other);
+        gaps.add(curve(join.one, join.other));
+      }
+    }
+    for (End end : ends) {
+      List<Point> extension = extension(end, extensionM);
+      if (extension.size() > 1) {
+        gaps.add(extension);
+      }
+    }
+    return gaps;
+  }
+
+  private static End end(List<Point> line, boolean last) {
+    int at = last ? line.size() - 1 : 0;
+    int step = last ? -1 : 1;
+    int inner = at;
+    double gone = 0.0;
+    while (gone < TANGENT_M && inner + step >= 0 && inner + step < line.size()) {
+      gone += metres(line.get(inner), line.get(inner + step));
+      inner += step;
+    }
+    Point end = line.get(at);
+    Point before = line.get(inner);
+    double length = Math.max(1.0e-9, metres(end, before));
+    return new End(
+        line, end, before, (end.x() - before.x()) / length, (end.y() - before.y()) / length);
+  }
+
+  private static void join(End a, End b, double longestM, List<Join> joins) {
+    double gap = metres(a.at(), b.at());
+    if (gap > longestM) {
+      return;
+    }
+    double x = (b.at().x() - a.at().x()) / Math.max(1.0e-9, gap);
+    double y = (b.at().y() - a.at().y()) / Math.max(1.0e-9, gap);
+    double fromA = x * a.dx() + y * a.dy();
+    double fromB = -x * b.dx() - y * b.dy();
+    boolean near = gap < LINK_M;
+    if (near ? fromA > -ASIDE && fromB > -ASIDE : fromA > FACING && fromB > FACING) {
+      joins.add(new Join(a, b, gap * (1.0 + 4.0 * (2.0 - fromA - fromB))));
+    }
+  }
+
+  /** A cubic Hermite curve that leaves one end and arrives at the other as they point. */
+  private static List<Point> curve(End a, End b) {
+    double gap = metres(a.at(), b.at());
+    int steps = Math.max(1, (int) Math.ceil(gap / CURVE_STEP_M));
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i <= steps; i++) {
+      double t = (double) i / steps;
+      double h10 = t * (1.0 - t) * (1.0 - t) * gap;
+      double h11 = t * t * (t - 1.0) * gap;
+      double h01 = t * t * (3.0 - 2.0 * t);
+      points.add(
+          Point.of(
+              a.at().x() + h01 * (b.at().x() - a.at().x()) + h10 * a.dx() - h11 * b.dx(),
+              a.at().y() + h01 * (b.at().y() - a.at().y()) + h10 * a.dy() - h11 * b.dy(),
+              0.0));
+    }
+    return points;
+  }
+
+  /** On with the curvature that the end has, until another line is near. */
+  private List<Point> extension(End end, double lengthM) {
+    List<Point> points = new ArrayList<>(List.of(end.at()));
+    double bend = bend(end);
+    double heading = Math.atan2(end.dy(), end.dx()) + 0.5 * bend * TANGENT_M;
+    Point at = end.at();
+    for (double gone = 0.0; gone < lengthM - 1.0e-9; gone += CURVE_STEP_M) {
+      double step = Math.min(CURVE_STEP_M, lengthM - gone);
+      heading += bend * step;
+      at = Point.of(at.x() + step * Math.cos(heading), at.y() + step * Math.sin(heading), 0.0);
+      if (isNearOther(at, end.line())) {
+        break;
+      }
+      points.add(at);
+    }
+    return points;
+  }
+
+  /** Curvature at an end [1/m], anticlockwise positive on the way out; bounded. */
+  private static double bend(End end) {
+    double most = 0.5;
+    int size = end.line().size();
+    boolean last = end.at() == end.line().get(size - 1);
+    int far = Math.min(size - 1, (int) Math.round(2.0 * TANGENT_M / LineBeads.STEP_M));
+    int middle = far / 2;
+    if (middle < 2) {
+      return 0.0;
+    }
+    Point a = end.line().get(last ? size - 1 - far : far);
+    Point b = end.line().get(last ? size - 1 - middle : middle);
+    Point c = end.at();
+    double first = Math.atan2(b.y() - a.y(), b.x() - a.x());
+    double second = Math.atan2(c.y() - b.y(), c.x() - b.x());
+    double turned = Math.IEEEremainder(second - first, 2.0 * Math.PI);
+    double way = 0.5 * (metres(a, b) + metres(b, c));
+    return Math.max(-most, Math.min(most, turned / Math.max(0.1, way)));
+  }
+
+  private boolean isNearOther(Point at, List<Point> own) {
+    for (List<Point> line : lines) {
+      for (int i = 0; line != own && i < line.size(); i++) {
+        if (metres(at, line.get(i)) < laneWidthM) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** Finds the next bead along a line. */
+  private static final class Neighbours {
+    private final List<LineBeads.Bead> beads;
+    private final Integer[] byX;
+    private final int[] rank;
+
+    Neighbours(List<LineBeads.Bead> beads) {
+      this.beads = beads;
+      byX = new Integer[beads.size()];
+      rank = new int[beads.size()];
+      Arrays.setAll(byX, i -> i);
+      Arrays.sort(byX, Comparator.comparingDouble((Integer i) -> beads.get(i).x));
+      for (int i = 0; i < byX.length; i++) {
+        rank[byX[i]] = i;
+      }
+    }
+
+    /** The nearest bead ahead (1) or behind (-1) that may follow it; −1 if there is none. */
+    int step(int from, double sign) {
+      LineBeads.Bead bead = beads.get(from);
+      int best = -1;
+      double nearest = LINK_M;
+      for (int way = -1; way <= 1; way += 2) {
+        for (int k = rank[from] + way; k >= 0 && k < byX.length; k += way) {
+          LineBeads.Bead other = beads.get(byX[k]);
+          double x = other.x - bead.x;
+          double y = other.y - bead.y;
+          if (Math.abs(x) > nearest) {
+            break;
+          }
+          double away = Math.hypot(x, y);
+          double along = sign * (x * bead.dx + y * bead.dy);
+          double across = Math.abs(x * bead.dy - y * bead.dx);
+          boolean parallel = Math.abs(bead.dx * other.dx + bead.dy * other.dy) > ASIDE;
+          if (parallel && along > 0.02 && across <= ASIDE * away && away < nearest) {
+            best = byX[k];
+            nearest = away;
+          }
+        }
+      }
+      return best;
+    }
+  }
+}

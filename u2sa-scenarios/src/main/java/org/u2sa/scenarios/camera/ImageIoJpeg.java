@@ -1,0 +1,23 @@
+package org.u2sa.scenarios.camera;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.vision.picture.JpegDecoder;
+
+/** Unpacks JPEG pictures by the JDK's own reader. */
+public final class ImageIoJpeg implements JpegDecoder {
+  @Override
+  public CameraFrame decode(CameraFrame jpeg) {
+    try {
+      return CameraPicture.frame(
+          "a JPEG picture",
+          new ByteArrayInputStream(jpeg.pixels()),
+          jpeg.measuredAtMicros(),
+          jpeg.intrinsics());
+    } catch (IOException e) {
+      throw new BadInputException("a JPEG picture cannot be unpacked: " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package org.u2sa.sim.camera;
+
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/** Where a camera is at one moment, and how its axes lie in the world: east, north, up. Reused. */
+final class CameraPose {
+  private final ColourLens lens;
+  private final Point ahead; // the camera's axes in those of the vehicle: forward, right, down
+  private final Point down;
+  private final Point mounted;
+  float x;
+  float y;
+  float z;
+  final float[] right = new float[3];
+  final float[] below = new float[3];
+  final float[] axis = new float[3];
+
+  CameraPose(ColourLens lens) {
+    this.lens = lens;
+    double sin = StrictMath.sin(lens.downRad());
+    double cos = StrictMath.cos(lens.downRad());
+    ahead = Point.of(cos, 0.0, sin);
+    down = Point.of(-sin, 0.0, cos);
+    mounted = Point.of(lens.forwardM(), -lens.leftM(), -lens.upM());
+  }
+
+  /** Takes where the vehicle will be a little later. */
+  void at(VehicleTruth truth, double laterS) {
+    Attitude now = truth.attitude();
+    Point turning = now.eulerRates(truth.rates());
+    Rotation ned =
+        new Attitude(
+                now.phi() + laterS * turning.x(),
+                now.theta() + laterS * turning.y(),
+                now.psi() + laterS * turning.z())
+            .nedFromFrd();
+    Point place = ned.times(mounted);
+    x = (float) (truth.position().x() + laterS * truth.velocity().x() + place.y());
+    y = (float) (truth.position().y() + laterS * truth.velocity().y() + place.x());
+    z = (float) (truth.position().z() + laterS * truth.velocity().z() - place.z());
+    enu(ned.times(Point.of(0.0, 1.0, 0.0)), right);
+    enu(ned.times(down), below);
+    enu(ned.times(ahead), axis);
+  }
+
+  private static void enu(Point ned, float[] into) {
+    into[0] = (float) ned.y();
+    into[1] = (float) ned.x();
+    into[2] = (float) -ned.z();
+  }
+
+  /** When a row is exposed, after the first [s]. */
+  double rowS(int row) {
+    return lens.readoutS() * row / (lens.height() - 1);
+  }
+}

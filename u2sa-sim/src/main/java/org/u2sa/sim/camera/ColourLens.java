@@ -1,0 +1,87 @@
+package org.u2sa.sim.camera;
+
+import org.u2sa.device.CameraFrame.Intrinsics;
+import org.u2sa.sim.motion.Arguments;
+
+/**
+ * A colour camera and where it is on its vehicle. Without distortion: pictures are those of the
+ * pinhole that {@link #intrinsics} describes, unless {@code k1} or {@code k2} is set.
+ *
+ * @param rateHz frames a second
+ * @param width pixels of a row
+ * @param height rows
+ * @param viewRad angle from the left edge to the right one without distortion [rad]
+ * @param k1 radial distortion: a point at r from the axis is seen at r (1 + k1 r² + k2 r⁴), r by
+ *     the focal length (Brown 1966)
+ * @param k2 see k1
+ * @param exposureS how long each row is exposed [s]
+ * @param readoutS from the first row's exposure to the last one's: rolling shutter [s]
+ * @param sigma standard deviation of a mid-grey pixel's noise, of white
+ * @param blurPixels radius of the lens's blur: 0 sharp, 1 soft
+ * @param forwardM place ahead of the vehicle's reference point [m]
+ * @param leftM place to the left of it [m]
+ * @param upM height above it [m]
+ * @param downRad how far its axis looks below straight ahead [rad]
+ */
+public record ColourLens(
+    double rateHz,
+    int width,
+    int height,
+    double viewRad,
+    double k1,
+    double k2,
+    double exposureS,
+    double readoutS,
+    double sigma,
+    double blurPixels,
+    double forwardM,
+    double leftM,
+    double upM,
+    double downRad) {
+  /**
+   * @throws IllegalArgumentException if a value is outside its range
+   */
+  public ColourLens {
+    Arguments.requireInside("width", width, 2.0, 10_000.0);
+    Arguments.requireInside("height", height, 2.0, 10_000.0);
+    Arguments.requireInside("angle of view", viewRad, 0.01, 3.0);
+    Arguments.requireInside("distortion k1", k1, -0.5, 0.5);
+    Arguments.requireInside("distortion k2", k2, -0.5, 0.5);
+    Arguments.requireInside("exposure", exposureS, 0.0, 1.0);
+    Arguments.requireInside("readout", readoutS, 0.0, 1.0);
+    Arguments.requireInside("noise of a pixel", sigma, 0.0, 1.0);
+    Arguments.requireInside("blur", blurPixels, 0.0, 3.0);
+    Arguments.requireInside("camera forward", forwardM, -100.0, 100.0);
+    Arguments.requireInside("camera left", leftM, -100.0, 100.0);
+    Arguments.requireInside("camera up", upM, 0.05, 1000.0);
+    Arguments.requireInside("camera down", downRad, -1.57, 1.57);
+  }
+
+  /**
+   * A wide webcam of 640 × 480 on a mast: 100° of view, 1.1 m above the driven axle, looking down
+   * by 22°.
+   */
+  public static ColourLens mast() {
+    return new ColourLens(
+        10.0,
+        640,
+        480,
+        Math.toRadians(100.0),
+        0.0,
+        0.0,
+        0.004,
+        0.025,
+        0.012,
+        0.6,
+        0.1,
+        0.0,
+        1.1,
+        Math.toRadians(22.0));
+  }
+
+  /** Pixels are square, the axis is in the middle. */
+  public Intrinsics intrinsics() {
+    double focal = 0.5 * width / StrictMath.tan(0.5 * viewRad);
+    return new Intrinsics(focal, focal, 0.5 * (width - 1), 0.5 * (height - 1));
+  }
+}

@@ -1,0 +1,27 @@
+package org.u2sa.sim.camera;
+
+/**
+ * Something that stands on the ground, as a camera's rays meet it. World axes: east, north, up [m].
+ */
+interface Solid {
+  /** Where a ray meets it. Reused from ray to ray. */
+  final class Touch {
+    int colour;
+    float nx; // of the surface, outwards
+    float ny;
+    float nz;
+  }
+
+  /** Centre and radius of a ball around it: east, north, up, radius [m]. */
+  float[] ball();
+
+  /**
+   * Distance along a ray to it, in lengths of its direction; infinite if they do not meet.
+   *
+   * @param touch takes what is there
+   */
+  float meets(float x, float y, float z, float dx, float dy, float dz, Touch touch);
+
+  /** What it hides of the sun: an outline on the ground, x and y in turn, convex. */
+  double[] shadow(double sunX, double sunY, double sunZ);
+}

@@ -1,0 +1,42 @@
+package org.u2sa.sim.device;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.device.Camera;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.sim.camera.ColourLens;
+import org.u2sa.sim.camera.Renderer;
+import org.u2sa.sim.camera.Scenery;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/** A camera whose pictures are rendered, in RGB24. */
+public final class SimulatedColourCamera extends SimulatedDevice<CameraFrame> implements Camera {
+  private final ColourLens lens;
+  private final Renderer renderer;
+  private final Supplier<VehicleTruth> truth;
+
+  /**
+   * Takes the stream {@code camera}.
+   *
+   * @param truth of the camera's vehicle, now
+   */
+  public SimulatedColourCamera(
+      ColourLens lens, Scenery scenery, NoiseStreams streams, Supplier<VehicleTruth> truth) {
+    super(lens.rateHz(), 0.0);
+    this.lens = lens;
+    this.truth = truth;
+    renderer = new Renderer(lens, scenery, streams);
+  }
+
+  @Override
+  CameraFrame measure(double timeS, long measuredAtMicros) {
+    return new CameraFrame(
+        measuredAtMicros,
+        lens.width(),
+        lens.height(),
+        CameraFrame.PixelFormat.RGB24,
+        renderer.picture(truth.get()),
+        Optional.of(lens.intrinsics()));
+  }
+}

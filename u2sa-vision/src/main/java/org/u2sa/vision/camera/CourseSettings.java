@@ -1,0 +1,187 @@
+package org.u2sa.vision.camera;
+
+import org.u2sa.interfaces.configuration.Variable;
+
+/** What a {@link CourseCamera} looks for, and how. */
+public record CourseSettings(
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Calibration file of the camera, relative to the configuration file (u2sa camera calibrate); empty: the geometry that the camera states, or ANGLE OF VIEW.")
+        String calibration,
+    @Variable(
+            unit = "rad",
+            min = 0.17,
+            max = 2.8,
+            ifAbsent = 1.05,
+            text =
+                "Angle from the left edge of the picture to the right one, for a camera that neither is calibrated nor states its geometry.")
+        double angleOfView,
+    @Variable(
+            unit = "m",
+            min = -10,
+            max = 10,
+            ifAbsent = 0,
+            text = "How far below the vehicle's reference point the ground is.")
+        double groundBelow,
+    @Variable(
+            ifAbsentText = "true",
+            text =
+                "Whether the ground is level and the vehicle rolls and pitches on it; otherwise the ground tilts with the vehicle.")
+        boolean levelGround,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 50,
+            ifAbsent = 0.5,
+            text = "Nearest ground looked at, ahead of the reference point.")
+        double nearest,
+    @Variable(
+            unit = "m",
+            min = 1,
+            max = 50,
+            ifAbsent = 7,
+            text = "Farthest ground looked at for paint.")
+        double farthest,
+    @Variable(
+            unit = "m",
+            min = 0.5,
+            max = 50,
+            ifAbsent = 4,
+            text = "Ground looked at for paint, to each side.")
+        double toEachSide,
+    @Variable(
+            unit = "m",
+            min = 0.02,
+            max = 0.5,
+            ifAbsent = 0.0762,
+            text = "Width of painted lines.")
+        double lineWidth,
+    @Variable(
+            min = 0.02,
+            max = 3,
+            ifAbsent = 0.16,
+            text =
+                "How much brighter than the ground on both sides paint is at least: 0.16 is 16 %.")
+        double contrast,
+    @Variable(
+            min = 1,
+            max = 20,
+            ifAbsent = 3.5,
+            text = "How many standard deviations of the ground's roughness paint is brighter.")
+        double noiseFactor,
+    @Variable(
+            unit = "m",
+            min = 0.1,
+            max = 10,
+            ifAbsent = 0.6,
+            text = "Shortest line that is reported.")
+        double shortestLine,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 5,
+            ifAbsent = 0.6,
+            text = "Longest gap of worn paint that a line bridges.")
+        double longestGap,
+    @Variable(
+            unit = "m",
+            min = 0.5,
+            max = 100,
+            ifAbsent = 2,
+            text = "Longest line reported in one piece; longer ones are cut.")
+        double longestPiece,
+    @Variable(
+            unit = "m",
+            min = 0.05,
+            max = 2,
+            ifAbsent = 0.305,
+            text = "Radius of the white discs that mark potholes.")
+        double potholeRadius,
+    @Variable(unit = "m", min = 0.1, max = 3, ifAbsent = 0.6, text = "Diameter of a barrel.")
+        double barrelWidth,
+    @Variable(unit = "m", min = 0.2, max = 3, ifAbsent = 1, text = "Height of a barrel.")
+        double barrelHeight,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 1,
+            ifAbsent = 0.08,
+            text = "Height of a barrel's lowest orange above the ground.")
+        double barrelBase,
+    @Variable(
+            unit = "m",
+            min = 0.3,
+            max = 5,
+            ifAbsent = 1.2,
+            text = "Length of a sawhorse's plank.")
+        double sawhorseWidth,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 2,
+            ifAbsent = 0.3,
+            text = "Height of the lower edge of a sawhorse's lowest plank above the ground.")
+        double sawhorseClear,
+    @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.32, text = "Width of a flag's cloth.")
+        double flagWidth,
+    @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.26, text = "Height of a flag's cloth.")
+        double flagCloth,
+    @Variable(
+            unit = "m",
+            min = 0.1,
+            max = 5,
+            ifAbsent = 1,
+            text = "Height of a flag's upper edge above the ground.")
+        double flagTop,
+    @Variable(
+            unit = "m",
+            min = 1,
+            max = 100,
+            ifAbsent = 12,
+            text = "Distance beyond which no object is reported.")
+        double farthestObject,
+    @Variable(
+            min = 0.1,
+            max = 20,
+            ifAbsent = 1,
+            text = "Standard deviation of a place in the picture, in pixels.")
+        double pixelSigma,
+    @Variable(
+            unit = "rad",
+            min = 0,
+            max = 0.2,
+            ifAbsent = 0.008,
+            text = "Standard deviation of the camera's pitch and roll against the ground.")
+        double tiltSigma,
+    @Variable(
+            unit = "rad",
+            min = 0,
+            max = 0.2,
+            ifAbsent = 0.008,
+            text = "Standard deviation of the camera's direction.")
+        double yawSigma,
+    @Variable(
+            unit = "m",
+            min = 0,
+            max = 1,
+            ifAbsent = 0.02,
+            text = "Error of every place that does not depend on the distance, 1 sigma.")
+        double ownSigma) {
+  private static final double CELLS_A_LINE = 3.0;
+
+  /**
+   * @throws IllegalArgumentException if the ground looked at is empty
+   */
+  public CourseSettings {
+    if (!(farthest > nearest)) {
+      throw new IllegalArgumentException(
+          "FARTHEST, " + farthest + " m, is not beyond NEAREST, " + nearest + " m");
+    }
+  }
+
+  /** Edge of the cells that the ground is divided into: a third of a line's width [m]. */
+  double cellM() {
+    return lineWidth / CELLS_A_LINE;
+  }
+}

@@ -1,0 +1,50 @@
+package org.u2sa.vision.camera;
+
+import java.util.Optional;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.vision.lens.LensCalibration;
+
+/** Which geometry a picture is read with: the calibrated one, the camera's own, or a guess. */
+public final class LensChoice {
+  private final Optional<LensCalibration> calibrated;
+  private final double viewRad;
+  private LensCalibration last;
+
+  /**
+   * @param calibrated by a chessboard
+   * @param viewRad from left to right, if nothing else is known [rad]
+   */
+  public LensChoice(Optional<LensCalibration> calibrated, double viewRad) {
+    this.calibrated = calibrated;
+    this.viewRad = viewRad;
+  }
+
+  /**
+   * The geometry of a picture.
+   *
+   * @throws IllegalArgumentException if the calibration was made with pictures of another shape
+   */
+  public LensCalibration of(CameraFrame frame) {
+    if (calibrated.isPresent()) {
+      boolean isKnown =
+          last != null && last.width() == frame.width() && last.height() == frame.height();
+      last = isKnown ? last : calibrated.get().scaledTo(frame.width(), frame.height());
+      return last;
+    }
+    return frame
+        .intrinsics()
+        .map(pinhole -> LensCalibration.pinhole(frame.width(), frame.height(), pinhole))
+        .orElseGet(() -> LensCalibration.ofView(frame.width(), frame.height(), viewRad));
+  }
+
+  /** In a few words, for health reports. */
+  @Override
+  public String toString() {
+    return calibrated
+        .map(
+            lens ->
+                String.format(
+                    "calibrated with %d pictures, %.2f px", lens.pictures(), lens.errorPx()))
+        .orElse("not calibrated");
+  }
+}

@@ -1,0 +1,100 @@
+package org.u2sa.vision.camera;
+
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import java.util.function.Function;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.device.CameraFrame.PixelFormat;
+import org.u2sa.device.MountingPose;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.vision.camera.CourseSight.Seen;
+import org.u2sa.vision.ground.CameraMount;
+import org.u2sa.vision.lens.CalibrationFile;
+import org.u2sa.vision.lens.LensCalibration;
+import org.u2sa.vision.picture.JpegDecoder;
+
+/**
+ * Reads pictures as one configured camera takes them: unpacks them, knows lens and mounting, and
+ * makes messages of what is seen. For one thread.
+ */
+public final class PictureReading {
+  private final CourseSettings settings;
+  private final CameraMount mount;
+  private final LensChoice lenses;
+  private final CourseSight sight;
+  private final SeenMessages messages;
+  private final Optional<JpegDecoder> jpeg;
+
+  /**
+   * @param sensorName in the messages
+   * @param resolve finds a file that the configuration names
+   * @throws BadInputException if the calibration file is wrong, or the camera below the ground
+   */
+  public PictureReading(
+      CourseSettings settings,
+      MountingPose mounted,
+      String sensorName,
+      Function<String, Path> resolve) {
+    this.settings = settings;
+    mount = CameraMount.of(mounted, settings.groundBelow());
+    if (mount.heightM() <= 0.0) {
+      throw new BadInputException(
+          String.format(
+              "MOUNTED Z %.2f m, GROUND BELOW %.2f m: the camera is not above the ground",
+              mounted.z(), settings.groundBelow()));
+    }
+    Optional<LensCalibration> calibrated =
+        settings.calibration().isEmpty()
+            ? Optional.empty()
+            : Optional.of(CalibrationFile.read(resolve.apply(settings.calibration())));
+    lenses = new LensChoice(calibrated, settings.angleOfView());
+    sight = new CourseSight(settings);
+    messages = new SeenMessages(sensorName, settings.lineWidth());
+    Iterator<JpegDecoder> found = ServiceLoader.load(JpegDecoder.class).iterator();
+    jpeg = found.hasNext() ? Optional.of(found.next()) : Optional.empty();
+  }
+
+  /**
+   * What a picture shows.
+   *
+   * @param rollRad of the vehicle when it was taken, right side down positive
+   * @param pitchRad of the vehicle, front up positive
+   * @throws BadInputException if it cannot be unpacked
+   * @throws IllegalArgumentException if its shape is not that of the calibration
+   */
+  public Seen read(CameraFrame frame, double rollRad, double pitchRad) {
+    CameraFrame pixels = unpacked(frame);
+    boolean tilts = settings.levelGround();
+    return sight.look(
+        pixels, lenses.of(pixels), mount, tilts ? rollRad : 0.0, tilts ? pitchRad : 0.0);
+  }
+
+  /** What was seen as messages in BODY, of the picture's time [µs]. */
+  public List<ObjectDescription> messages(Seen seen, long micros) {
+    return messages.of(seen, sight.sigma(seen.view().lens()), micros);
+  }
+
+  /** The same picture with its pixels. */
+  public CameraFrame unpacked(CameraFrame frame) {
+    if (frame.format() != PixelFormat.JPEG) {
+      return frame;
+    }
+    return jpeg.orElseThrow(
+            () -> new BadInputException("nothing on the class path unpacks JPEG pictures"))
+        .decode(frame);
+  }
+
+  /** Finds what is seen; its view from above is that of the picture last read. */
+  public CourseSight sight() {
+    return sight;
+  }
+
+  /** Which geometry is used. */
+  public LensChoice lens() {
+    return lenses;
+  }
+}

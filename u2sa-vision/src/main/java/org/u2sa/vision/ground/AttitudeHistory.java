@@ -1,0 +1,64 @@
+package org.u2sa.vision.ground;
+
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** How the vehicle stood lately, so that a picture is seen from where it was taken. */
+public final class AttitudeHistory {
+  private static final int LENGTH = 64;
+  private static final long STALE_MICROS = Clock.micros(1.0);
+
+  private final long[] micros = new long[LENGTH];
+  private final double[] rolls = new double[LENGTH];
+  private final double[] pitches = new double[LENGTH];
+  private int count;
+
+  /** Takes a state; one without time, roll and pitch, or older than the last, says nothing. */
+  public void add(StateInformation state) {
+    if (!state.timestamp().isPresent()
+        || state.referenceFrame().isBody()
+        || !state.phi().isPresent()
+        || !state.theta().isPresent()) {
+      return;
+    }
+    long at = state.timestamp().orElseThrow();
+    if (count > 0 && at <= micros[(count - 1) % LENGTH]) {
+      return;
+    }
+    boolean isNoseDown = state.referenceFrame().equals(ReferenceFrame.LOCAL_ENU);
+    micros[count % LENGTH] = at;
+    rolls[count % LENGTH] = state.phi().getAsDouble();
+    pitches[count % LENGTH] = (isNoseDown ? -1.0 : 1.0) * state.theta().getAsDouble();
+    count++;
+  }
+
+  /** Right side down [rad]; 0 if nothing is known of that time. */
+  public double roll(long atMicros) {
+    return at(rolls, atMicros);
+  }
+
+  /** Front up [rad]; 0 if nothing is known of that time. */
+  public double pitch(long atMicros) {
+    return at(pitches, atMicros);
+  }
+
+  /** Between the two states around a time; the nearest before all and after all. */
+  private double at(double[] values, long atMicros) {
+    int oldest = Math.max(0, count - LENGTH);
+    for (int i = count - 1; i >= oldest; i--) {
+      int here = i % LENGTH;
+      if (micros[here] <= atMicros) {
+        if (i == count - 1) {
+          return atMicros - micros[here] > STALE_MICROS ? 0.0 : values[here];
+        }
+        int next = (i + 1) % LENGTH;
+        double share = (double) (atMicros - micros[here]) / (micros[next] - micros[here]);
+        return values[here] + share * (values[next] - values[here]);
+      }
+    }
+    return count == 0 || micros[oldest % LENGTH] - atMicros > STALE_MICROS
+        ? 0.0
+        : values[oldest % LENGTH];
+  }
+}

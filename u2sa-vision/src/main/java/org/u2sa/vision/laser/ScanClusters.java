@@ -1,0 +1,120 @@
+package org.u2sa.vision.laser;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.vision.ground.AttitudeHistory;
+
+/**
+ * Makes objects of the echoes of scanning range finders (thesis 4.1.1.1): what is round and of the
+ * right size as a fitted circle, anything else of limited size as the circle around its echoes. In:
+ * scans; state, for roll and pitch. Out: sensed-objects in BODY, as Circle of no known type: what
+ * it is, a camera says. The map of free space is made of the scans themselves.
+ */
+public final class ScanClusters extends EventDrivenService {
+  private static final double TIGHT = 3.0; // times the echoes' error that a circle may be off
+
+  private final ClusterSettings settings;
+  private final Clusters clusters;
+  private final AttitudeHistory attitudes = new AttitudeHistory();
+  private long scans;
+
+  /** Called by the launcher. */
+  public ScanClusters(ServiceContext context) {
+    super(context, ServiceRole.EXTEROCEPTIVE_SENSOR, "ScanClusters");
+    settings = settings(ClusterSettings.class).get();
+    clusters = new Clusters(settings);
+    registerPublisher(Channels.SENSED_OBJECTS);
+    subscribe(Channels.STATE, attitudes::add);
+    subscribe(Channels.SCANS, this::onScan);
+  }
+
+  private void onScan(RangeScan scan) {
+    if (!scan.timestamp().isPresent() || !scan.referenceFrame().equals(ReferenceFrame.BODY)) {
+      trouble("a scan of " + scan.sensorName() + " has no time, or is not in BODY");
+      return;
+    }
+    long micros = scan.timestamp().orElseThrow();
+    Rotation level = Rotation.nedFromFrd(attitudes.roll(micros), attitudes.pitch(micros), 0.0);
+    List<List<Point>> groups = clusters.of(scan, point -> isGround(point, level));
+    int number = 0;
+    for (List<Point> group : groups) {
+      Optional<Circle> object = object(group);
+      if (object.isPresent()) {
+        number++;
+        publish(Channels.SENSED_OBJECTS, named(object.get(), scan, number));
+      }
+    }
+    scans++;
+    remark("SEEN", String.format("%d scans; last %d objects", scans, number));
+  }
+
+  private boolean isGround(Point body, Rotation level) {
+    Point turned = level.times(Point.of(body.x(), -body.y(), body.z()));
+    return turned.z() > settings.groundBelow() - settings.lowest();
+  }
+
+  private static ObjectDescription named(Circle object, RangeScan scan, int number) {
+    String name =
+        scan.sensorName() + " objects"; // not the scanner's: its scans say nothing of types
+    object
+        .uid(scan.sensorName() + " object " + number)
+        .referenceFrame(ReferenceFrame.BODY)
+        .sensorName(name);
+    object.timestamp(scan.timestamp().orElseThrow());
+    return object;
+  }
+
+  private Optional<Circle> object(List<Point> group) {
+    Point first = group.get(0);
+    Point last = group.get(group.size() - 1);
+    double extent = 0.0;
+    for (Point point : group) {
+      extent = Math.max(extent, Math.max(point.distanceTo(first), point.distanceTo(last)));
+    }
+    if (group.size() < settings.fewestEchoes() || extent > settings.largest()) {
+      return Optional.empty();
+    }
+    double height = group.stream().mapToDouble(Point::z).average().orElseThrow();
+    Optional<CircleFit> fit =
+        CircleFit.of(group, settings.rangeSigma()).filter(circle -> isRound(circle, group));
+    return Optional.of(fit.isPresent() ? round(fit.get(), height) : around(group, extent, height));
+  }
+
+  /** Of a size that is looked for, near the echoes, and behind them as seen from the vehicle. */
+  private boolean isRound(CircleFit circle, List<Point> group) {
+    Point middle = group.get(group.size() / 2);
+    return circle.radius() >= settings.smallestRadius()
+        && circle.radius() <= settings.largestRadius()
+        && circle.offM() <= TIGHT * settings.rangeSigma()
+        && Math.max(circle.sigmaX(), circle.sigmaY()) <= circle.radius()
+        && Math.hypot(circle.x(), circle.y()) > Math.hypot(middle.x(), middle.y());
+  }
+
+  private static Circle round(CircleFit fit, double height) {
+    Circle circle = new Circle().radius(fit.radius());
+    circle.x(fit.x()).y(fit.y()).z(height);
+    circle.motion().sigma(Point.of(fit.sigmaX(), fit.sigmaY(), 0.0));
+    return circle;
+  }
+
+  /** The circle around echoes of a thing whose far side nobody sees. */
+  private Circle around(List<Point> group, double extent, double height) {
+    double x = group.stream().mapToDouble(Point::x).average().orElseThrow();
+    double y = group.stream().mapToDouble(Point::y).average().orElseThrow();
+    double sigma = Math.hypot(settings.rangeSigma(), 0.25 * extent);
+    Circle circle = new Circle().radius(Math.max(settings.rangeSigma(), 0.5 * extent));
+    circle.x(x).y(y).z(height);
+    circle.motion().sigma(Point.of(sigma, sigma, 0.0));
+    return circle;
+  }
+}

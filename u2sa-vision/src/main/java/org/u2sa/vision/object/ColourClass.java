@@ -1,0 +1,43 @@
+package org.u2sa.vision.object;
+
+/** Colours by which things on a course are known. Their order is that of the classes' numbers. */
+enum ColourClass {
+  /** None of them. */
+  OTHER,
+  /** Of barrels and sawhorses. */
+  ORANGE,
+  /** Of flags. */
+  RED,
+  /** Of flags. */
+  BLUE;
+
+  private static final double DARKEST = 35.0; // brightness below which a colour is noise
+
+  /**
+   * The class of a colour by hue and saturation (Smith, Color gamut transform pairs, SIGGRAPH
+   * 1978), which light and shade change little.
+   *
+   * @param red 0…255, as blue and green
+   */
+  static ColourClass of(double red, double green, double blue) {
+    double most = Math.max(red, Math.max(green, blue));
+    double least = Math.min(red, Math.min(green, blue));
+    if (most < DARKEST) {
+      return OTHER;
+    }
+    double range = most - least;
+    double saturation = range / most;
+    if (most == red) {
+      double hue = 60.0 * (green - blue) / Math.max(1.0, range); // [deg], -60 magenta to 60 yellow
+      if (hue >= 9.0 && hue <= 38.0 && saturation >= 0.55) {
+        return ORANGE;
+      }
+      return hue > -25.0 && hue < 9.0 && saturation >= 0.55 ? RED : OTHER;
+    }
+    if (most == blue) {
+      double hue = 240.0 + 60.0 * (red - green) / Math.max(1.0, range);
+      return hue >= 215.0 && hue <= 262.0 && saturation >= 0.5 ? BLUE : OTHER;
+    }
+    return OTHER;
+  }
+}

@@ -1,0 +1,363 @@
+package org.u2sa.vision.object;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiPredicate;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.vision.ground.GroundSigma;
+import org.u2sa.vision.ground.GroundView;
+
+/**
+ * Recognises barrels, sawhorses and flags by colour and size, and finds out where they stand: by
+ * the pixel at which they meet the ground, and by how large they look. For one thread; reuses its
+ * memory.
+ */
+public final class ObjectFinder {
+  private static final double STRIPE = 1.8; // widest stripe of a plank, of its height
+  private static final double WHITE_BAND = 0.75; // highest between two bands, of their width
+  private static final double IN_LINE = 0.6; // overlap of the bands of one barrel
+  private static final double ALIKE_WIDE = 0.55; // of two bands
+  private static final double EDGE_PX = 2.0; // error of a patch's edge
+  private static final double SLIM = 0.55; // of a barrel's width
+  private static final double STOUT = 1.6;
+  private static final double SQUAT = 0.7; // of its width: a trestle is not as high as wide
+  private static final double SOLID = 0.53; // least orange of a row of barrels: a trestle has less
+  private static final double LOW = 0.35; // of a barrel's height
+  private static final double EDGE_M = 0.03; // error of an edge's height above the ground
+  private static final double LARGEST_FLAG = 0.3; // of the picture's height
+  private static final int BORDER_PX = 3;
+
+  private final ColourPatches patches = new ColourPatches();
+  private final ObjectSettings settings;
+  private final GroundSigma sigma;
+  private final List<ColourPatch> hiding = new ArrayList<>(); // of the picture last looked at
+
+  /** For things of these sizes, with a camera as uncertain as this. */
+  public ObjectFinder(ObjectSettings settings, GroundSigma sigma) {
+    this.settings = settings;
+    this.sigma = sigma;
+  }
+
+  /** What is seen, nearest first; nothing in a picture without colours. */
+  public List<SeenObject> find(CameraFrame frame, GroundView view) {
+    List<ColourPatch> orange = new ArrayList<>();
+    List<SeenObject> found = new ArrayList<>();
+    hiding.clear();
+    for (ColourPatch patch : patches.find(frame)) {
+      if (patch.colour() == ColourClass.ORANGE) {
+        orange.add(patch);
+      } else if (patch.height() < LARGEST_FLAG * frame.height()) {
+        hiding.add(withPole(patch));
+        flag(patch, frame, view).ifPresent(found::add);
+      }
+    }
+    for (ColourPatch patch : joined(orange)) {
+      hiding.add(patch);
+      for (ColourPatch each : apart(patch, frame, view)) {
+        orange(each, frame, view).ifPresent(found::add);
+      }
+    }
+    found.sort(Comparator.comparingDouble(object -> object.foot().distance()));
+    return found;
+  }
+
+  /**
+   * Marks the pixels behind which the ground is not seen, in the picture last looked at: what is
+   * orange and the white bands within, flags and their poles. None of it is a painted line.
+   *
+   * @param into every second pixel of every second row, row by row
+   * @param width pixels of the picture's rows
+   * @param height its rows
+   */
+  public void hide(boolean[] into, int width, int height) {
+    int columns = (width + 1) / 2;
+    int rows = (height + 1) / 2;
+    Arrays.fill(into, 0, columns * rows, false);
+    for (ColourPatch patch : hiding) {
+      int more = 2 + patch.width() / 12; // the white edge of a plank, the blur of the lens
+      int from = Math.max(0, (patch.left() - more) / 2);
+      int to = Math.min(columns, (patch.right() + more) / 2 + 1);
+      int bottom = Math.min(rows, (patch.bottom() + more) / 2 + 1);
+      for (int row = Math.max(0, (patch.top() - more) / 2); row < bottom; row++) {
+        Arrays.fill(into, row * columns + from, row * columns + to, true);
+      }
+    }
+  }
+
+  /**
+   * The stripes of a plank as one patch, then the bands of a barrel and the planks of a trestle.
+   */
+  private static List<ColourPatch> joined(List<ColourPatch> single) {
+    return joined(joined(single, ObjectFinder::areStripes), ObjectFinder::areBands);
+  }
+
+  private static List<ColourPatch> joined(
+      List<ColourPatch> single, BiPredicate<ColourPatch, ColourPatch> belong) {
+    List<ColourPatch> patches = new ArrayList<>(single);
+    for (int i = 0; i < patches.size(); i++) {
+      for (int k = 0; k < patches.size(); k++) {
+        if (k != i && belong.test(patches.get(i), patches.get(k))) {
+          patches.set(i, patches.get(i).with(patches.get(k)));
+          patches.remove(k);
+          i = k < i ? i - 1 : i;
+          k = -1; // it is larger now: all others once more
+        }
+      }
+    }
+    return patches;
+  }
+
+  /** Slanted stripes side by side: each reaches into the next one's columns. */
+  private static boolean areStripes(ColourPatch a, ColourPatch b) {
+    int high = Math.min(a.height(), b.height());
+    int tall = Math.max(a.height(), b.height());
+    int apart = Math.max(a.left(), b.left()) - Math.min(a.right(), b.right()) - 1;
+    boolean isOneStripe = a.width() <= STRIPE * a.height() || b.width() <= STRIPE * b.height();
+    return isOneStripe && apart <= 2 && -a.rowsBetween(b) >= 0.7 * high && high >= 0.6 * tall;
+  }
+
+  /** Bands above each other, about as wide. */
+  private static boolean areBands(ColourPatch a, ColourPatch b) {
+    int wide = Math.max(a.width(), b.width());
+    int narrow = Math.min(a.width(), b.width());
+    return narrow >= ALIKE_WIDE * wide
+        && a.overlap(b) >= IN_LINE
+        && a.rowsBetween(b) <= WHITE_BAND * wide;
+  }
+
+  /** Barrels that stand so close that their colours touch, each by itself. */
+  private List<ColourPatch> apart(ColourPatch patch, CameraFrame frame, GroundView view) {
+    double middle = 0.5 * (patch.left() + patch.right());
+    RangeEstimate range = byEdge(patch, middle, settings.barrelBaseM(), 0.0, frame, view);
+    double barrels =
+        2.0 * range.range() * Math.tan(0.5 * viewRad(patch, view)) / settings.barrelWidthM();
+    boolean isSolid = patch.count() >= SOLID * patch.width() * patch.height();
+    if (!range.isKnown() || !isSolid || barrels < STOUT || patch.height() > patch.width()) {
+      return List.of(patch);
+    }
+    int count = (int) Math.max(2, Math.round(barrels));
+    List<ColourPatch> each = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      each.add(
+          new ColourPatch(
+              patch.colour(),
+              patch.left() + i * patch.width() / count,
+              patch.top(),
+              patch.left() + (i + 1) * patch.width() / count - 1,
+              patch.bottom(),
+              patch.count() / count));
+    }
+    return each;
+  }
+
+  private Optional<SeenObject> orange(ColourPatch patch, CameraFrame frame, GroundView view) {
+    double middle = 0.5 * (patch.left() + patch.right());
+    double radius = 0.5 * settings.barrelWidthM();
+    double viewRad = viewRad(patch, view);
+    boolean isCut = isCut(patch, frame);
+    RangeEstimate byFoot = byEdge(patch, middle, settings.barrelBaseM(), radius, frame, view);
+    RangeEstimate byWidth =
+        isCut ? RangeEstimate.UNKNOWN : bySize(2.0 * radius, viewRad, patch.width());
+    RangeEstimate range = byFoot.with(byWidth);
+    if (!range.isKnown() || range.range() > settings.farthestM()) {
+      return Optional.empty();
+    }
+    double widthM = 2.0 * (byFoot.isKnown() ? byFoot : range).range() * Math.tan(0.5 * viewRad);
+    if (widthM > STOUT * 2.0 * radius && patch.height() < SQUAT * patch.width()) {
+      return sawhorse(patch, middle, frame, view);
+    }
+    double heightM = widthM * patch.height() / patch.width();
+    if (widthM < SLIM * 2.0 * radius && !isCut || heightM < LOW * settings.barrelHeightM()) {
+      return Optional.empty();
+    }
+    double confidence = byFoot.agreesWith(byWidth) ? 0.9 : 0.6;
+    return place(
+        ObjectKind.BARREL,
+        patch,
+        range,
+        radius,
+        settings.barrelHeightM(),
+        confidence,
+        middle,
+        view);
+  }
+
+  private Optional<SeenObject> sawhorse(
+      ColourPatch patch, double middle, CameraFrame frame, GroundView view) {
+    RangeEstimate range = byEdge(patch, middle, settings.sawhorseClearM(), 0.0, frame, view);
+    double widthM = 2.0 * range.range() * Math.tan(0.5 * viewRad(patch, view));
+    if (!range.isKnown()
+        || range.range() > settings.farthestM()
+        || widthM > STOUT * settings.sawhorseWidthM()) {
+      return Optional.empty();
+    }
+    return place(
+        ObjectKind.SAWHORSE,
+        patch,
+        range,
+        0.5 * Math.min(widthM, settings.sawhorseWidthM()),
+        settings.barrelHeightM(),
+        0.7,
+        middle,
+        view);
+  }
+
+  /** A flag down to the ground: its pole is bright and thin like paint, and is none. */
+  private ColourPatch withPole(ColourPatch cloth) {
+    double down = cloth.height() * (settings.flagTopM() / settings.flagClothM() - 1.0);
+    int side = cloth.width() / 3; // the pole stands at either side of the cloth
+    return new ColourPatch(
+        cloth.colour(),
+        cloth.left() - side,
+        cloth.top(),
+        cloth.right() + side,
+        cloth.bottom() + (int) Math.ceil(1.3 * down),
+        cloth.count());
+  }
+
+  private Optional<SeenObject> flag(ColourPatch patch, CameraFrame frame, GroundView view) {
+    double middle = 0.5 * (patch.left() + patch.right());
+    double lowM = settings.flagTopM() - settings.flagClothM();
+    double edge = EDGE_PX / view.lens().pinhole().focalY();
+    Optional<Point> low = view.atHeight(middle, patch.bottom() + 0.5, lowM);
+    Optional<Point> high = view.atHeight(middle, patch.top() - 0.5, settings.flagTopM());
+    if (isCut(patch, frame) || patch.bottom() >= frame.height() - BORDER_PX || !low.isPresent()) {
+      return Optional.empty();
+    }
+    Point camera = view.camera();
+    double clearance = view.heightM() - lowM;
+    double lowRange = range(low.get(), camera);
+    RangeEstimate byLow =
+        new RangeEstimate(
+            lowRange,
+            Math.hypot(edge, sigma.tiltRad())
+                * (lowRange * lowRange + clearance * clearance)
+                / Math.max(0.05, Math.abs(clearance)));
+    double viewRad =
+        angle(view, middle, patch.top() - 0.5, middle, patch.bottom() + 0.5)
+            .orElse(patch.height() / view.lens().pinhole().focalY());
+    RangeEstimate bySize = bySize(settings.flagClothM(), viewRad, patch.height());
+    RangeEstimate range = bySize.with(byLow);
+    double wide = 2.0 * range.range() * Math.tan(0.5 * viewRad(patch, view));
+    boolean isPlausible =
+        bySize.agreesWith(byLow)
+            && high.isPresent()
+            && wide <= 1.5 * settings.flagWidthM()
+            && range.range() <= settings.farthestM()
+            && patch.count() >= 0.35 * patch.width() * patch.height();
+    return isPlausible
+        ? place(
+            patch.colour() == ColourClass.RED ? ObjectKind.RED_FLAG : ObjectKind.BLUE_FLAG,
+            patch,
+            range,
+            0.5 * settings.flagWidthM(),
+            settings.flagTopM(),
+            0.8,
+            middle,
+            view)
+        : Optional.empty();
+  }
+
+  private Optional<SeenObject> place(
+      ObjectKind kind,
+      ColourPatch patch,
+      RangeEstimate range,
+      double radiusM,
+      double heightM,
+      double confidence,
+      double middle,
+      GroundView view) {
+    double row = Math.max(patch.top(), patch.bottom());
+    return view.ray(middle, row)
+        .map(
+            ray -> {
+              double flat = Math.hypot(ray.x(), ray.y());
+              Point camera = view.camera();
+              Point foot =
+                  view.onGround(
+                      camera.x() + range.range() * ray.x() / flat,
+                      camera.y() + range.range() * ray.y() / flat);
+              double edges = EDGE_PX / view.lens().pinhole().focalX() * range.range();
+              return new SeenObject(
+                  kind,
+                  foot,
+                  radiusM,
+                  heightM,
+                  Math.hypot(range.sigma(), sigma.ownM()),
+                  Math.hypot(sigma.acrossM(range.range()), edges),
+                  confidence,
+                  patch.left(),
+                  patch.top(),
+                  patch.right(),
+                  patch.bottom());
+            });
+  }
+
+  /**
+   * The distance of its middle by its lower edge.
+   *
+   * @param edgeM height of that edge above the ground [m]
+   * @param behindM how far behind the edge the middle is [m]
+   */
+  private RangeEstimate byEdge(
+      ColourPatch patch,
+      double middle,
+      double edgeM,
+      double behindM,
+      CameraFrame frame,
+      GroundView view) {
+    if (patch.bottom() >= frame.height() - BORDER_PX) {
+      return RangeEstimate.UNKNOWN; // it goes on below the picture
+    }
+    double edgeRad = Math.hypot(EDGE_PX / view.lens().pinhole().focalY(), sigma.tiltRad());
+    double clearance = Math.max(0.1, view.heightM() - edgeM);
+    return view.atHeight(middle, patch.bottom() + 0.5, edgeM)
+        .map(edge -> range(edge, view.camera()))
+        .map(
+            range ->
+                new RangeEstimate(
+                    range + behindM,
+                    Math.hypot(
+                        edgeRad * (range * range + clearance * clearance) / clearance,
+                        EDGE_M * range / clearance)))
+        .orElse(RangeEstimate.UNKNOWN);
+  }
+
+  private static RangeEstimate bySize(double sizeM, double viewRad, int pixels) {
+    double range = 0.5 * sizeM / Math.tan(0.5 * viewRad);
+    return new RangeEstimate(range, range * Math.hypot(EDGE_PX / pixels, 0.08));
+  }
+
+  private static double viewRad(ColourPatch patch, GroundView view) {
+    double row = 0.5 * (patch.top() + patch.bottom());
+    return angle(view, patch.left() - 0.5, row, patch.right() + 0.5, row)
+        .orElse(patch.width() / view.lens().pinhole().focalX());
+  }
+
+  /** Between the rays of two pixels [rad]; empty where the lens shows nothing. */
+  private static OptionalDouble angle(
+      GroundView view, double column, double row, double toColumn, double toRow) {
+    Optional<Point> from = view.ray(column, row);
+    Optional<Point> to = view.ray(toColumn, toRow);
+    if (!from.isPresent() || !to.isPresent()) {
+      return OptionalDouble.empty();
+    }
+    Point a = from.get();
+    Point b = to.get();
+    double cosine = (a.x() * b.x() + a.y() * b.y() + a.z() * b.z()) / (a.distance() * b.distance());
+    return OptionalDouble.of(Math.acos(Math.max(-1.0, Math.min(1.0, cosine))));
+  }
+
+  private static double range(Point level, Point camera) {
+    return Math.hypot(level.x() - camera.x(), level.y() - camera.y());
+  }
+
+  private static boolean isCut(ColourPatch patch, CameraFrame frame) {
+    return patch.left() < BORDER_PX || patch.right() >= frame.width() - BORDER_PX;
+  }
+}
