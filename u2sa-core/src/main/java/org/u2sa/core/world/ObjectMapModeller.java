@@ -39,7 +39,9 @@ final class ObjectMapModeller implements Modeller {
   public void objects(List<ObjectDescription> all, Sighting sighting) {
     ObjectMapSettings tuning = settings.get();
     List<ObjectDescription> seen =
-        all.stream().filter(each -> !tuning.isUnmapped(each.objectType())).collect(Collectors.toList());
+        all.stream()
+            .filter(each -> !tuning.isUnmapped(each.objectType()))
+            .collect(Collectors.toList());
     List<Detection> detections = new ArrayList<>();
     for (ObjectDescription each : seen) {
       Optional<Detection> placed = Detection.of(each, sighting, tuning.defaultSigma());
