@@ -52,7 +52,7 @@ final class IgvcWorld {
   private static final double PAYLOAD_KG = 9.1; // the rules' 20 lb
   private static final double LASER_FORWARD_M = 0.35; // as LidarSensor.xml says
   private static final double LASER_UP_M = 0.4;
-  private static final double CAMERA_HZ = 6.0;
+  private static final double CAMERA_HZ = 5.0;
 
   private static final SimulatedLaser.Optics LASER =
       new SimulatedLaser.Optics(
