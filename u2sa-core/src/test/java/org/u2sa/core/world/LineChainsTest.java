@@ -45,7 +45,8 @@ class LineChainsTest {
         .singleElement()
         .satisfies(line -> assertThat(length(line)).isCloseTo(4.0, offset(0.2)))
         .satisfies(
-            line -> assertThat(line).allSatisfy(p -> assertThat(p.y()).isCloseTo(1.0, offset(1e-9))));
+            line ->
+                assertThat(line).allSatisfy(p -> assertThat(p.y()).isCloseTo(1.0, offset(1e-9))));
   }
 
   @Test
@@ -76,8 +77,7 @@ class LineChainsTest {
     look(0.0, 1.2, 4.0, 1.2);
     assertThat(chains().lines())
         .singleElement()
-        .satisfies(
-            line -> assertThat(line).allSatisfy(p -> assertThat(p.y()).isBetween(1.1, 1.2)));
+        .satisfies(line -> assertThat(line).allSatisfy(p -> assertThat(p.y()).isBetween(1.1, 1.2)));
   }
 
   @Test
@@ -117,8 +117,7 @@ class LineChainsTest {
     lookThrice(0.0, 0.0, 3.0, 0.0, 7.0, 0.1, 10.0, 0.1, 7.0, 2.0, 10.0, 2.0);
     assertThat(chains().gaps(5.0, 0.0))
         .singleElement()
-        .satisfies(
-            gap -> assertThat(gap).allSatisfy(p -> assertThat(p.y()).isBetween(-0.1, 0.2)));
+        .satisfies(gap -> assertThat(gap).allSatisfy(p -> assertThat(p.y()).isBetween(-0.1, 0.2)));
   }
 
   @Test

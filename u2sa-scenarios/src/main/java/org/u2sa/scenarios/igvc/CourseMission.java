@@ -7,7 +7,9 @@ import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.world.LocalPlane;
 
-/** What a team is told of a course: where it starts, its waypoints, and the box around the start. */
+/**
+ * What a team is told of a course: where it starts, its waypoints, and the box around the start.
+ */
 final class CourseMission {
   /** The vehicle goes for the middle of a waypoint, however wide the judge's circle is. */
   private static final double THRESHOLD_M = 0.9;
@@ -30,8 +32,7 @@ final class CourseMission {
     text.append("<!-- Waypoints of IGVC ").append(course.origin()).append(". -->\n<mission>\n");
     text.append("  <home>").append(place(plane, start.eastM(), start.northM()));
     text.append(
-        String.format(
-            Locale.ROOT, "<psi>%.6f</psi></home>\n", Math.toDegrees(start.headingRad())));
+        String.format(Locale.ROOT, "<psi>%.6f</psi></home>\n", Math.toDegrees(start.headingRad())));
     for (Course.Goal goal : course.goals()) {
       text.append("  <waypoint><name>").append(goal.name()).append("</name>");
       text.append(place(plane, goal.eastM(), goal.northM()));
@@ -70,8 +71,7 @@ final class CourseMission {
       double north = start.northM() + corner[0] * cos - corner[1] * sin;
       Geodetic at = plane.at(east, north, 0.0);
       points.append(points.length() == 0 ? "" : "; ");
-      points.append(
-          String.format(Locale.ROOT, "%.9f %.9f", at.longitudeDeg(), at.latitudeDeg()));
+      points.append(String.format(Locale.ROOT, "%.9f %.9f", at.longitudeDeg(), at.latitudeDeg()));
     }
     String text =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world>\n  <PolyLine><uid>start box</uid>"

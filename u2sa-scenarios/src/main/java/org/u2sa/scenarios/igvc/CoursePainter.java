@@ -44,8 +44,7 @@ final class CoursePainter {
     double east = Double.NEGATIVE_INFINITY;
     double north = Double.NEGATIVE_INFINITY;
     for (ObjectDescription object : course.objects()) {
-      List<Point> points =
-          object instanceof Line line ? line.points() : List.of(object.center());
+      List<Point> points = object instanceof Line line ? line.points() : List.of(object.center());
       for (Point point : points) {
         west = Math.min(west, point.x() - MARGIN_M);
         east = Math.max(east, point.x() + MARGIN_M);
@@ -127,8 +126,7 @@ final class CoursePainter {
         object.x() - radius, object.y() - radius, 2.0 * radius, 2.0 * radius);
   }
 
-  private static void stroke(
-      Graphics2D graphics, List<Point> points, Color colour, double widthM) {
+  private static void stroke(Graphics2D graphics, List<Point> points, Color colour, double widthM) {
     if (points.size() < 2) {
       return;
     }

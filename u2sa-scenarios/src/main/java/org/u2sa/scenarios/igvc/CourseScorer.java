@@ -60,8 +60,7 @@ final class CourseScorer implements TruthObserver.Scorer {
   @Override
   public RunOutcome outcome() {
     ReportFile.writeText(
-        directory.resolve("judge.log"),
-        out -> out.write(String.join("\n", judge.log()) + "\n"));
+        directory.resolve("judge.log"), out -> out.write(String.join("\n", judge.log()) + "\n"));
     film.write();
     return judge.outcome();
   }

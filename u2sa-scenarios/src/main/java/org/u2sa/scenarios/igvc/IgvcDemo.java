@@ -53,15 +53,13 @@ final class IgvcDemo implements Callable<Integer>, Demo {
 
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
-    Course course =
-        courseFile == null ? CourseGenerator.course(seed) : CourseFile.read(courseFile);
+    Course course = courseFile == null ? CourseGenerator.course(seed) : CourseFile.read(courseFile);
     CourseFile.write(course, directory.resolve("course.xml"));
     Mission mission =
         frame.isOwnMission()
             ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
             : given;
-    Path known =
-        CourseMission.writeStartBox(course, ORIGIN, directory.resolve("known.xml"));
+    Path known = CourseMission.writeStartBox(course, ORIGIN, directory.resolve("known.xml"));
     IgvcWorld world = new IgvcWorld(course, ORIGIN, seed);
     RunFilm film = new RunFilm(course, ORIGIN, directory);
     Judge judge = new Judge(course, IgvcWorld.FRONT_M, IgvcWorld.REAR_M, IgvcWorld.WIDTH_M);

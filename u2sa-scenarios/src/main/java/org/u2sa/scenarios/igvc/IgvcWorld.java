@@ -77,8 +77,7 @@ final class IgvcWorld {
     this.course = course;
     this.seed = seed;
     world = World.at(origin).with(solids(course));
-    double mismatch =
-        new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
+    double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
     measures = measures(mismatch);
     Course.Start start = course.start();
     GroundStart at = new GroundStart(start.eastM(), start.northM(), start.headingRad());

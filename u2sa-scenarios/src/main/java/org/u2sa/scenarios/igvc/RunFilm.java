@@ -44,8 +44,7 @@ final class RunFilm {
   record Seen(List<Point> points, boolean closesGap) {}
 
   /** The run at one time. */
-  record Moment(
-      Point at, double headingRad, int trackPoints, List<Point> plan, List<Seen> seen) {}
+  record Moment(Point at, double headingRad, int trackPoints, List<Point> plan, List<Seen> seen) {}
 
   RunFilm(Course course, Geodetic origin, Path directory) {
     this.course = course;
@@ -73,9 +72,10 @@ final class RunFilm {
         boolean closes = line.confidence().orElse(1.0) < SURE;
         now.add(new Seen(placed(line.points(), line.referenceFrame()), closes));
       } else {
-        Point at = placed(List.of(object.center()), object.referenceFrame()).stream()
-            .findFirst()
-            .orElse(Point.ORIGIN);
+        Point at =
+            placed(List.of(object.center()), object.referenceFrame()).stream()
+                .findFirst()
+                .orElse(Point.ORIGIN);
         now.add(new Seen(ring(at, radiusM(object)), false));
       }
     }

@@ -142,8 +142,7 @@ final class UgvWorld {
     return new SimulatedLaser(
         LASER,
         new NoiseStreams(seed),
-        new LaserOnVehicle(
-            world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
+        new LaserOnVehicle(world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
   }
 
   /** What reaches the motors, from whoever drives. Safe from any thread. */

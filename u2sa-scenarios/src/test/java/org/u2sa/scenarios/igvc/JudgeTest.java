@@ -26,8 +26,7 @@ class JudgeTest {
   private void lane(double halfM) {
     for (int side = -1; side <= 1; side += 2) {
       double x = side * halfM;
-      builder.line(
-          Course.BOUNDARY, List.of(Point.of(x, -5.0, 0.0), Point.of(x, 100.0, 0.0)));
+      builder.line(Course.BOUNDARY, List.of(Point.of(x, -5.0, 0.0), Point.of(x, 100.0, 0.0)));
     }
   }
 

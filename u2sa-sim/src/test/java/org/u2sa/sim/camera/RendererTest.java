@@ -14,7 +14,9 @@ import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** What is rendered lies where the pinhole camera has it. The vehicle stands at the origin, north. */
+/**
+ * What is rendered lies where the pinhole camera has it. The vehicle stands at the origin, north.
+ */
 class RendererTest {
   private static final int WIDTH = 160;
   private static final int HEIGHT = 120;
@@ -34,7 +36,8 @@ class RendererTest {
         Point.ORIGIN);
   }
 
-  private static byte[] picture(ColourLens lens, Light light, double yawRate, ObjectDescription... o) {
+  private static byte[] picture(
+      ColourLens lens, Light light, double yawRate, ObjectDescription... o) {
     Scenery scenery = new Scenery(List.of(o), light, 7L);
     return new Renderer(lens, scenery, new NoiseStreams(7L)).picture(truth(yawRate));
   }
@@ -135,7 +138,8 @@ class RendererTest {
   void picture_ofTheSameSeed_isTheSameToTheByte() {
     ColourLens noisy = ColourLens.mast();
     Light light = Light.clear();
-    assertThat(picture(noisy, light, 0.3, line(1.0))).isEqualTo(picture(noisy, light, 0.3, line(1.0)));
+    assertThat(picture(noisy, light, 0.3, line(1.0)))
+        .isEqualTo(picture(noisy, light, 0.3, line(1.0)));
   }
 
   @Test
