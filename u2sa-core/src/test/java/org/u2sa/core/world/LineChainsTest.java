@@ -142,6 +142,18 @@ class LineChainsTest {
   }
 
   @Test
+  void gaps_lineSeenTwiceBesideALongerOne_doesNotLeadAway() {
+    // The short one is a part of the long one, seen while the vehicle turned.
+    lookThrice(0.0, 0.0, 6.0, 0.0, 2.0, 0.38, 4.0, 0.38, 7.0, 1.5, 8.0, 2.0);
+    assertThat(chains().lines()).hasSize(3);
+    assertThat(chains().gaps(5.0, 0.0)).noneMatch(gap -> touches(gap, 4.0, 0.38));
+  }
+
+  private static boolean touches(List<Point> line, double x, double y) {
+    return line.stream().anyMatch(p -> Math.hypot(p.x() - x, p.y() - y) < 0.2);
+  }
+
+  @Test
   void gaps_openEnds_goOnForTheExtension() {
     lookThrice(0.0, 0.0, 3.0, 0.0);
     assertThat(chains().gaps(5.0, 1.2))

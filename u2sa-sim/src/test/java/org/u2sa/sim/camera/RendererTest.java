@@ -147,13 +147,12 @@ class RendererTest {
     ColourLens rolling =
         new ColourLens(
             10.0, WIDTH, HEIGHT, Math.PI / 2.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0, 1.0, 0.349);
-    double top = middle(picture(rolling, Light.even(), 0.0, line(0.0)), 60);
-    double low = middle(picture(rolling, Light.even(), 0.0, line(0.0)), 110);
-    double topTurning = middle(picture(rolling, Light.even(), 1.0, line(0.0)), 60);
-    double lowTurning = middle(picture(rolling, Light.even(), 1.0, line(0.0)), 110);
-    assertThat(low - top).isBetween(-1.5, 1.5);
-    // 50 rows later the camera has turned right by 42 mrad: 3.4 pixels of a focal length of 80.
-    assertThat(lowTurning - topTurning).isBetween(-8.0, -1.5);
+    byte[] still = picture(rolling, Light.even(), 0.0, line(0.0));
+    byte[] turning = picture(rolling, Light.even(), 1.0, line(0.0));
+    // A row later by t sees the ground at d ahead and z from the lens moved by f t d / z: in row 60
+    // 80 * 0.050 * 2.75 / 2.92, in row 110 80 * 0.092 * 0.78 / 1.07.
+    assertThat(middle(turning, 60) - middle(still, 60)).isBetween(-4.8, -2.8);
+    assertThat(middle(turning, 110) - middle(still, 110)).isBetween(-6.4, -4.4);
   }
 
   /** Mean column of what is bright in a row. */

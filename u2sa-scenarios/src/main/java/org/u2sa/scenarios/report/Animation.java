@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.igvc;
+package org.u2sa.scenarios.report;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -14,7 +14,7 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Writes an endless animation as GIF89a, by the JDK's own writer. */
-final class Animation implements Closeable {
+public final class Animation implements Closeable {
   private static final String FORMAT = "javax_imageio_gif_image_1.0";
 
   private final ImageWriter writer;
@@ -25,7 +25,7 @@ final class Animation implements Closeable {
    * @param out left open
    * @param hundredths of a second that each picture is shown
    */
-  Animation(OutputStream out, int hundredths) throws IOException {
+  public Animation(OutputStream out, int hundredths) throws IOException {
     this.hundredths = hundredths;
     writer = ImageIO.getImageWritersByFormatName("gif").next();
     stream = new MemoryCacheImageOutputStream(out);
@@ -33,7 +33,8 @@ final class Animation implements Closeable {
     writer.prepareWriteSequence(null);
   }
 
-  void add(BufferedImage image) throws IOException {
+  /** Adds a picture, as large as the first. */
+  public void add(BufferedImage image) throws IOException {
     IIOMetadata metadata =
         writer.getDefaultImageMetadata(ImageTypeSpecifier.createFromRenderedImage(image), null);
     IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FORMAT);
@@ -65,7 +66,7 @@ final class Animation implements Closeable {
   }
 
   /** A copy to draw on. */
-  static BufferedImage copyOf(BufferedImage image) {
+  public static BufferedImage copyOf(BufferedImage image) {
     BufferedImage copy =
         new BufferedImage(image.getWidth(), image.getHeight(), BufferedImage.TYPE_INT_RGB);
     Graphics2D graphics = copy.createGraphics();
