@@ -21,7 +21,7 @@ final class LineBeads {
   private static final double ALONG_M = 0.6 * STEP_M; // a nearer bead along the line is the same
   private static final double PARALLEL = 0.82; // cosine of the angle between two parts of one line
   private static final double CELL_M = 0.5;
-  private static final double LEAST_SIGMA_M = 0.04; // the vehicle's place wanders
+  private static final double LEAST_SIGMA_M = 0.025; // the vehicle's place wanders
   private static final double MOST_HITS = 15.0;
   private static final double DOUBT = 0.4; // of a sighting
   private static final double TOO_NEAR_M = 1.3; // the camera looks over what is nearer

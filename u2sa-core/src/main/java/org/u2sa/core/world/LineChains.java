@@ -15,6 +15,7 @@ final class LineChains {
   private static final double TANGENT_M = 0.8; // of an end: over which its direction is measured
   private static final double FACING = Math.cos(Math.toRadians(50.0));
   private static final double CURVE_STEP_M = 0.3;
+  private static final double BESIDE_M = 0.4; // an end so near to a longer line is a part of that
 
   private final List<List<Point>> lines;
   private final double laneWidthM;
@@ -94,8 +95,11 @@ final class LineChains {
   List<List<Point>> gaps(double longestM, double extensionM) {
     List<End> ends = new ArrayList<>();
     for (List<Point> line : lines) {
-      ends.add(end(line, false));
-      ends.add(end(line, true));
+      for (End end : List.of(end(line, false), end(line, true))) {
+        if (!isBesideLonger(end)) {
+          ends.add(end);
+        }
+      }
     }
     List<Join> joins = new ArrayList<>();
     for (int i = 0; i < ends.size(); i++) {
@@ -121,6 +125,19 @@ final class LineChains {
       }
     }
     return gaps;
+  }
+
+  /** Whether an end belongs to another line, seen twice in slightly different places. */
+  private boolean isBesideLonger(End end) {
+    for (List<Point> line : lines) {
+      boolean longer = line != end.line() && line.size() > end.line().size();
+      for (int i = 0; longer && i < line.size(); i++) {
+        if (metres(end.at(), line.get(i)) < BESIDE_M) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   private static End end(List<Point> line, boolean last) {

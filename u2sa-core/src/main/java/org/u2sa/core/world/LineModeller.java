@@ -87,7 +87,23 @@ final class LineModeller implements Modeller {
               max = 1000,
               ifAbsent = 15,
               text = "LINES: distance from the vehicle up to which lines are published.")
-          double lineReach) {
+          double lineReach,
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 10,
+              ifAbsent = 0,
+              text =
+                  "LINES: nothing that closes a gap comes nearer to the vehicle's reference point, as it would not stand there: about half its width.")
+          double clearOfVehicle,
+      @Variable(
+              unit = "rad/s",
+              min = 0,
+              max = 100,
+              ifAbsent = 100,
+              text =
+                  "LINES: pictures taken while the vehicle turns faster are not entered: rolling shutters bend lines.")
+          double steadyTurn) {
     Set<String> types() {
       Set<String> types = new HashSet<>();
       Arrays.stream(lineTypes.split(",")).map(String::trim).forEach(types::add);
@@ -115,6 +131,10 @@ final class LineModeller implements Modeller {
     Set<String> types = tuning.types();
     if (sighting.vehicle().isEmpty()) {
       beads.clear(); // of one moment only: nothing says how the vehicle has moved since
+    }
+    double turning = sighting.vehicle().map(state -> state.psiDot().orElse(0.0)).orElse(0.0);
+    if (Math.abs(turning) > tuning.steadyTurn()) {
+      return;
     }
     beads.begin(sighting.micros());
     boolean looked = false;
@@ -177,12 +197,21 @@ final class LineModeller implements Modeller {
     String type = tuning.types().iterator().next();
     chains.lines().forEach(line -> pieces(line, type, 1.0, lines));
     if (tuning.joinGap() > 0.0 || tuning.lineExtension() > 0.0) {
-      chains
-          .gaps(tuning.joinGap(), tuning.lineExtension())
-          .forEach(line -> pieces(line, type, GAP_CONFIDENCE, lines));
+      chains.gaps(tuning.joinGap(), tuning.lineExtension()).stream()
+          .filter(gap -> clearM(gap, at) >= tuning.clearOfVehicle())
+          .forEach(gap -> pieces(gap, type, GAP_CONFIDENCE, lines));
     }
     published = lines.size();
     return lines;
+  }
+
+  /** Distance of a line from a place [m]. */
+  private static double clearM(List<Point> line, Point from) {
+    double least = Double.POSITIVE_INFINITY;
+    for (Point point : line) {
+      least = Math.min(least, Math.hypot(point.x() - from.x(), point.y() - from.y()));
+    }
+    return least;
   }
 
   private void pieces(

@@ -25,6 +25,7 @@ final class CourseChecker {
   private static final double CELL_M = 0.05;
   private static final double MARGIN_M = 3.0;
   private static final double ROUNDING_M = 0.005;
+  private static final double ROUNDING = 1.0e-12; // parts of one straight line do not cross
 
   private final Course course;
   private final List<String> faults = new ArrayList<>();
@@ -130,7 +131,7 @@ final class CourseChecker {
   }
 
   private static boolean meets(Point a, Point b, Point c, Point d) {
-    return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+    return side(a, b, c) * side(a, b, d) < -ROUNDING && side(c, d, a) * side(c, d, b) < -ROUNDING;
   }
 
   private static double side(Point a, Point b, Point p) {

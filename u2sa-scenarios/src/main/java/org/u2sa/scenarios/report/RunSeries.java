@@ -4,7 +4,9 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -65,6 +67,9 @@ public record RunSeries(List<RunReport> reports) {
             "no level leg was flown");
         json.number("worstBankDeg", worst(r -> flight(r).maxBankDeg()), "nothing took off");
       }
+      for (Map.Entry<String, Integer> total : totals().entrySet()) {
+        generator.writeNumberField(total.getKey(), total.getValue());
+      }
       generator.writeArrayFieldStart("perRun");
       for (RunReport report : reports) {
         run(json, report);
@@ -73,6 +78,19 @@ public record RunSeries(List<RunReport> reports) {
       json.absences();
       generator.writeEndObject();
     }
+  }
+
+  /** Sums of what the rules count. */
+  private Map<String, Integer> totals() {
+    Map<String, Integer> totals = new LinkedHashMap<>();
+    for (RunReport report : reports) {
+      report
+          .score()
+          .outcome()
+          .counts()
+          .forEach((name, count) -> totals.merge(name, count, Integer::sum));
+    }
+    return totals;
   }
 
   private static void run(SummaryNumbers json, RunReport report) throws IOException {
@@ -93,6 +111,12 @@ public record RunSeries(List<RunReport> reports) {
     } else {
       generator.writeNumberField("contacts", score.outcome().contacts());
       generator.writeNumberField("violations", score.outcome().violations().size());
+    }
+    for (Map.Entry<String, Integer> count : score.outcome().counts().entrySet()) {
+      generator.writeNumberField(count.getKey(), count.getValue());
+    }
+    for (Map.Entry<String, Double> figure : score.outcome().figures().entrySet()) {
+      json.number(figure.getKey(), figure.getValue());
     }
     json.number("simSeconds", score.simSeconds());
     json.number("wallSeconds", report.facts().wallSeconds());

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.Writer;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 
 /** Writes {@code summary.json} of one run, keys in a fixed order. */
@@ -118,6 +119,12 @@ final class SummaryJson {
   }
 
   private void outcome(RunOutcome outcome) throws IOException {
+    for (Map.Entry<String, Integer> count : outcome.counts().entrySet()) {
+      json.writeNumberField(count.getKey(), count.getValue());
+    }
+    for (Map.Entry<String, Double> figure : outcome.figures().entrySet()) {
+      numbers.number(figure.getKey(), figure.getValue());
+    }
     json.writeNumberField("contacts", outcome.contacts());
     json.writeNumberField("violations", outcome.violations().size());
     json.writeArrayFieldStart("violationDetails");

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ArmingState;
@@ -56,6 +57,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.ARMING_STATE);
+    scorer.listensTo().forEach(this::registerSubscriber);
   }
 
   /**
@@ -82,7 +84,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     }
     if (data instanceof ArmingState state) {
       scorer.armed(state, vehicle.get());
-    } else if (!record.received(data)) {
+    } else if (!record.received(data) && !scorer.heard(data)) {
       unexpected(data);
     }
   }
@@ -137,10 +139,10 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     return record;
   }
 
-  /** {@inheritDoc} The mission is over, and the vehicle stands. */
+  /** {@inheritDoc} The mission is over, and the vehicle stands; or the scorer says so. */
   @Override
   public boolean isOver() {
-    return over;
+    return over || scorer.isOver();
   }
 
   @Override
@@ -155,6 +157,21 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
 
     /** Takes note of an arming state, with the truth at that moment. */
     default void armed(ArmingState state, VehicleTruth truth) {}
+
+    /** Channels that it wants to hear beside goals, goal reports and arming state. */
+    default List<Channel<?>> listensTo() {
+      return List.of();
+    }
+
+    /** Takes a message of those channels; false if it does not know it. */
+    default boolean heard(U2SAData data) {
+      return false;
+    }
+
+    /** Whether the rules end the run now. Safe from any thread. */
+    default boolean isOver() {
+      return false;
+    }
 
     /** What the vehicle does, in a word. */
     default String phase(boolean moves) {

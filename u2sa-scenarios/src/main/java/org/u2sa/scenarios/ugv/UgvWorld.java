@@ -7,10 +7,10 @@ import org.u2sa.device.MagneticModel;
 import org.u2sa.drivers.ioio.BoardConnection;
 import org.u2sa.drivers.ioio.LockstepConnection;
 import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.report.RunPlan;
+import org.u2sa.scenarios.run.LaserOnVehicle;
 import org.u2sa.scenarios.run.SimulatedSensors;
 import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.ground.DifferentialParameters;
@@ -26,7 +26,6 @@ import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.vehicle.VehicleTruth;
-import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
 
 /**
@@ -140,19 +139,10 @@ final class UgvWorld {
 
   /** A laser on the vehicle that sees the world's obstacles, with noise of its own. */
   LaserScanner laser(long seed) {
-    return new SimulatedLaser(LASER, new NoiseStreams(seed), this::laserDistanceM);
-  }
-
-  private double laserDistanceM(double angleRad) {
-    VehicleTruth now = truth();
-    Attitude attitude = now.attitude();
-    Point ned = attitude.nedOf(Point.of(LASER_FORWARD_M, 0.0, -LASER_UP_M));
-    Point way = attitude.nedOf(Point.of(Math.cos(angleRad), Math.sin(angleRad), 0.0));
-    Point from = now.position();
-    Ray ray =
-        new Ray(
-            from.x() + ned.y(), from.y() + ned.x(), from.z() - ned.z(), way.y(), way.x(), -way.z());
-    return world.distanceM(ray, LASER.farthestM());
+    return new SimulatedLaser(
+        LASER,
+        new NoiseStreams(seed),
+        new LaserOnVehicle(world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
   }
 
   /** What reaches the motors, from whoever drives. Safe from any thread. */

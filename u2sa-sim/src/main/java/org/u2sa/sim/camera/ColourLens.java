@@ -79,6 +79,25 @@ public record ColourLens(
         Math.toRadians(22.0));
   }
 
+  /** The same with other frames a second. */
+  public ColourLens rate(double newRateHz) {
+    return new ColourLens(
+        newRateHz,
+        width,
+        height,
+        viewRad,
+        k1,
+        k2,
+        exposureS,
+        readoutS,
+        sigma,
+        blurPixels,
+        forwardM,
+        leftM,
+        upM,
+        downRad);
+  }
+
   /** Pixels are square, the axis is in the middle. */
   public Intrinsics intrinsics() {
     double focal = 0.5 * width / StrictMath.tan(0.5 * viewRad);

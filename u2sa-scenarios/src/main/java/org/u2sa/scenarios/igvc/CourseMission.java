@@ -1,0 +1,84 @@
+package org.u2sa.scenarios.igvc;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.sim.world.LocalPlane;
+
+/**
+ * What a team is told of a course: where it starts, its waypoints, and the box around the start.
+ */
+final class CourseMission {
+  /** The vehicle goes for the middle of a waypoint, however wide the judge's circle is. */
+  private static final double THRESHOLD_M = 0.9;
+
+  private static final double BOX_ASIDE_M = 1.5; // half of the narrowest lane
+  private static final double BOX_BEHIND_M = 1.0;
+  private static final double BOX_AHEAD_M = 2.2; // from there on the camera sees the lines
+
+  private CourseMission() {}
+
+  /**
+   * Writes the mission.
+   *
+   * @param origin of the course
+   */
+  static Mission write(Course course, Geodetic origin, Path file) {
+    LocalPlane plane = new LocalPlane(origin);
+    Course.Start start = course.start();
+    StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    text.append("<!-- Waypoints of IGVC ").append(course.origin()).append(". -->\n<mission>\n");
+    text.append("  <home>").append(place(plane, start.eastM(), start.northM()));
+    text.append(
+        String.format(Locale.ROOT, "<psi>%.6f</psi></home>\n", Math.toDegrees(start.headingRad())));
+    for (Course.Goal goal : course.goals()) {
+      text.append("  <waypoint><name>").append(goal.name()).append("</name>");
+      text.append(place(plane, goal.eastM(), goal.northM()));
+      double threshold = Math.min(THRESHOLD_M, goal.radiusM());
+      text.append("<horizontalThreshold>").append(threshold);
+      text.append("</horizontalThreshold></waypoint>\n");
+    }
+    ReportFile.writeText(file, out -> out.write(text.append("</mission>\n").toString()));
+    return Mission.load(file);
+  }
+
+  private static String place(LocalPlane plane, double eastM, double northM) {
+    Geodetic at = plane.at(eastM, northM, 0.0);
+    return String.format(
+        Locale.ROOT, "<x>%.9f</x><y>%.9f</y>", at.longitudeDeg(), at.latitudeDeg());
+  }
+
+  /**
+   * Writes a world of what is known beforehand: nobody drives backwards out of the start, nor
+   * through the lines beside it, which the camera cannot see yet.
+   */
+  static Path writeStartBox(Course course, Geodetic origin, Path file) {
+    LocalPlane plane = new LocalPlane(origin);
+    Course.Start start = course.start();
+    double sin = StrictMath.sin(start.headingRad());
+    double cos = StrictMath.cos(start.headingRad());
+    double[][] corners = {
+      {BOX_AHEAD_M, -BOX_ASIDE_M},
+      {-BOX_BEHIND_M, -BOX_ASIDE_M},
+      {-BOX_BEHIND_M, BOX_ASIDE_M},
+      {BOX_AHEAD_M, BOX_ASIDE_M}
+    };
+    StringBuilder points = new StringBuilder();
+    for (double[] corner : corners) {
+      double east = start.eastM() + corner[0] * sin + corner[1] * cos;
+      double north = start.northM() + corner[0] * cos - corner[1] * sin;
+      Geodetic at = plane.at(east, north, 0.0);
+      points.append(points.length() == 0 ? "" : "; ");
+      points.append(String.format(Locale.ROOT, "%.9f %.9f", at.longitudeDeg(), at.latitudeDeg()));
+    }
+    String text =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world>\n  <PolyLine><uid>start box</uid>"
+            + "<type>start box</type><level>AVOID_ALWAYS</level><points>"
+            + points
+            + "</points><width>0.08</width></PolyLine>\n</world>\n";
+    ReportFile.writeText(file, out -> out.write(text));
+    return file;
+  }
+}

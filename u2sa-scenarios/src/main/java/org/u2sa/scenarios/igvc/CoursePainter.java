@@ -1,0 +1,163 @@
+package org.u2sa.scenarios.igvc;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Line;
+import org.u2sa.sim.camera.Scenery;
+
+/** Draws a course from above, north up, and what the vehicle does on it. */
+final class CoursePainter {
+  private static final double MARGIN_M = 2.0;
+  private static final Color GRASS = new Color(0x4B, 0x7A, 0x3A);
+  private static final Color WORN = new Color(255, 255, 255, 120);
+  private static final Color SEEN = new Color(0x20, 0x50, 0xE0);
+  private static final Color CLOSED = new Color(0x20, 0x50, 0xE0, 130);
+  private static final Color PLANNED = new Color(0xFF, 0xE0, 0x20);
+  private static final Color TRACK = new Color(0x10, 0x10, 0x10);
+
+  private final Course course;
+  private final int width;
+  private final int height;
+  private final AffineTransform toPixels;
+  private final double scale;
+
+  /**
+   * @param longest pixels of the picture's longer side
+   */
+  CoursePainter(Course course, int longest) {
+    this.course = course;
+    double west = Double.POSITIVE_INFINITY;
+    double south = Double.POSITIVE_INFINITY;
+    double east = Double.NEGATIVE_INFINITY;
+    double north = Double.NEGATIVE_INFINITY;
+    for (ObjectDescription object : course.objects()) {
+      List<Point> points = object instanceof Line line ? line.points() : List.of(object.center());
+      for (Point point : points) {
+        west = Math.min(west, point.x() - MARGIN_M);
+        east = Math.max(east, point.x() + MARGIN_M);
+        south = Math.min(south, point.y() - MARGIN_M);
+        north = Math.max(north, point.y() + MARGIN_M);
+      }
+    }
+    scale = longest / Math.max(east - west, north - south);
+    width = (int) Math.ceil((east - west) * scale);
+    height = (int) Math.ceil((north - south) * scale);
+    toPixels = new AffineTransform(scale, 0.0, 0.0, -scale, -west * scale, north * scale);
+  }
+
+  /** A new picture of the course. */
+  BufferedImage course() {
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = on(image);
+    graphics.setColor(GRASS);
+    graphics.fill(new Rectangle2D.Double(-1.0e4, -1.0e4, 2.0e4, 2.0e4));
+    for (ObjectDescription object : course.objects()) {
+      draw(graphics, object);
+    }
+    graphics.dispose();
+    return image;
+  }
+
+  private Graphics2D on(BufferedImage image) {
+    Graphics2D graphics = image.createGraphics();
+    graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    graphics.transform(toPixels);
+    return graphics;
+  }
+
+  private void draw(Graphics2D graphics, ObjectDescription object) {
+    switch (object.objectType()) {
+      case Scenery.LINE -> stroke(graphics, ((Line) object).points(), Color.WHITE, 0.1);
+      case Scenery.WORN_LINE -> stroke(graphics, ((Line) object).points(), WORN, 0.1);
+      case Course.BOUNDARY, Course.START -> {
+        // seen by nobody
+      }
+      case Course.WAYPOINT -> {
+        graphics.setColor(Color.CYAN);
+        graphics.setStroke(new BasicStroke((float) (1.5 / scale)));
+        graphics.draw(disc(object, ((Circle) object).radius()));
+      }
+      default -> {
+        graphics.setColor(colour(object.objectType()));
+        if (object instanceof Cylinder cylinder) {
+          graphics.fill(disc(object, Math.max(0.15, cylinder.radius())));
+        } else if (object instanceof Circle circle) {
+          graphics.fill(disc(object, circle.radius()));
+        } else if (object instanceof Box box) {
+          AffineTransform before = graphics.getTransform();
+          graphics.translate(box.x(), box.y());
+          graphics.rotate(box.psi());
+          graphics.fill(
+              new Rectangle2D.Double(
+                  -0.5 * box.length(), -0.5 * box.width(), box.length(), box.width()));
+          graphics.setTransform(before);
+        }
+      }
+    }
+  }
+
+  private static Color colour(String type) {
+    return switch (type) {
+      case Scenery.BARREL -> new Color(0xF0, 0x70, 0x10);
+      case Scenery.SAWHORSE -> new Color(0xF0, 0xB0, 0x60);
+      case Scenery.RED_FLAG -> Color.RED;
+      case Scenery.BLUE_FLAG -> Color.BLUE;
+      case Scenery.POTHOLE -> Color.WHITE;
+      default -> Color.GRAY;
+    };
+  }
+
+  private static Ellipse2D disc(ObjectDescription object, double radius) {
+    return new Ellipse2D.Double(
+        object.x() - radius, object.y() - radius, 2.0 * radius, 2.0 * radius);
+  }
+
+  private static void stroke(Graphics2D graphics, List<Point> points, Color colour, double widthM) {
+    if (points.size() < 2) {
+      return;
+    }
+    graphics.setColor(colour);
+    graphics.setStroke(
+        new BasicStroke((float) widthM, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    Path2D path = new Path2D.Double();
+    path.moveTo(points.get(0).x(), points.get(0).y());
+    points.forEach(point -> path.lineTo(point.x(), point.y()));
+    graphics.draw(path);
+  }
+
+  /** Adds what the vehicle knows and wants at a moment, and where it has been. */
+  void moment(BufferedImage image, RunFilm.Moment moment, List<Point> track) {
+    Graphics2D graphics = on(image);
+    for (RunFilm.Seen seen : moment.seen()) {
+      stroke(graphics, seen.points(), seen.closesGap() ? CLOSED : SEEN, 1.5 / scale);
+    }
+    stroke(graphics, track, TRACK, 2.0 / scale);
+    stroke(graphics, moment.plan(), PLANNED, 2.0 / scale);
+    graphics.translate(moment.at().x(), moment.at().y());
+    graphics.rotate(0.5 * Math.PI - moment.headingRad());
+    graphics.setColor(Color.BLACK);
+    graphics.fill(
+        new Rectangle2D.Double(
+            -IgvcWorld.REAR_M,
+            -0.5 * IgvcWorld.WIDTH_M,
+            IgvcWorld.FRONT_M + IgvcWorld.REAR_M,
+            IgvcWorld.WIDTH_M));
+    graphics.setColor(PLANNED);
+    graphics.fill(new Rectangle2D.Double(IgvcWorld.FRONT_M - 0.15, -0.2, 0.15, 0.4));
+    graphics.dispose();
+  }
+}

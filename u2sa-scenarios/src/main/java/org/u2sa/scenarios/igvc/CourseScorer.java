@@ -1,0 +1,67 @@
+package org.u2sa.scenarios.igvc;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/** Lets the judge and the film see a run, and writes what they have when it is over. */
+final class CourseScorer implements TruthObserver.Scorer {
+  private final Judge judge;
+  private final RunFilm film;
+  private final Path directory;
+
+  CourseScorer(Judge judge, RunFilm film, Path directory) {
+    this.judge = judge;
+    this.film = film;
+    this.directory = directory;
+  }
+
+  @Override
+  public void see(VehicleTruth truth) {
+    judge.see(truth);
+    film.see(truth);
+  }
+
+  @Override
+  public List<Channel<?>> listensTo() {
+    return List.of(Channels.PLANS, Channels.OBJECTS);
+  }
+
+  @Override
+  public boolean heard(U2SAData data) {
+    if (data instanceof PlannedPath plan) {
+      film.plan(plan);
+    } else if (data instanceof ObjectList objects) {
+      film.objects(objects);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  @Override
+  public String phase(boolean moves) {
+    return moves ? "DRIVES" : "STANDS";
+  }
+
+  @Override
+  public boolean isOver() {
+    return judge.isOver();
+  }
+
+  @Override
+  public RunOutcome outcome() {
+    ReportFile.writeText(
+        directory.resolve("judge.log"), out -> out.write(String.join("\n", judge.log()) + "\n"));
+    film.write();
+    return judge.outcome();
+  }
+}

@@ -1,0 +1,88 @@
+package org.u2sa.scenarios.igvc;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.u2sa.core.mission.Mission;
+import org.u2sa.device.LidarSensor;
+import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.scenarios.report.Domain;
+import org.u2sa.scenarios.run.BoardServer;
+import org.u2sa.scenarios.run.Demo;
+import org.u2sa.scenarios.run.DemoFrame;
+import org.u2sa.scenarios.run.Simulation;
+import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.vision.camera.CourseCamera;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code u2sa demo igvc}: a course of the competition, driven by lidar, camera and GPS. */
+@Command(
+    name = "igvc",
+    description = {
+      "Drive a course of the Intelligent Ground Vehicle Competition by lidar, camera and GPS.",
+      "",
+      "The course, its light and all noise follow from the seed, unless --course names one. A judge who knows the truth "
+          + "counts line crossings, touches, speed and rest by the competition's rules; his log is judge.log."
+    })
+final class IgvcDemo implements Callable<Integer>, Demo {
+  private static final String SIMULATOR = "differential vehicle behind an IOIO, lidar, camera, GPS";
+
+  /** Rochester, Michigan, where the competition is held: a course's origin. */
+  private static final Geodetic ORIGIN = new Geodetic(-83.2190, 42.6780, 290.0);
+
+  @Mixin private DemoFrame frame;
+
+  @Option(
+      names = "--course",
+      paramLabel = "FILE",
+      description = "World XML file of a course, as each run writes one (course.xml).")
+  private Path courseFile; // null: of the seed
+
+  @Override
+  public Integer call() throws InterruptedException, IOException {
+    return frame.run(this);
+  }
+
+  @Override
+  public Profile profile() {
+    return new Profile("igvc", "igvc", "course.xml", Domain.GROUND, 60.0, 0.05);
+  }
+
+  @Override
+  public Trial trial(Mission given, Path directory, long seed) {
+    Course course = courseFile == null ? CourseGenerator.course(seed) : CourseFile.read(courseFile);
+    CourseFile.write(course, directory.resolve("course.xml"));
+    Mission mission =
+        frame.isOwnMission()
+            ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
+            : given;
+    Path known = CourseMission.writeStartBox(course, ORIGIN, directory.resolve("known.xml"));
+    IgvcWorld world = new IgvcWorld(course, ORIGIN, seed);
+    RunFilm film = new RunFilm(course, ORIGIN, directory);
+    Judge judge = new Judge(course, IgvcWorld.FRONT_M, IgvcWorld.REAR_M, IgvcWorld.WIDTH_M);
+    return new Trial(
+        mission,
+        TruthObserver.of(
+            world::truth, world.world().plane(), new CourseScorer(judge, film, directory)),
+        launch -> {
+          launch
+              .override("SafetyManager", "ARM AT START", true) // the demo is its own operator
+              .override("WorldModeler", "WORLD", known.toAbsolutePath().toString())
+              .making(LidarSensor.class, context -> new LidarSensor(context, world.laser()))
+              .making(CourseCamera.class, context -> new CourseCamera(context, world.camera()));
+          world.sensors().attach(launch);
+        },
+        launch -> {
+          launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
+          return new Simulation.Within(SIMULATOR, "vehicle");
+        },
+        launch -> {
+          BoardServer server = new BoardServer(world.board(), SIMULATOR);
+          launch.override("IoioService", "CONNECTION", server.address());
+          return server;
+        });
+  }
+}

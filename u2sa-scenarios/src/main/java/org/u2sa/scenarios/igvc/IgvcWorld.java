@@ -1,0 +1,168 @@
+package org.u2sa.scenarios.igvc;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.u2sa.device.Camera;
+import org.u2sa.device.LaserScanner;
+import org.u2sa.device.MagneticModel;
+import org.u2sa.drivers.ioio.BoardConnection;
+import org.u2sa.drivers.ioio.LockstepConnection;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.scenarios.run.LaserOnVehicle;
+import org.u2sa.scenarios.run.SimulatedSensors;
+import org.u2sa.sim.camera.ColourLens;
+import org.u2sa.sim.camera.Light;
+import org.u2sa.sim.camera.Scenery;
+import org.u2sa.sim.device.SimulatedColourCamera;
+import org.u2sa.sim.device.SimulatedLaser;
+import org.u2sa.sim.ground.BatteryParameters;
+import org.u2sa.sim.ground.DifferentialParameters;
+import org.u2sa.sim.ground.DifferentialVehicle;
+import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.ground.MiniMolle;
+import org.u2sa.sim.ground.MotorParameters;
+import org.u2sa.sim.ground.Payload;
+import org.u2sa.sim.ground.TyreParameters;
+import org.u2sa.sim.ioio.IoioBoard;
+import org.u2sa.sim.ioio.IoioFirmware;
+import org.u2sa.sim.ioio.IoioInProcess;
+import org.u2sa.sim.sensor.CompassParameters;
+import org.u2sa.sim.sensor.GpsParameters;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.sensor.UbloxSettings;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.World;
+
+/**
+ * The simulated world of one run: a vehicle 0.92 m wide on a course, with its sensors and the IOIO
+ * board that it is wired to. Its reference point is between its driven wheels.
+ */
+final class IgvcWorld {
+  static final double FRONT_M = 0.40;
+  static final double REAR_M = 0.20;
+  static final double WIDTH_M = 0.92;
+
+  private static final int COMPASS_BAUD = 9600;
+  private static final double YEAR = 2026.4;
+  private static final double MOST_MISMATCH = 0.05;
+  private static final double PAYLOAD_KG = 9.1; // the rules' 20 lb
+  private static final double LASER_FORWARD_M = 0.35; // as LidarSensor.xml says
+  private static final double LASER_UP_M = 0.4;
+  private static final double CAMERA_HZ = 5.0;
+
+  private static final SimulatedLaser.Optics LASER =
+      new SimulatedLaser.Optics(
+          10.0, Math.toRadians(-135.0), Math.toRadians(0.5), 541, 0.06, 10.0, 0.03);
+
+  /** A receiver with differential corrections: 0.35 m that wander over a minute and a half. */
+  private static final GpsParameters RECEIVER =
+      new GpsParameters(5.0, 0.1, 0.04, 0.35, 90.0, 1.6, 0.05, 0.0, 1.0, 12, 2);
+
+  private final Course course;
+  private final World world;
+  private final MiniMolle vehicle;
+  private final DifferentialParameters measures;
+  private final IoioInProcess cable;
+  private final IoioFirmware board;
+  private final long seed;
+
+  /**
+   * @param origin of the course on the earth
+   */
+  IgvcWorld(Course course, Geodetic origin, long seed) {
+    this.course = course;
+    this.seed = seed;
+    world = World.at(origin).with(solids(course));
+    double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
+    measures = measures(mismatch);
+    Course.Start start = course.start();
+    GroundStart at = new GroundStart(start.eastM(), start.northM(), start.headingRad());
+    double declinationRad =
+        MagneticModel.declinationRad(
+            origin.latitudeDeg(), origin.longitudeDeg(), origin.altitudeM(), YEAR);
+    vehicle =
+        MiniMolle.in(world)
+            .vehicle(new DifferentialVehicle(measures, at))
+            .gps(RECEIVER, UbloxSettings.factory())
+            .compass(CompassParameters.calibrated(declinationRad), COMPASS_BAUD)
+            .seed(seed)
+            .build();
+    board = new IoioFirmware(IoioBoard.OTG, vehicle);
+    cable = new IoioInProcess(board);
+  }
+
+  /** What a level laser sees; paint it does not. */
+  private static List<ObjectDescription> solids(Course course) {
+    return course.objects().stream()
+        .filter(object -> object instanceof Cylinder || object instanceof Box)
+        .toList();
+  }
+
+  /** 30 kg on wheels of 16 in, with the Mini-Molle's motors and its payload in the middle. */
+  private static DifferentialParameters measures(double mismatch) {
+    return new DifferentialParameters(
+        30.0,
+        3.1,
+        0.08,
+        0.25,
+        0.86,
+        0.37,
+        0.05,
+        0.20,
+        0.03,
+        mismatch,
+        MotorParameters.pg27(),
+        TyreParameters.wheelbarrow(),
+        BatteryParameters.leadAcid7Ah(),
+        new Payload(PAYLOAD_KG, 0.08, 0.0));
+  }
+
+  BoardConnection connection() {
+    return new LockstepConnection(
+        cable::connect, cable::disconnect, cable::input, cable::output, cable::exchange);
+  }
+
+  IoioFirmware board() {
+    return board;
+  }
+
+  /** The truth of the last moment. Safe from any thread. */
+  VehicleTruth truth() {
+    return vehicle.truth();
+  }
+
+  World world() {
+    return world;
+  }
+
+  SimulatedSensors sensors() {
+    SimulatedSensors sensors =
+        new SimulatedSensors(
+            seed, world.plane(), () -> new SimulatedSensors.Moment(truth(), Point.ORIGIN));
+    return sensors.wheels(
+        () -> vehicle.state().leftWheelRad(),
+        () -> vehicle.state().rightWheelRad(),
+        measures.wheelRadiusM(),
+        measures.trackM());
+  }
+
+  LaserScanner laser() {
+    return new SimulatedLaser(
+        LASER,
+        new NoiseStreams(seed),
+        new LaserOnVehicle(world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
+  }
+
+  /** A camera on the day of the seed. */
+  Camera camera() {
+    NoiseStreams streams = new NoiseStreams(seed);
+    Light light = Light.random(streams.of("light"));
+    Scenery scenery = new Scenery(course.objects(), light, seed);
+    return new SimulatedColourCamera(
+        ColourLens.mast().rate(CAMERA_HZ), scenery, streams, this::truth);
+  }
+}

@@ -1,0 +1,185 @@
+package org.u2sa.scenarios.igvc;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.scenarios.report.RunOutcome;
+import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Footprint;
+import org.u2sa.sim.world.World;
+
+/**
+ * Judges a run by the competition's rules and the truth: no part of the vehicle on a line, gaps in
+ * its paint included, nor on an obstacle; more than 1 mph on average over the first 44 ft, never
+ * more than 5 mph; not more than a minute at rest; six minutes in all. A touch that lasts is one.
+ */
+final class Judge {
+  static final double SLOWEST_MPS = 0.44704; // 1 mph
+  static final double FASTEST_MPS = 2.2352; // 5 mph
+  static final double TIMED_M = 13.4112; // 44 ft
+  static final double REST_S = 60.0;
+  static final double RUN_S = 360.0;
+
+  private static final double SETTLED_S = 1.0; // a touch that ends for less is the same one
+
+  private final World lines;
+  private final World obstacles;
+  private final Footprint overPaint;
+  private final Footprint body;
+  private final List<String> log = new ArrayList<>();
+  private final List<String> violations = new ArrayList<>();
+  private final Map<String, Double> lastTouch = new LinkedHashMap<>();
+  private final Set<String> kinds = new HashSet<>();
+  private int crossings;
+  private int touches;
+  private double beganS = Double.NaN;
+  private double lastS;
+  private Point last;
+  private double distanceM;
+  private double restS;
+  private double stoppedS;
+  private boolean timed;
+  private volatile boolean over;
+
+  /**
+   * @param frontM from the vehicle's reference point to its front
+   * @param rearM to its rear
+   */
+  Judge(Course course, double frontM, double rearM, double widthM) {
+    World lawn = World.at(new Geodetic(0.0, 0.0, 0.0));
+    lines = lawn.with(course.boundaries());
+    obstacles =
+        lawn.with(
+            course.objects().stream()
+                .filter(CourseChecker::isInTheWay)
+                .filter(object -> !(object instanceof PolyLine))
+                .toList());
+    double half = 0.5 * Course.LINE_M;
+    overPaint = Footprint.rectangle(frontM + half, rearM + half, widthM + 2.0 * half, -1.0, 0.5);
+    body = Footprint.rectangle(frontM, rearM, widthM, -1.0, 0.5);
+  }
+
+  /** Looks at a moment, later than the last one. */
+  void see(VehicleTruth truth) {
+    if (over) {
+      return;
+    }
+    Point at = truth.position();
+    boolean moves = TruthObserver.moves(truth);
+    if (Double.isNaN(beganS) && moves) {
+      beganS = truth.timeS();
+      say(truth, "sets off");
+    }
+    if (last != null) {
+      double dtS = truth.timeS() - lastS;
+      distanceM += Math.hypot(at.x() - last.x(), at.y() - last.y());
+      restS = moves || Double.isNaN(beganS) ? 0.0 : restS + dtS;
+      stoppedS += moves || Double.isNaN(beganS) ? 0.0 : dtS;
+    }
+    last = at;
+    lastS = truth.timeS();
+    Point flat = Point.of(at.x(), at.y(), 0.0);
+    for (ObjectDescription line : lines.contacts(overPaint, flat, truth.headingRad())) {
+      if (begins(line, truth)) {
+        crossings++;
+        say(truth, "is on " + line.uid());
+      }
+    }
+    for (ObjectDescription obstacle : obstacles.contacts(body, flat, truth.headingRad())) {
+      if (begins(obstacle, truth)) {
+        touches++;
+        say(truth, "touches " + obstacle.uid());
+      }
+    }
+    pace(truth);
+  }
+
+  /** Whether a touch is a new one. */
+  private boolean begins(ObjectDescription object, VehicleTruth truth) {
+    Double before = lastTouch.put(object.uid(), truth.timeS());
+    return before == null || truth.timeS() - before > SETTLED_S;
+  }
+
+  private void pace(VehicleTruth truth) {
+    if (Double.isNaN(beganS)) {
+      return;
+    }
+    double goneS = truth.timeS() - beganS;
+    if (!timed && distanceM >= TIMED_M) {
+      timed = true;
+      double mean = distanceM / Math.max(1.0e-9, goneS);
+      say(truth, String.format(Locale.ROOT, "passes 44 ft at %.2f m/s on average", mean));
+      if (mean <= SLOWEST_MPS) {
+        end(truth, String.format(Locale.ROOT, "too slow over the first 44 ft: %.2f m/s", mean));
+      }
+    }
+    if (truth.speedMps() > FASTEST_MPS && kinds.add("speed")) {
+      violation(truth, String.format(Locale.ROOT, "faster than 5 mph: %.2f m/s", truth.speedMps()));
+    }
+    if (restS > REST_S) {
+      end(truth, "stands for more than a minute");
+    } else if (goneS > RUN_S) {
+      end(truth, "the six minutes are over");
+    }
+  }
+
+  private void violation(VehicleTruth truth, String what) {
+    say(truth, what);
+    violations.add(String.format(Locale.ROOT, "%.1f s: %s", truth.timeS(), what));
+  }
+
+  private void end(VehicleTruth truth, String why) {
+    violation(truth, why);
+    say(truth, "end of the run");
+    over = true;
+  }
+
+  private void say(VehicleTruth truth, String what) {
+    Point at = truth.position();
+    log.add(
+        String.format(
+            Locale.ROOT,
+            "%6.1f s  %6.1f m  east %6.2f m, north %6.2f m: %s",
+            truth.timeS(),
+            distanceM,
+            at.x(),
+            at.y(),
+            what));
+  }
+
+  /** Whether the rules end the run. Safe from any thread. */
+  boolean isOver() {
+    return over;
+  }
+
+  /** What happened, a line each. */
+  List<String> log() {
+    return List.copyOf(log);
+  }
+
+  /** How the run went. */
+  RunOutcome outcome() {
+    List<String> all = new ArrayList<>(violations);
+    if (crossings > 0) {
+      all.add(crossings + (crossings == 1 ? " line crossing" : " line crossings"));
+    }
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    counts.put("lineCrossings", crossings);
+    counts.put("touches", touches);
+    Map<String, Double> figures = new LinkedHashMap<>();
+    double goneS = Double.isNaN(beganS) ? 0.0 : lastS - beganS;
+    figures.put("averageSpeedMps", goneS > 0.0 ? distanceM / goneS : 0.0);
+    figures.put("stoppedSeconds", stoppedS);
+    figures.put("distanceM", distanceM);
+    return new RunOutcome(touches, false, all, counts, figures);
+  }
+}

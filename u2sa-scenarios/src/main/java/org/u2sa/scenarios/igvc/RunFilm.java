@@ -1,0 +1,141 @@
+package org.u2sa.scenarios.igvc;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Line;
+import org.u2sa.scenarios.report.Animation;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.LocalPlane;
+
+/**
+ * Keeps a moment of the run every second, and makes pictures of them: {@code course.png}, the whole
+ * run from above, and {@code run.gif}, an animation. For one thread.
+ */
+final class RunFilm {
+  private static final double EVERY_S = 1.0;
+  private static final int PICTURE = 1400; // pixels
+  private static final int FILM = 560;
+  private static final int HUNDREDTHS = 8; // of a second that a moment is shown
+  private static final double SURE = 0.9; // confidence of what was seen, and not closed
+
+  private final Course course;
+  private final LocalPlane plane;
+  private final Path directory;
+  private final List<Moment> moments = new ArrayList<>();
+  private final List<Point> track = new ArrayList<>();
+  private List<Point> plan = List.of();
+  private List<Seen> seen = List.of();
+  private double nextS;
+
+  /** A line or an outline of the World Modeler's. */
+  record Seen(List<Point> points, boolean closesGap) {}
+
+  /** The run at one time. */
+  record Moment(Point at, double headingRad, int trackPoints, List<Point> plan, List<Seen> seen) {}
+
+  RunFilm(Course course, Geodetic origin, Path directory) {
+    this.course = course;
+    plane = new LocalPlane(origin);
+    this.directory = directory;
+  }
+
+  void see(VehicleTruth truth) {
+    if (truth.timeS() < nextS) {
+      return;
+    }
+    nextS = truth.timeS() + EVERY_S;
+    track.add(truth.position());
+    moments.add(new Moment(truth.position(), truth.headingRad(), track.size(), plan, seen));
+  }
+
+  void plan(PlannedPath path) {
+    plan = placed(path.points(), path.referenceFrame());
+  }
+
+  void objects(ObjectList list) {
+    List<Seen> now = new ArrayList<>();
+    for (ObjectDescription object : list.objects()) {
+      if (object instanceof Line line) {
+        boolean closes = line.confidence().orElse(1.0) < SURE;
+        now.add(new Seen(placed(line.points(), line.referenceFrame()), closes));
+      } else {
+        Point at =
+            placed(List.of(object.center()), object.referenceFrame()).stream()
+                .findFirst()
+                .orElse(Point.ORIGIN);
+        now.add(new Seen(ring(at, radiusM(object)), false));
+      }
+    }
+    seen = now;
+  }
+
+  private static double radiusM(ObjectDescription object) {
+    if (object instanceof Circle circle) {
+      return circle.radius();
+    }
+    return object instanceof Cylinder cylinder ? cylinder.radius() : 0.1;
+  }
+
+  private static List<Point> ring(Point middle, double radiusM) {
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i <= 12; i++) {
+      double angle = 2.0 * Math.PI * i / 12;
+      points.add(
+          Point.of(
+              middle.x() + radiusM * Math.cos(angle), middle.y() + radiusM * Math.sin(angle), 0.0));
+    }
+    return points;
+  }
+
+  private List<Point> placed(List<Point> points, ReferenceFrame frame) {
+    return frame.isEarth()
+        ? points.stream().map(point -> plane.point(Geodetic.of(point))).toList()
+        : List.of();
+  }
+
+  /** Writes the pictures. */
+  void write() {
+    if (moments.isEmpty()) {
+      return;
+    }
+    ReportFile.write(
+        directory.resolve("course.png"),
+        out -> {
+          CoursePainter painter = new CoursePainter(course, PICTURE);
+          BufferedImage image = painter.course();
+          painter.moment(image, moments.get(moments.size() - 1), track);
+          try (MemoryCacheImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
+            if (!ImageIO.write(image, "png", png)) {
+              throw new IOException("this Java has no writer for PNG");
+            }
+          }
+        });
+    ReportFile.write(
+        directory.resolve("run.gif"),
+        out -> {
+          CoursePainter painter = new CoursePainter(course, FILM);
+          BufferedImage empty = painter.course();
+          try (Animation animation = new Animation(out, HUNDREDTHS)) {
+            for (Moment moment : moments) {
+              BufferedImage image = Animation.copyOf(empty);
+              painter.moment(image, moment, track.subList(0, moment.trackPoints()));
+              animation.add(image);
+            }
+          }
+        });
+  }
+}
