@@ -199,10 +199,28 @@ class RecorderTest {
       try (McapReader reader = McapReader.open(file)) {
         assertThat(reader.metadata()).contains(new McapMetadata("run", Map.of("seed", "5")));
         messages += (int) reader.statistics().messages();
+        assertThat(reader.channels()).as("defined in each file").hasSize(1);
+        assertThat(reader.schemas()).hasSize(1);
       }
       assertThat(Files.size(file)).isBetween(2_000L, 25_000L);
     }
     assertThat(messages).isBetween(100, 1_000);
+  }
+
+  @Test
+  void record_splitByTime_beginsAFileEachSoManySeconds() {
+    RecorderSettings settings =
+        XmlConfiguration.inMemory("Recorder", Map.of("SPLIT TIME", 2.0))
+            .settings(RecorderSettings.class)
+            .get();
+    RecordingFiles files =
+        new RecordingFiles(
+            folder.resolve("r.mcap"), settings, "test", new RecordingFacts(), RecorderTest::fail);
+    for (long second = 0; second < 7; second++) {
+      files.at(second * 1_000_000_000L, () -> {});
+    }
+    files.end(0, Map.of());
+    assertThat(files.written()).hasSize(4); // at 0, 2, 4 and 6 s
   }
 
   private static String numberedFrom(List<Path> left) {
