@@ -35,6 +35,8 @@ import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
+import org.u2sa.vision.camera.CourseCamera;
+import org.u2sa.vision.laser.ScanClusters;
 
 /** docs/configuration.md lists the variables that the services really declare. */
 class ConfigurationPageTest {
@@ -89,6 +91,8 @@ class ConfigurationPageTest {
     services.put("ImuSensor", declaredBy(ImuSensor.class));
     services.put("RangeSensor", declaredBy(RangeSensor.class));
     services.put("LidarSensor", declaredBy(LidarSensor.class));
+    services.put("CourseCamera", declaredBy(CourseCamera.class));
+    services.put("ScanClusters", declaredBy(ScanClusters.class));
     services.put("MavlinkAutopilot", declaredBy(MavlinkAutopilot.class));
     List<VariableDeclaration<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
@@ -160,12 +164,20 @@ class ConfigurationPageTest {
 
   private List<VariableDeclaration<?>> declaredBy(Class<?> service)
       throws ReflectiveOperationException {
-    // Neither changes what is declared: some need a mission to begin with, drivers look for
-    // devices.
+    // None changes what is declared: some need a mission to begin with, drivers look for devices,
+    // a camera is above the ground.
     XmlConfiguration configuration =
         XmlConfiguration.inMemory(
             "the page",
-            Map.of("MISSION", MISSION, "DEFAULT THRESHOLD", 1.0, "CONNECTION", "tcp:127.0.0.1:9"));
+            Map.of(
+                "MISSION",
+                MISSION,
+                "DEFAULT THRESHOLD",
+                1.0,
+                "CONNECTION",
+                "tcp:127.0.0.1:9",
+                "MOUNTED Z",
+                -1.0));
     ServiceContext context =
         ServiceContext.of("docs", configuration)
             .transport(new LocalBus("docs"))

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.BiPredicate;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.messages.frame.Point;
@@ -30,6 +29,7 @@ public final class ObjectFinder {
   private static final double LOW = 0.35; // of a barrel's height
   private static final double EDGE_M = 0.03; // error of an edge's height above the ground
   private static final double LARGEST_FLAG = 0.3; // of the picture's height
+  private static final double FLATTEST = 1e-3; // difference of two rays' slopes
   private static final int BORDER_PX = 3;
 
   private final ColourPatches patches = new ColourPatches();
@@ -161,9 +161,12 @@ public final class ObjectFinder {
     double viewRad = viewRad(patch, view);
     boolean isCut = isCut(patch, frame);
     RangeEstimate byFoot = byEdge(patch, middle, settings.barrelBaseM(), radius, frame, view);
+    boolean isWhole = byFoot.isKnown() && patch.top() >= BORDER_PX;
     RangeEstimate byWidth =
         isCut ? RangeEstimate.UNKNOWN : bySize(2.0 * radius, viewRad, patch.width());
-    RangeEstimate range = byFoot.with(byWidth);
+    double orangeM = settings.barrelHeightM() - settings.barrelBaseM();
+    RangeEstimate bySize = isWhole ? byHeight(orangeM, patch, middle, view) : byWidth;
+    RangeEstimate range = byFoot.with(bySize);
     if (!range.isKnown() || range.range() > settings.farthestM()) {
       return Optional.empty();
     }
@@ -175,7 +178,7 @@ public final class ObjectFinder {
     if (widthM < SLIM * 2.0 * radius && !isCut || heightM < LOW * settings.barrelHeightM()) {
       return Optional.empty();
     }
-    double confidence = byFoot.agreesWith(byWidth) ? 0.9 : 0.6;
+    double confidence = byFoot.agreesWith(bySize) ? 0.9 : 0.6;
     return place(
         ObjectKind.BARREL,
         patch,
@@ -238,10 +241,7 @@ public final class ObjectFinder {
             Math.hypot(edge, sigma.tiltRad())
                 * (lowRange * lowRange + clearance * clearance)
                 / Math.max(0.05, Math.abs(clearance)));
-    double viewRad =
-        angle(view, middle, patch.top() - 0.5, middle, patch.bottom() + 0.5)
-            .orElse(patch.height() / view.lens().pinhole().focalY());
-    RangeEstimate bySize = bySize(settings.flagClothM(), viewRad, patch.height());
+    RangeEstimate bySize = byHeight(settings.flagClothM(), patch, middle, view);
     RangeEstimate range = bySize.with(byLow);
     double wide = 2.0 * range.range() * Math.tan(0.5 * viewRad(patch, view));
     boolean isPlausible =
@@ -328,6 +328,27 @@ public final class ObjectFinder {
         .orElse(RangeEstimate.UNKNOWN);
   }
 
+  /** By how high it looks; a barrel beside the axis leans in the picture, but is as high. */
+  private static RangeEstimate byHeight(
+      double heightM, ColourPatch patch, double middle, GroundView view) {
+    Optional<Point> top = view.ray(middle, patch.top() - 0.5);
+    Optional<Point> bottom = view.ray(middle, patch.bottom() + 0.5);
+    if (!top.isPresent() || !bottom.isPresent()) {
+      return RangeEstimate.UNKNOWN;
+    }
+    double drop = slope(bottom.get()) - slope(top.get());
+    if (!(drop > FLATTEST)) {
+      return RangeEstimate.UNKNOWN;
+    }
+    double range = heightM / drop;
+    return new RangeEstimate(range, range * Math.hypot(EDGE_PX / patch.height(), 0.06));
+  }
+
+  /** By how much a ray falls in a metre. */
+  private static double slope(Point ray) {
+    return ray.z() / Math.max(FLATTEST, Math.hypot(ray.x(), ray.y()));
+  }
+
   private static RangeEstimate bySize(double sizeM, double viewRad, int pixels) {
     double range = 0.5 * sizeM / Math.tan(0.5 * viewRad);
     return new RangeEstimate(range, range * Math.hypot(EDGE_PX / pixels, 0.08));
@@ -335,22 +356,15 @@ public final class ObjectFinder {
 
   private static double viewRad(ColourPatch patch, GroundView view) {
     double row = 0.5 * (patch.top() + patch.bottom());
-    return angle(view, patch.left() - 0.5, row, patch.right() + 0.5, row)
-        .orElse(patch.width() / view.lens().pinhole().focalX());
-  }
-
-  /** Between the rays of two pixels [rad]; empty where the lens shows nothing. */
-  private static OptionalDouble angle(
-      GroundView view, double column, double row, double toColumn, double toRow) {
-    Optional<Point> from = view.ray(column, row);
-    Optional<Point> to = view.ray(toColumn, toRow);
-    if (!from.isPresent() || !to.isPresent()) {
-      return OptionalDouble.empty();
+    Optional<Point> left = view.ray(patch.left() - 0.5, row);
+    Optional<Point> right = view.ray(patch.right() + 0.5, row);
+    if (!left.isPresent() || !right.isPresent()) {
+      return patch.width() / view.lens().pinhole().focalX();
     }
-    Point a = from.get();
-    Point b = to.get();
+    Point a = left.get();
+    Point b = right.get();
     double cosine = (a.x() * b.x() + a.y() * b.y() + a.z() * b.z()) / (a.distance() * b.distance());
-    return OptionalDouble.of(Math.acos(Math.max(-1.0, Math.min(1.0, cosine))));
+    return Math.acos(Math.max(-1.0, Math.min(1.0, cosine)));
   }
 
   private static double range(Point level, Point camera) {
