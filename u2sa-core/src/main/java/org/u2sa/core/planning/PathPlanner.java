@@ -310,13 +310,14 @@ public class PathPlanner extends EventDrivenService {
       report.reason(plan.remark());
     }
     publish(Channels.GOAL_REPORTS, report);
-    finished = Optional.of(done);
+    finished = Optional.of(report);
     reportedMicros = now;
   }
 
   private List<NavigationPoint> atEnd(StateInformation state) {
     if (finished.isPresent()) {
-      holdAt = WaypointState.placeOf(finished);
+      // the way to a goal that was given up may lead through what stood in it: hold here
+      holdAt = WaypointState.placeOf(finished.filter(done -> !done.abandoned()));
       finished = Optional.empty(); // whatever comes next does not begin there
     }
     goal = Optional.empty();

@@ -104,6 +104,20 @@ class PlannerSeesTest extends PlannedVehicle {
   }
 
   @Test
+  void missionOver_goalWasGivenUp_holdsWhereItIsInsteadOfGoingThroughWhatStandsInTheWay() {
+    kit.with("PLANNER", "GRID").with("GIVE UP AFTER", 2.0).with("AT END", "HOLD");
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 10, 0));
+    see(disc("rock", 10, 0, 4.0));
+    drive(30, 0, 0, 0);
+    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().abandoned()).isTrue();
+
+    goals();
+    drive(1, 0, 0, 0);
+    assertThat(Math.hypot(point().x(), point().y())).isLessThan(0.01);
+  }
+
+  @Test
   void state_vehicleDoesNotMove_freesItselfThenGivesUp() {
     kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).with("RECOVERIES", 2);
     kit.with("REVERSES", true).start(PathPlanner::new);
