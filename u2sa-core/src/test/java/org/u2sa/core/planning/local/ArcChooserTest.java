@@ -129,6 +129,20 @@ class ArcChooserTest {
     assertThat(outcome.gapM()).isNegative();
   }
 
+  /** A wall beyond its arc ends the motion too: it will not be behind it when traffic comes. */
+  @Test
+  void play_wallBeyondTheArcThatTrafficPasses_meetsItAsItStands() {
+    wall(3.0, 3.2, -4.0, 4.0);
+    Mover passing = mover(2.5, -4.0, 0.0, 1.0);
+    TrafficForecast traffic = new TrafficForecast(List.of(passing), BODY, rover(), ORIGIN, 0L);
+    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, rover(), ORIGIN, 1.0);
+    MotionForecast.Outcome outcome = forecast.play(Motion.arc(0.0, false, 1.0, 1.0));
+
+    assertThat(outcome.freeM()).isBetween(2.1, 2.6);
+    assertThat(outcome.meetsS()).isBetween(2.0, 4.0);
+    assertThat(outcome.gapM()).isNegative();
+  }
+
   @Test
   void withoutRoute_trafficComesAtItInAGap_turnsOnTheSpotAndLeaves() {
     wall(0.7, 0.9, -4.0, 4.0);
