@@ -107,6 +107,22 @@ class ArcChooserTest {
     assertThat(choice.kind()).isIn(ArcChoice.Kind.EVADE, ArcChoice.Kind.WAIT);
   }
 
+  /** Ahead of traffic at full speed, but the wall straight ahead does not let it drive that. */
+  @Test
+  void along_slowerBesideAWallThanTrafficAllows_isNotFollowed() {
+    Mover crossing = mover(-0.41, 3.78, 0.49, -0.87);
+    assertThat(arcs(rover(), 1.0, crossing).along(track(3.0, 1.7, false)).kind())
+        .isEqualTo(ArcChoice.Kind.FOLLOW);
+
+    wall(1.0, 1.2, -3.0, 0.0);
+    ArcChoice alone = arcs(rover(), 1.0).along(track(3.0, 1.7, false));
+    assertThat(alone.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(alone.speedMps()).isBetween(0.4, 0.8);
+
+    assertThat(arcs(rover(), 1.0, crossing).along(track(3.0, 1.7, false)).kind())
+        .isNotEqualTo(ArcChoice.Kind.FOLLOW);
+  }
+
   @Test
   void along_trafficFollowsBehindAndSlower_isIgnored() {
     ArcChoice choice = arcs(rover(), 1.0, mover(-2.0, 0.0, 0.5, 0.0)).along(north());
