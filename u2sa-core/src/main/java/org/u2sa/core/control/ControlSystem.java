@@ -29,6 +29,9 @@ import org.u2sa.service.ServiceRole;
  * point that is older than STALE AFTER counts as absent. When states stop coming nothing is
  * commanded, and what was commanded last expires after COMMAND EXPIRY; when the service ends,
  * actuators are left {@linkplain #neutral() neutral}.
+ *
+ * <p>A control system that {@linkplain #obeysWithoutState() needs no state} obeys each navigation
+ * point when it comes, while no state has come for STALE AFTER (thesis 4.3.2).
  */
 public abstract class ControlSystem extends EventDrivenService {
   /** The subsystem of navigation points for the vehicle as a whole. */
@@ -62,11 +65,13 @@ public abstract class ControlSystem extends EventDrivenService {
 
   private final Settings<Limits> limits = settings(Limits.class);
   private final CommandBlend blend = new CommandBlend();
-  private final StateHistory states = new StateHistory();
+  private StateHistory states = new StateHistory();
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private final Map<String, NavigationPoint> placed =
       new HashMap<>(); // newest whose state is remembered
   private double stepS;
+  private long heardStateMicros = Long.MIN_VALUE; // of the run's clock
+  private boolean isStateless; // then the states are origins, one for each navigation point
 
   /**
    * @param serviceName the name, unless the variable SERVICE NAME says another
@@ -74,7 +79,7 @@ public abstract class ControlSystem extends EventDrivenService {
   protected ControlSystem(ServiceContext context, String serviceName) {
     super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
     states.span(Clock.micros(limits.get().staleAfter()));
-    subscribe(Channels.NAVIGATION, point -> points.put(point.subsystem(), point));
+    subscribe(Channels.NAVIGATION, this::onNavigation);
     subscribe(Channels.STATE, this::onState);
     registerPublisher(Channels.ACTUATION);
   }
@@ -95,11 +100,63 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected abstract Map<String, Double> neutral();
 
+  /**
+   * Whether a navigation point alone tells where to go. Such a control system is called with the
+   * origin of LOCAL_NED, heading north, in place of a state: it says nothing of speed or attitude.
+   */
+  protected boolean obeysWithoutState() {
+    return false;
+  }
+
+  /** Whether {@link #control} is called for navigation points, as no state comes. */
+  public final boolean isStateless() {
+    return isStateless;
+  }
+
+  private void onNavigation(NavigationPoint point) {
+    points.put(point.subsystem(), point);
+    if (obeysWithoutState() && point.subsystem().equals(VEHICLE) && isAllThereIs(point)) {
+      begin(true);
+      points.put(VEHICLE, point);
+      StateInformation origin =
+          new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).psi(0.0);
+      origin.timestamp(point.timestamp().getAsLong());
+      take(origin);
+    }
+  }
+
+  /** Whether a navigation point is fresh, and no state is. */
+  private boolean isAllThereIs(NavigationPoint point) {
+    long now = clock().micros();
+    long span = Clock.micros(limits.get().staleAfter());
+    boolean hasState = heardStateMicros != Long.MIN_VALUE && now - heardStateMicros <= span;
+    return !hasState
+        && point.timestamp().isPresent()
+        && Math.abs(now - point.timestamp().getAsLong()) <= span;
+  }
+
+  /** Forgets what was computed from states of the other kind: they have another origin. */
+  private void begin(boolean stateless) {
+    if (stateless != isStateless) {
+      isStateless = stateless;
+      log(stateless ? "no state: obeys navigation points alone" : "a state again");
+      states = new StateHistory();
+      points.clear();
+      placed.clear();
+    }
+  }
+
   private void onState(StateInformation state) {
     if (state.timestamp().isEmpty()) {
       log(LogLevelEnum.WARN, "ignored a state without a timestamp: " + state);
       return;
     }
+    heardStateMicros = clock().micros();
+    begin(false);
+    take(state);
+  }
+
+  private void take(StateInformation state) {
     states.span(Clock.micros(limits.get().staleAfter()));
     if (!states.add(state)) {
       log(LogLevelEnum.DEBUG, "ignored a state that is not newer than the last: " + state);
@@ -227,9 +284,11 @@ public abstract class ControlSystem extends EventDrivenService {
   /** {@inheritDoc} Subclasses that override it call it too. */
   @Override
   protected void handOver(HandOver state) {
-    state.messages("STATES", states.all());
-    state.messages("POINTS", points.values());
-    state.messages("PLACED", placed.values());
+    if (!isStateless) {
+      state.messages("STATES", states.all());
+      state.messages("POINTS", points.values());
+      state.messages("PLACED", placed.values());
+    }
     blend.handOver(state);
   }
 
@@ -237,6 +296,9 @@ public abstract class ControlSystem extends EventDrivenService {
   @Override
   protected void takeOver(HandOver state) {
     state.messages("STATES", StateInformation.class).forEach(states::add);
+    if (!states.all().isEmpty()) {
+      heardStateMicros = clock().micros();
+    }
     state
         .messages("POINTS", NavigationPoint.class)
         .forEach(point -> points.put(point.subsystem(), point));

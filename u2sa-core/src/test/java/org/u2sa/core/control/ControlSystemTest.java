@@ -133,6 +133,64 @@ class ControlSystemTest {
     assertThat(kit.percent("THROTTLE")).isEqualTo(-5.0);
   }
 
+  @Test
+  void callback_navigationPointWithoutAnyState_isObeyedIfControlNeedsNone() {
+    NavigationPoint point = NavigationPoint.at(Point.of(1.0, 2.0, 0.0));
+    kit.publish(Channels.NAVIGATION, point);
+    assertThat(control.points).as("needs a state").isEmpty();
+
+    control.obeysWithoutState = true;
+    kit.advance(0.1);
+    NavigationPoint next = NavigationPoint.at(Point.of(1.0, 2.0, 0.0));
+    kit.publish(Channels.NAVIGATION, next);
+    kit.advance(0.1);
+    NavigationPoint last = NavigationPoint.at(Point.of(0.9, 2.0, 0.0));
+    kit.publish(Channels.NAVIGATION, last);
+
+    assertThat(control.points).containsExactly(Optional.of(next), Optional.of(last));
+    assertThat(control.steps).containsExactly(0.0, 0.1);
+    assertThat(control.ned).contains(Point.of(0.9, -2.0, 0.0)); // y of BODY is to the left
+    assertThat(control.isStateless()).isTrue();
+  }
+
+  @Test
+  void callback_navigationPointNotOfTheVehicleOrOldWithoutState_isNotObeyed() {
+    control.obeysWithoutState = true;
+    kit.advance(5.0);
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.ORIGIN).subsystem("ARM"));
+    NavigationPoint old = NavigationPoint.at(Point.ORIGIN);
+    old.timestamp(3_900_000L);
+    kit.publish(Channels.NAVIGATION, old);
+
+    assertThat(control.points).isEmpty();
+  }
+
+  @Test
+  void callback_navigationPointWhileStatesCome_waitsForTheState() {
+    control.obeysWithoutState = true;
+    kit.publish(Channels.STATE, state());
+    kit.advance(0.9);
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.ORIGIN));
+    assertThat(control.points).hasSize(1);
+
+    kit.advance(0.2);
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.ORIGIN));
+    assertThat(control.points).hasSize(2);
+  }
+
+  /** What was computed from an origin lies elsewhere by the state: it would drive off. */
+  @Test
+  void callback_stateAgain_forgetsNavigationPointsWithoutState() {
+    control.obeysWithoutState = true;
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(5.0, 0.0, 0.0)));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state());
+
+    assertThat(control.points.get(1)).isEmpty();
+    assertThat(control.steps).containsExactly(0.0, 0.0);
+    assertThat(control.isStateless()).isFalse();
+  }
+
   private static StateInformation state() {
     return new StateInformation().x(8.0).y(50.0).z(100.0).phi(0.0).theta(0.0).psi(0.0);
   }
@@ -143,9 +201,15 @@ class ControlSystemTest {
     private final List<Optional<NavigationPoint>> points = new ArrayList<>();
     private Optional<Point> ned = Optional.empty();
     private double percentage;
+    private boolean obeysWithoutState;
 
     RecordingControl(ServiceContext context) {
       super(context, "RecordingControl");
+    }
+
+    @Override
+    protected boolean obeysWithoutState() {
+      return obeysWithoutState;
     }
 
     @Override

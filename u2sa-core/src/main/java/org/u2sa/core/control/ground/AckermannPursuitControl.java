@@ -95,6 +95,12 @@ public final class AckermannPursuitControl extends ControlSystem {
     pursuit.settings(pursuitSettings());
   }
 
+  /** Only Stanley's law must know where the vehicle is: it follows a path, not a point. */
+  @Override
+  protected boolean obeysWithoutState() {
+    return steering.get().steeringLaw() != SteeringLaw.STANLEY;
+  }
+
   @Override
   protected void control(StateInformation state, Optional<NavigationPoint> point) {
     Optional<GroundTarget> target =

@@ -74,6 +74,11 @@ public final class DifferentialDriveControl extends ControlSystem {
   }
 
   @Override
+  protected boolean obeysWithoutState() {
+    return true;
+  }
+
+  @Override
   protected void control(StateInformation state, Optional<NavigationPoint> point) {
     Optional<GroundTarget> target =
         ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));

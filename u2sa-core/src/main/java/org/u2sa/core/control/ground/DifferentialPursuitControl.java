@@ -14,8 +14,8 @@ import org.u2sa.service.ServiceContext;
 /**
  * Drives a differential ground vehicle along its navigation points by regulated pure pursuit, with
  * turns on the spot (the default for thesis 4.6.2.5). In: navigation, state. Out: actuation of the
- * left and the right motor, once for each state. Without fresh navigation, or without knowing where
- * it is, the vehicle brakes and stands.
+ * left and the right motor, once for each state; while no state comes, once for each navigation
+ * point. Without fresh navigation the vehicle brakes and stands.
  */
 public final class DifferentialPursuitControl extends ControlSystem {
   /** How it turns. */
@@ -94,6 +94,11 @@ public final class DifferentialPursuitControl extends ControlSystem {
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     pursuit.settings(pursuitSettings());
+  }
+
+  @Override
+  protected boolean obeysWithoutState() {
+    return true;
   }
 
   @Override

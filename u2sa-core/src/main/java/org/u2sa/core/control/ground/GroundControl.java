@@ -36,7 +36,7 @@ final class GroundControl {
    * @param yawRateRadPerS [rad/s], to the left positive; empty if unknown
    */
   record Measured(OptionalDouble forwardMps, OptionalDouble yawRateRadPerS) {
-    /** Of a vehicle whose motors do not obey, feedback has nothing to learn. */
+    /** Without a state, or of motors that do not obey, feedback has nothing to learn. */
     static final Measured NOTHING = new Measured(OptionalDouble.empty(), OptionalDouble.empty());
   }
 
@@ -75,7 +75,7 @@ final class GroundControl {
   Measured measured(StateInformation state, double stepS) {
     Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state, stepS));
     headingRad = state.psi();
-    return armed ? measured : Measured.NOTHING;
+    return armed && !control.isStateless() ? measured : Measured.NOTHING;
   }
 
   private static OptionalDouble forwardMps(StateInformation state) {

@@ -63,7 +63,9 @@ public final class ArcChooser {
       }
       double curvature = limits.curvatureTo(pose, north, east, backwards);
       for (double share : SPEEDS) {
-        double speed = Math.max(share * limits.speedMps(), limits.stops() ? 0.0 : speedMps);
+        double most = share * limits.speedMps();
+        // as it will be driven: one who counts on more comes later than traffic
+        double speed = limits.stops() ? Math.min(most, straight) : Math.max(most, speedMps);
         Outcome outcome = forecast.play(Motion.along(track, curvature, backwards, speed, ahead));
         double allowed = limits.stoppableMps(outcome.freeM() - costs.frame().cellM());
         boolean last = 0.6 * ahead <= least;

@@ -86,12 +86,15 @@ final class MotionForecast {
 
   /**
    * @param stopM where it stops [m]; infinite: nowhere
-   * @param amongTraffic whether to look at traffic up to the horizon, or only at what stands
+   * @param amongTraffic whether to look at traffic up to the horizon, or only at what stands; that,
+   *     too, up to the horizon if there is traffic
    */
   private Outcome play(Motion motion, double stopM, boolean amongTraffic) {
     double sign = motion.sign();
     double farM = Math.max(motion.arcM(), farM(motion));
     boolean looks = amongTraffic && !traffic.isEmpty();
+    // where it will have to stop decides where traffic meets it
+    boolean toHorizon = limits.stops() && !amongTraffic && !traffic.isEmpty();
     Tally tally = new Tally();
     double v = motion.turnRad() == 0.0 ? Math.max(0.0, sign * startMps) : 0.0;
     double rolls = motion.turnRad() == 0.0 ? 0.0 : startMps; // before a turn on the spot
@@ -124,14 +127,14 @@ final class MotionForecast {
         gone += step;
         at = next(at, step, gone, motion);
       }
-      boolean within = freeM == NEVER && stopM == NEVER && gone <= farM + step;
+      boolean within = freeM == NEVER && stopM == NEVER && (toHorizon || gone <= farM + step);
       if (within && clearanceM(at) < requiredM) {
         freeM = Math.max(0.0, gone - step);
       }
       if (looks && t <= limits.horizonS()) {
         tally.look(at, t);
       }
-      boolean seenAll = gone >= farM && !looks;
+      boolean seenAll = gone >= farM && !looks && !toHorizon;
       if (seenAll || freeM < NEVER || (v < STANDS_MPS && t > limits.horizonS())) {
         break;
       }

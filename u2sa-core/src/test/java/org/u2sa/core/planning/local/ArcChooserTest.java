@@ -107,6 +107,22 @@ class ArcChooserTest {
     assertThat(choice.kind()).isIn(ArcChoice.Kind.EVADE, ArcChoice.Kind.WAIT);
   }
 
+  /** Ahead of traffic at full speed, but the wall straight ahead does not let it drive that. */
+  @Test
+  void along_slowerBesideAWallThanTrafficAllows_isNotFollowed() {
+    Mover crossing = mover(-0.41, 3.78, 0.49, -0.87);
+    assertThat(arcs(rover(), 1.0, crossing).along(track(3.0, 1.7, false)).kind())
+        .isEqualTo(ArcChoice.Kind.FOLLOW);
+
+    wall(1.0, 1.2, -3.0, 0.0);
+    ArcChoice alone = arcs(rover(), 1.0).along(track(3.0, 1.7, false));
+    assertThat(alone.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(alone.speedMps()).isBetween(0.4, 0.8);
+
+    assertThat(arcs(rover(), 1.0, crossing).along(track(3.0, 1.7, false)).kind())
+        .isNotEqualTo(ArcChoice.Kind.FOLLOW);
+  }
+
   @Test
   void along_trafficFollowsBehindAndSlower_isIgnored() {
     ArcChoice choice = arcs(rover(), 1.0, mover(-2.0, 0.0, 0.5, 0.0)).along(north());
@@ -126,6 +142,20 @@ class ArcChooserTest {
 
     assertThat(outcome.freeM()).isBetween(0.4, 0.9);
     assertThat(outcome.meetsS()).isBetween(1.0, 4.0);
+    assertThat(outcome.gapM()).isNegative();
+  }
+
+  /** A wall beyond its arc ends the motion too: it will not be behind it when traffic comes. */
+  @Test
+  void play_wallBeyondTheArcThatTrafficPasses_meetsItAsItStands() {
+    wall(3.0, 3.2, -4.0, 4.0);
+    Mover passing = mover(2.5, -4.0, 0.0, 1.0);
+    TrafficForecast traffic = new TrafficForecast(List.of(passing), BODY, rover(), ORIGIN, 0L);
+    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, rover(), ORIGIN, 1.0);
+    MotionForecast.Outcome outcome = forecast.play(Motion.arc(0.0, false, 1.0, 1.0));
+
+    assertThat(outcome.freeM()).isBetween(2.1, 2.6);
+    assertThat(outcome.meetsS()).isBetween(2.0, 4.0);
     assertThat(outcome.gapM()).isNegative();
   }
 
