@@ -168,8 +168,7 @@ final class MotionForecast {
     if (!limits.stops()) { // off its route it has to fly back, and meets what is on the way
       double ahead = gone + limits.lookAheadM();
       return at.along(
-          step,
-          limits.curvatureTo(at, track.northAheadM(ahead), track.eastAheadM(ahead), false));
+          step, limits.curvatureTo(at, track.northAheadM(ahead), track.eastAheadM(ahead), false));
     }
     double north = track.northAheadM(gone);
     double east = track.eastAheadM(gone);
