@@ -221,6 +221,40 @@ class FusingStateEstimatorTest {
   }
 
   @Test
+  void state_onTheGroundWithoutPositionAndSpeedForFiveSeconds_saysNoPositionUntilAFix() {
+    kit.with("DOMAIN", "GROUND").with("LOST SIGMA", 1000.0).start(FusingStateEstimator::new);
+    drive(20.0);
+    for (int i = 0; i < 49; i++) {
+      kit.advance(0.1);
+      sense(heading());
+    }
+    assertThat(state().x()).as("4.9 s after the last fix").isPresent();
+    for (int i = 0; i < 2; i++) {
+      kit.advance(0.1);
+      sense(heading());
+    }
+    assertThat(state().x()).as("5.1 s after").isEmpty();
+    assertThat(state().y()).isEmpty();
+    assertThat(state().psi()).isPresent();
+
+    sense(fix("GPS"));
+    kit.advance(0.1);
+    sense(heading());
+    assertThat(state().x()).isPresent();
+  }
+
+  @Test
+  void state_inTheAirWithoutPositionAndSpeed_goesByItsSigma() {
+    kit.with("DOMAIN", "AIR").with("LOST SIGMA", 1000.0).start(FusingStateEstimator::new);
+    drive(20.0);
+    for (int i = 0; i < 100; i++) {
+      kit.advance(0.1);
+      sense(heading());
+    }
+    assertThat(state().x()).isPresent();
+  }
+
+  @Test
   void localState_positionJumps_staysSmooth() {
     kit.start(FusingStateEstimator::new);
     drive(20.0);

@@ -1,5 +1,6 @@
 package org.u2sa.core.control.ground;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -76,7 +77,11 @@ public final class AckermannPursuitControl extends ControlSystem {
   private final Settings<Steering> steering = settings(Steering.class);
   private final Settings<StanleyLaw.Tuning> stanley = settings(StanleyLaw.Tuning.class);
   private final PathSteering path = new PathSteering();
-  private final GroundControl ground = new GroundControl(this);
+  private final GroundControl ground =
+      new GroundControl(
+          this,
+          clock(),
+          () -> List.of(steering.get().throttleActuator(), steering.get().steeringActuator()));
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
   /** Called by the launcher. */

@@ -65,7 +65,7 @@ public final class DifferentialDriveControl extends ControlSystem {
 
   private final Settings<Gains> gains = settings(Gains.class);
   private final Settings<Motors> motors = settings(Motors.class);
-  private final GroundControl ground = new GroundControl(this);
+  private final GroundControl ground = new GroundControl(this, clock(), () -> motors.get().names());
   private final WheelBalance balance = new WheelBalance();
 
   /** Called by the launcher. */

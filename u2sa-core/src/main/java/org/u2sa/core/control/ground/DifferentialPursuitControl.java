@@ -69,7 +69,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
   private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
   private final Settings<Turning> turning = settings(Turning.class);
   private final Settings<Motors> motors = settings(Motors.class);
-  private final GroundControl ground = new GroundControl(this);
+  private final GroundControl ground = new GroundControl(this, clock(), () -> motors.get().names());
   private final WheelBalance balance = new WheelBalance();
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 

@@ -1,9 +1,13 @@
 package org.u2sa.core.control.ground;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import org.u2sa.core.control.ControlSystem;
+import org.u2sa.core.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ArmingState;
@@ -12,17 +16,28 @@ import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * What control systems of ground vehicles have in common: the navigation point as it lies from the
- * vehicle now, and how the vehicle moves. In: arming-state. Belongs to the control's thread.
+ * vehicle now, how the vehicle moves, and whether its motors are there. In: arming-state,
+ * actuators. Belongs to the control's thread.
  */
 final class GroundControl {
   private final ControlSystem control;
+  private final Clock clock;
+  private final Supplier<List<String>> motors;
+  private final ActuatorRoster roster = new ActuatorRoster();
   private boolean navigating;
+  private boolean powerless;
   private boolean armed = true; // where nobody arms, motors obey at once
   private OptionalDouble headingRad = OptionalDouble.empty(); // of the state before
 
-  GroundControl(ControlSystem control) {
+  /**
+   * @param motors actuators without any of which the vehicle cannot drive, by name
+   */
+  GroundControl(ControlSystem control, Clock clock, Supplier<List<String>> motors) {
     this.control = control;
+    this.clock = clock;
+    this.motors = motors;
     control.subscribe(Channels.ARMING_STATE, this::heed);
+    control.subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock.micros()));
   }
 
   private void heed(ArmingState state) {
@@ -41,7 +56,8 @@ final class GroundControl {
   }
 
   /**
-   * Where to go; empty: nowhere, the vehicle is to stop and stand.
+   * Where to go; empty: nowhere, the vehicle is to stop and stand. A motor that is announced to be
+   * lost is not driven against: the vehicle would lurch when it is back, or rest as if stalled.
    *
    * @param then the state from which the point was computed
    * @param ned where the point lay then: north, east, down [m]
@@ -52,7 +68,7 @@ final class GroundControl {
       Optional<StateInformation> then,
       Optional<Point> ned) {
     Optional<GroundTarget> target =
-        then.isEmpty() || ned.isEmpty()
+        then.isEmpty() || ned.isEmpty() || isPowerless()
             ? Optional.empty()
             : GroundTarget.seenFrom(
                 then.get(),
@@ -65,6 +81,17 @@ final class GroundControl {
       control.log(navigating ? "driving" : "no navigation: stopped");
     }
     return target;
+  }
+
+  private boolean isPowerless() {
+    long now = clock.micros();
+    List<String> lost =
+        motors.get().stream().filter(motor -> roster.left(motor, now) == 0.0).toList();
+    if (lost.isEmpty() == powerless) {
+      powerless = !lost.isEmpty();
+      control.log(powerless ? "lost " + String.join(", ", lost) : "all motors are there");
+    }
+    return powerless;
   }
 
   /**

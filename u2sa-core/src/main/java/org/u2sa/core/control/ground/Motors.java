@@ -1,5 +1,6 @@
 package org.u2sa.core.control.ground;
 
+import java.util.List;
 import java.util.Map;
 import org.u2sa.interfaces.configuration.Variable;
 
@@ -17,6 +18,10 @@ record Motors(
             text =
                 "Maximum by which feedback raises the weaker motor's command and lowers the stronger one's.")
         double mismatchLimit) {
+  List<String> names() {
+    return List.of(leftActuator, rightActuator);
+  }
+
   Map<String, Double> neutral() {
     return Map.of(leftActuator, 0.0, rightActuator, 0.0);
   }

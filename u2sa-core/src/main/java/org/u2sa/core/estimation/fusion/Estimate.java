@@ -31,10 +31,17 @@ public final class Estimate {
     return s.hasPlace;
   }
 
-  /** Whether the horizontal position, on earth or from a local origin, is known well enough. */
+  /**
+   * Whether the horizontal position, on earth or from a local origin, is known well enough. On the
+   * ground it is not, however small its sigma yet, where nothing says any more how fast the vehicle
+   * goes: it can stand and wait.
+   */
   public boolean hasPosition() {
     boolean isSure = Math.max(positionSigmaM(0), positionSigmaM(1)) <= tuning.lostSigmaM();
-    return (s.hasPlace || s.hasLocal) && isSure;
+    boolean isGuess =
+        tuning.domain() == MotionDomain.GROUND
+            && !InertialInput.isAided(s, InertialInput.UNAIDED_S);
+    return (s.hasPlace || s.hasLocal) && isSure && !isGuess;
   }
 
   /** Whether the altitude is known well enough. */

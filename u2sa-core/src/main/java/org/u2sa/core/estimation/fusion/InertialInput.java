@@ -13,7 +13,7 @@ final class InertialInput {
   private static final int SAMPLES_TO_LEVEL = 20;
   private static final double LEVEL_SIGMA_RAD = 0.06; // 0.6 m/s² of acceleration taken for gravity
   private static final double STEADY = 0.15; // share by which |f| may differ from gravity
-  private static final double UNAIDED_S = 5.0; // dead reckoning by forces is worth no more
+  static final double UNAIDED_S = 5.0; // dead reckoning by forces is worth no more
 
   private final FilterTuning tuning;
   private final double[] held = new double[6];

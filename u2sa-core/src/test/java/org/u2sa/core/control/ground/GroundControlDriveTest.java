@@ -189,6 +189,43 @@ class GroundControlDriveTest {
   }
 
   @Test
+  void motor_lost_isNotDrivenAgainstAndItDrivesOnGentlyWhenItIsBack() {
+    for (Function<ServiceContext, ControlSystem> control :
+        List.<Function<ServiceContext, ControlSystem>>of(
+            DifferentialPursuitControl::new, DifferentialDriveControl::new)) {
+      try (RoverDrive drive = differential(control)) {
+        drive.until(() -> false, 8.0);
+        drive.announce("RIGHT MOTOR", 0.0);
+        drive.until(() -> false, 2.5);
+        requireStanding(drive, 20.0);
+        assertThat(drive.percent("LEFT MOTOR")).isZero();
+
+        drive.announce("RIGHT MOTOR", 60.0); // weak is not lost
+        assertThat(drive.until(() -> drive.rover.speed > 0.5, 2.0)).isTrue();
+      }
+    }
+  }
+
+  @Test
+  void steering_lost_standsUntilItIsBack() {
+    try (RoverDrive drive =
+        new RoverDrive(
+            new KinematicRover(KinematicRover.ackermann(), COMPASS_ERROR_RAD),
+            RoverDrive.mission(directory, THRESHOLD_M, CORNERS),
+            PLANNER,
+            AckermannPursuitControl::new,
+            Map.of())) {
+      drive.until(() -> false, 8.0);
+      drive.announce("STEERING", 0.0);
+      drive.until(() -> false, 2.5);
+      requireStanding(drive, 5.0);
+
+      drive.announce("STEERING", 100.0);
+      assertThat(drive.until(() -> drive.rover.speed > 0.5, 3.0)).isTrue();
+    }
+  }
+
+  @Test
   void swap_betweenTheControlsWhileDriving_staysOnTheLineWithoutAJerk() {
     try (RoverDrive drive = differential(DifferentialPursuitControl::new)) {
       drive.until(() -> drive.goalsDone() == 1, 60.0);

@@ -18,6 +18,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
@@ -84,6 +85,17 @@ final class RoverDrive implements AutoCloseable {
   /** Puts another control in the place of the one that drives. */
   void swap(Function<ServiceContext, ? extends ControlSystem> constructor) {
     control = kit.swap(control, constructor);
+  }
+
+  /** Says what is left of an actuator [%]. */
+  void announce(String actuator, double available) {
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName(actuator)
+            .minimum(-100.0)
+            .maximum(100.0)
+            .available(available));
   }
 
   /** Drives until the condition holds, or for that long; answers whether it held. */
