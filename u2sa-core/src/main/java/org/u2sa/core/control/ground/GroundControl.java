@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.u2sa.core.control.ControlSystem;
 import org.u2sa.core.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
@@ -86,7 +87,7 @@ final class GroundControl {
   private boolean isPowerless() {
     long now = clock.micros();
     List<String> lost =
-        motors.get().stream().filter(motor -> roster.left(motor, now) == 0.0).toList();
+        motors.get().stream().filter(motor -> roster.left(motor, now) == 0.0).collect(Collectors.toList());
     if (lost.isEmpty() == powerless) {
       powerless = !lost.isEmpty();
       control.log(powerless ? "lost " + String.join(", ", lost) : "all motors are there");
