@@ -162,8 +162,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
         sensors == SensorSet.ALL || isUsual && isFused,
         "--sensors: expected --vehicle differential, --control pursuit and --estimator fusing");
     expect(
-        worldFile == null
-            || control == ControlKind.PURSUIT && isFused && sensors == SensorSet.ALL,
+        worldFile == null || control == ControlKind.PURSUIT && isFused && sensors == SensorSet.ALL,
         "--world: expected --control pursuit, --estimator fusing and --sensors all");
     if (vehicle == VehicleKind.ACKERMANN) {
       return worldFile == null ? "system-ackermann.xml" : "system-ackermann-world.xml";

@@ -70,10 +70,7 @@ class SensorLossTest {
     report(
         what,
         String.format(
-            Locale.ROOT,
-            "%.0f s, farthest %.2f m",
-            drive.nowS(),
-            Collections.max(drive.misses())));
+            Locale.ROOT, "%.0f s, farthest %.2f m", drive.nowS(), Collections.max(drive.misses())));
     assertThat(Collections.max(drive.misses()))
         .as(what + " " + drive.misses())
         .isLessThan(farthestM);
