@@ -55,19 +55,22 @@ class SensorLossTest {
     return drive;
   }
 
-  private void requireTheLoop(String what, UgvDrive drive, double farthestM) throws Exception {
-    drive.driveUntil("the loop " + what, () -> drive.operator.goalsDone() == LOOP, ENOUGH_S);
+  /** Into {@code target/ugv-sensors-lost.txt} of the module. */
+  private static void report(String what, String figures) throws IOException {
     Path folder = Files.createDirectories(Path.of("target"));
     Files.writeString(
         folder.resolve("ugv-sensors-lost.txt"),
-        String.format(
-            Locale.ROOT,
-            "%s: %.0f s, farthest %.2f m%n",
-            what,
-            drive.nowS(),
-            Collections.max(drive.misses())),
+        what + ": " + figures + "\n",
         StandardOpenOption.CREATE,
         StandardOpenOption.APPEND);
+  }
+
+  private void requireTheLoop(String what, UgvDrive drive, double farthestM) throws Exception {
+    drive.driveUntil("the loop " + what, () -> drive.operator.goalsDone() == LOOP, ENOUGH_S);
+    report(
+        what,
+        String.format(
+            Locale.ROOT, "%.0f s, farthest %.2f m", drive.nowS(), Collections.max(drive.misses())));
     assertThat(Collections.max(drive.misses()))
         .as(what + " " + drive.misses())
         .isLessThan(farthestM);
@@ -115,8 +118,11 @@ class SensorLossTest {
     try (UgvDrive drive = startAndKill(services)) {
       UgvDrive.Stop stop = drive.stop(20.0);
 
-      assertThat(stop.standsS()).isLessThan(15.0);
-      assertThat(stop.wayM()).isLessThan(15.0);
+      report(
+          "killed " + services,
+          String.format(Locale.ROOT, "stands after %.2f s, %.2f m", stop.standsS(), stop.wayM()));
+      assertThat(stop.standsS()).isLessThan(7.0); // 5 s of dead reckoning, and braking
+      assertThat(stop.wayM()).isLessThan(10.0); // it speeds up where nothing measures its speed
       drive.requireStanding(30.0);
       assertThat(drive.operator.action()).isEqualTo(FailsafeAction.HOLD);
       assertThat(drive.operator.causes()).anyMatch(cause -> cause.startsWith("position"));

@@ -102,7 +102,7 @@ class StandsStillTest {
       drive.requireStanding(20.0);
 
       drive.world.cable().power(true);
-      drive.driveUntil("drives on", () -> drive.world.state().forwardMps() > 0.5, 15.0);
+      drive.driveUntil("drives on", () -> drive.world.state().forwardMps() > 0.5, 10.0);
     }
   }
 

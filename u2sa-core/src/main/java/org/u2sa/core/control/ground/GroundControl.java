@@ -87,7 +87,9 @@ final class GroundControl {
   private boolean isPowerless() {
     long now = clock.micros();
     List<String> lost =
-        motors.get().stream().filter(motor -> roster.left(motor, now) == 0.0).collect(Collectors.toList());
+        motors.get().stream()
+            .filter(motor -> roster.left(motor, now) == 0.0)
+            .collect(Collectors.toList());
     if (lost.isEmpty() == powerless) {
       powerless = !lost.isEmpty();
       control.log(powerless ? "lost " + String.join(", ", lost) : "all motors are there");
