@@ -9,10 +9,12 @@ import java.util.concurrent.locks.LockSupport;
  */
 final class TurnWait {
   /** About what it takes to wake a thread: to look out for longer than that gains nothing. */
-  private static final long LOOKS_OUT_NANOS = 20_000;
+  private static final long LOOKS_OUT_MICROS = 20;
 
   /** Looks between two offers of the core to other threads, which may include who has the turn. */
   private static final int LOOKS_BEFORE_YIELD = 32;
+
+  private static final Clock MACHINE = new SystemClock();
 
   private volatile boolean waiting;
   private volatile boolean called;
@@ -67,8 +69,8 @@ final class TurnWait {
   }
 
   private void lookOut() {
-    long began = System.nanoTime();
-    for (int looks = 1; waiting && System.nanoTime() - began < LOOKS_OUT_NANOS; looks++) {
+    long until = MACHINE.micros() + LOOKS_OUT_MICROS;
+    for (int looks = 1; waiting && MACHINE.micros() < until; looks++) {
       if (looks % LOOKS_BEFORE_YIELD == 0) {
         Thread.yield(); // Android 28 has no gentler way, Thread.onSpinWait
       }
