@@ -3,13 +3,13 @@ package org.u2sa.drivers.mavlink;
 import io.dronefleet.mavlink.common.ObstacleDistance;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.LaserScanner;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
-import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ServiceContext;
 
@@ -21,18 +21,13 @@ import org.u2sa.service.ServiceContext;
  * sensor's own axes. Directions in which the sensor does not look have no beam. Nearer than the
  * least distance counts as that far: 0 is something that touches the sensor.
  */
-public final class MavlinkProximity extends LinkedDevice<LaserScanner.Scan>
+public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
     implements LaserScanner {
-  private static final int OWN_SYSTEM = 255;
-  private static final int OWN_COMPONENT = 191;
   private static final double CENTI = 1.0e-2;
   private static final int NOT_MEASURED = 65_535;
   private static final int BODY_FRD = 12; // MAV_FRAME_BODY_FRD
 
-  private final MavlinkStream stream = new MavlinkStream(OWN_SYSTEM, OWN_COMPONENT);
   private Optional<Scan> latest = Optional.empty();
-  private long refused;
-  private String refusal = "";
 
   /** Over that link, which is closed with this. */
   public MavlinkProximity(ByteLink link) {
@@ -40,23 +35,10 @@ public final class MavlinkProximity extends LinkedDevice<LaserScanner.Scan>
   }
 
   @Override
-  protected void found(long nowMicros) {
-    stream.beginAnew();
-  }
-
-  @Override
-  protected void hear(byte[] bytes, int length, long nowMicros) {
-    stream.accept(
-        bytes,
-        length,
-        message -> {
-          if (message.payload() instanceof ObstacleDistance obstacles) {
-            take(obstacles, nowMicros);
-          }
-        });
-  }
-
-  private void take(ObstacleDistance obstacles, long nowMicros) {
+  void take(Object payload, long nowMicros) {
+    if (!(payload instanceof ObstacleDistance obstacles)) {
+      return;
+    }
     double stepDeg =
         obstacles.incrementF() != 0.0f ? obstacles.incrementF() : obstacles.increment();
     boolean isPlaced = obstacles.frame().value() == BODY_FRD;
@@ -66,13 +48,18 @@ public final class MavlinkProximity extends LinkedDevice<LaserScanner.Scan>
             && Float.isFinite(obstacles.angleOffset())
             && obstacles.minDistance() <= obstacles.maxDistance();
     if (!isPlaced || !isMeasured) {
-      refused++;
-      refusal =
+      refuse(
           isPlaced
-              ? "OBSTACLE_DISTANCE with steps of " + stepDeg + " deg"
+              ? String.format(
+                  Locale.ROOT,
+                  "OBSTACLE_DISTANCE from %d to %d cm, in steps of %.3f deg from %.3f deg",
+                  obstacles.minDistance(),
+                  obstacles.maxDistance(),
+                  stepDeg,
+                  obstacles.angleOffset())
               : "OBSTACLE_DISTANCE in frame "
                   + obstacles.frame().value()
-                  + "; expected 12, MAV_FRAME_BODY_FRD";
+                  + "; expected 12, MAV_FRAME_BODY_FRD");
       return;
     }
     List<RangeScan.Beam> beams = beams(obstacles, stepDeg);
@@ -108,16 +95,6 @@ public final class MavlinkProximity extends LinkedDevice<LaserScanner.Scan>
   @Override
   protected Optional<Scan> latest() {
     return latest;
-  }
-
-  @Override
-  public long malformed() {
-    return stream.malformed() + refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return refusal;
   }
 
   /** LIDAR mavlink in a configuration. */

@@ -9,7 +9,6 @@ import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
-import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
@@ -19,9 +18,8 @@ import org.u2sa.service.ServiceContext;
  *
  * <p>Nearer than its least distance, a sensor says no more than that: it counts as that far.
  */
-public final class MavlinkRange extends LinkedDevice<RangeFinder.Distance> implements RangeFinder {
-  private static final int OWN_SYSTEM = 255;
-  private static final int OWN_COMPONENT = 191;
+public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
+    implements RangeFinder {
   private static final double CENTI = 1.0e-2;
   private static final int INVALID = 1; // signal_quality; 0 is unknown, 100 perfect
   private static final int ANY_ID = -1;
@@ -36,12 +34,9 @@ public final class MavlinkRange extends LinkedDevice<RangeFinder.Distance> imple
     ANY
   }
 
-  private final MavlinkStream stream = new MavlinkStream(OWN_SYSTEM, OWN_COMPONENT);
   private final Kind kind;
   private final int id;
   private Optional<Distance> latest = Optional.empty();
-  private long refused;
-  private String refusal = "";
 
   /**
    * Over that link, which is closed with this.
@@ -56,24 +51,14 @@ public final class MavlinkRange extends LinkedDevice<RangeFinder.Distance> imple
   }
 
   @Override
-  protected void found(long nowMicros) {
-    stream.beginAnew();
-  }
-
-  @Override
-  protected void hear(byte[] bytes, int length, long nowMicros) {
-    stream.accept(bytes, length, message -> take(message.payload(), nowMicros));
-  }
-
-  private void take(Object payload, long nowMicros) {
+  void take(Object payload, long nowMicros) {
     if (!(payload instanceof DistanceSensor sensor) || !isMine(sensor)) {
       return;
     }
     int least = sensor.minDistance();
     int most = sensor.maxDistance();
     if (least > most) {
-      refused++;
-      refusal = "DISTANCE_SENSOR from " + least + " to " + most + " cm";
+      refuse("DISTANCE_SENSOR from " + least + " to " + most + " cm");
       return;
     }
     if (sensor.signalQuality() == INVALID) {
@@ -98,16 +83,6 @@ public final class MavlinkRange extends LinkedDevice<RangeFinder.Distance> imple
   @Override
   protected Optional<Distance> latest() {
     return latest;
-  }
-
-  @Override
-  public long malformed() {
-    return stream.malformed() + refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return refusal;
   }
 
   /** MODEL MAVLINK in a configuration. */

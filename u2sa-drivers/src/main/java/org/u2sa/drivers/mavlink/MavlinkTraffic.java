@@ -11,7 +11,6 @@ import org.u2sa.device.TrafficReceiver;
 import org.u2sa.device.TrafficTarget;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
-import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
@@ -20,10 +19,8 @@ import org.u2sa.service.ServiceContext;
  * A transponder or receiver that sends MAVLink's ADSB_VEHICLE (246), such as uAvionix's ping
  * family, or an autopilot that passes it on (mavlink.io/en/messages/common.html). It only listens.
  */
-public final class MavlinkTraffic extends LinkedDevice<TrafficReceiver.Traffic>
+public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffic>
     implements TrafficReceiver {
-  private static final int OWN_SYSTEM = 255;
-  private static final int OWN_COMPONENT = 191;
   private static final double DEGREES = 1.0e-7;
   private static final double MILLI = 1.0e-3;
   private static final double CENTI = 1.0e-2;
@@ -31,9 +28,7 @@ public final class MavlinkTraffic extends LinkedDevice<TrafficReceiver.Traffic>
   private static final double MOST_LATITUDE_DEG = 90.0;
   private static final double MOST_LONGITUDE_DEG = 180.0;
 
-  private final MavlinkStream stream = new MavlinkStream(OWN_SYSTEM, OWN_COMPONENT);
   private final TrafficPicture picture = new TrafficPicture();
-  private long refused;
 
   /** Over that link, which is closed with this. */
   public MavlinkTraffic(ByteLink link) {
@@ -41,16 +36,7 @@ public final class MavlinkTraffic extends LinkedDevice<TrafficReceiver.Traffic>
   }
 
   @Override
-  protected void found(long nowMicros) {
-    stream.beginAnew();
-  }
-
-  @Override
-  protected void hear(byte[] bytes, int length, long nowMicros) {
-    stream.accept(bytes, length, message -> take(message.payload(), nowMicros));
-  }
-
-  private void take(Object payload, long nowMicros) {
+  void take(Object payload, long nowMicros) {
     if (payload instanceof AdsbVehicle vehicle) {
       vehicle(vehicle, nowMicros);
     } else {
@@ -64,7 +50,7 @@ public final class MavlinkTraffic extends LinkedDevice<TrafficReceiver.Traffic>
     boolean isOnEarth =
         Math.abs(latitudeDeg) <= MOST_LATITUDE_DEG && Math.abs(longitudeDeg) <= MOST_LONGITUDE_DEG;
     if (!isOnEarth) {
-      refused++;
+      refuse("ADSB_VEHICLE at latitude " + latitudeDeg + ", longitude " + longitudeDeg + " deg");
     }
     if (!isOnEarth || !has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_COORDS)) {
       picture.alive(nowMicros);
@@ -111,11 +97,6 @@ public final class MavlinkTraffic extends LinkedDevice<TrafficReceiver.Traffic>
   @Override
   protected Optional<Traffic> latest() {
     return picture.latest();
-  }
-
-  @Override
-  public long malformed() {
-    return stream.malformed() + refused;
   }
 
   /** RECEIVER MAVLINK in a configuration. */

@@ -170,6 +170,17 @@ class MavlinkDistancesTest {
   }
 
   @Test
+  void around_leastBeyondMost_isRefusedWithBoth() {
+    MavlinkProximity scanner = new MavlinkProximity(link);
+    scanner.read(1_000_000);
+    link.fromDevice(
+        new MavlinkFrame(330, 23, 167).i16(152, 500).i16(154, 20).i8(157, 5).i8(166, 12).from(1));
+    assertThat(scanner.read(2_000_000)).isEmpty();
+    assertThat(scanner.lastRefusal())
+        .isEqualTo("OBSTACLE_DISTANCE from 500 to 20 cm, in steps of 5.000 deg from 0.000 deg");
+  }
+
+  @Test
   void around_brokenFrame_isCountedAndTheNextIsRead() {
     String broken = FINE.substring(0, 60) + "00" + FINE.substring(62);
     MavlinkProximity scanner = around(broken);

@@ -48,6 +48,8 @@ class MavlinkTrafficTest {
 
   @Test
   void read_placeNotOnEarth_isRefused() {
-    assertThat(hear(AdsbFrames.frame(1, 950_000_000).from(1)).malformed()).isEqualTo(1);
+    MavlinkTraffic receiver = hear(AdsbFrames.frame(1, 950_000_000).from(1));
+    assertThat(receiver.malformed()).isEqualTo(1);
+    assertThat(receiver.lastRefusal()).startsWith("ADSB_VEHICLE at latitude 95.0,");
   }
 }

@@ -1,0 +1,52 @@
+package org.u2sa.drivers.mavlink;
+
+import org.u2sa.device.Device;
+import org.u2sa.drivers.link.ByteLink;
+import org.u2sa.drivers.link.LinkedDevice;
+
+/**
+ * A device that only listens to MAVLink: messages of a kind, whoever sends them. It has the address
+ * of a ground station, and never says anything.
+ */
+abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R> {
+  private static final int OWN_SYSTEM = 255;
+  private static final int OWN_COMPONENT = 191;
+
+  private final MavlinkStream stream = new MavlinkStream(OWN_SYSTEM, OWN_COMPONENT);
+  private long refused;
+  private String refusal = "";
+
+  MavlinkListener(ByteLink link) {
+    super(link);
+  }
+
+  /** Takes a message, of whatever kind. */
+  abstract void take(Object payload, long nowMicros);
+
+  /** Counts a message that says what cannot be. */
+  final void refuse(String what) {
+    refused++;
+    refusal = what;
+  }
+
+  @Override
+  protected final void found(long nowMicros) {
+    stream.beginAnew();
+  }
+
+  @Override
+  protected final void hear(byte[] bytes, int length, long nowMicros) {
+    stream.accept(bytes, length, message -> take(message.payload(), nowMicros));
+  }
+
+  /** Damaged messages, and refused ones. */
+  @Override
+  public final long malformed() {
+    return stream.malformed() + refused;
+  }
+
+  @Override
+  public final String lastRefusal() {
+    return refusal;
+  }
+}
