@@ -14,6 +14,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.HandOver;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.testkit.ServiceKit;
 
@@ -189,6 +190,31 @@ class ControlSystemTest {
     assertThat(control.points.get(1)).isEmpty();
     assertThat(control.steps).containsExactly(0.0, 0.0);
     assertThat(control.isStateless()).isFalse();
+  }
+
+  @Test
+  void handOver_withoutState_leavesOriginsBehind() {
+    control.obeysWithoutState = true;
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(5.0, 0.0, 0.0)));
+    HandOver memory = new HandOver("RecordingControl");
+    control.handOver(memory);
+
+    assertThat(control.isStateless()).isTrue();
+    assertThat(memory.messages("STATES", StateInformation.class)).isEmpty();
+    assertThat(memory.messages("POINTS", NavigationPoint.class)).isEmpty();
+  }
+
+  @Test
+  void takeOver_statesOfTheOneBefore_navigationPointWaitsForTheNextState() {
+    HandOver memory = new HandOver("RecordingControl");
+    StateInformation last = state();
+    last.timestamp(0L);
+    memory.messages("STATES", List.of(last));
+    control.obeysWithoutState = true;
+    control.takeOver(memory);
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(5.0, 0.0, 0.0)));
+
+    assertThat(control.points).isEmpty();
   }
 
   private static StateInformation state() {

@@ -2,6 +2,7 @@ package org.u2sa.scenarios.igvc;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.device.LidarSensor;
@@ -49,6 +50,11 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   @Override
   public Profile profile() {
     return new Profile("igvc", "igvc", "course.xml", Domain.GROUND, 60.0, 0.05);
+  }
+
+  @Override
+  public OptionalDouble captureRadiusM() {
+    return OptionalDouble.of(Judge.WAYPOINT_M);
   }
 
   @Override

@@ -1,12 +1,10 @@
 package org.u2sa.scenarios.igvc;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Set;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -28,6 +26,7 @@ final class Judge {
   static final double TIMED_M = 13.4112; // 44 ft
   static final double REST_S = 60.0;
   static final double RUN_S = 360.0;
+  static final double WAYPOINT_M = 2.0;
 
   private static final double SETTLED_S = 1.0; // a touch that ends for less is the same one
 
@@ -38,7 +37,6 @@ final class Judge {
   private final List<String> log = new ArrayList<>();
   private final List<String> violations = new ArrayList<>();
   private final Map<String, Double> lastTouch = new LinkedHashMap<>();
-  private final Set<String> kinds = new HashSet<>();
   private int crossings;
   private int touches;
   private double beganS = Double.NaN;
@@ -48,6 +46,7 @@ final class Judge {
   private double restS;
   private double stoppedS;
   private boolean timed;
+  private boolean tooFast;
   private volatile boolean over;
 
   /**
@@ -122,7 +121,8 @@ final class Judge {
         end(truth, String.format(Locale.ROOT, "too slow over the first 44 ft: %.2f m/s", mean));
       }
     }
-    if (truth.speedMps() > FASTEST_MPS && kinds.add("speed")) {
+    if (truth.speedMps() > FASTEST_MPS && !tooFast) {
+      tooFast = true;
       violation(truth, String.format(Locale.ROOT, "faster than 5 mph: %.2f m/s", truth.speedMps()));
     }
     if (restS > REST_S) {

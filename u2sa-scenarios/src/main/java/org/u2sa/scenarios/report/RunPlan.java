@@ -71,6 +71,23 @@ public record RunPlan(
     return new RunPlan(domain, home, waypoints, corners, surroundings);
   }
 
+  /** The same, with each waypoint reached within that horizontal distance [m], more than 0. */
+  public RunPlan reachedWithin(double radiusM) {
+    List<Waypoint> within =
+        waypoints.stream()
+            .map(
+                w ->
+                    new Waypoint(
+                        w.name(),
+                        w.longitudeDeg(),
+                        w.latitudeDeg(),
+                        w.altitudeM(),
+                        radiusM,
+                        w.verticalThresholdM()))
+            .toList();
+    return new RunPlan(domain, home, within, fence, surroundings);
+  }
+
   /** The same among objects. */
   public RunPlan among(Surroundings around) {
     return new RunPlan(domain, home, waypoints, fence, around);

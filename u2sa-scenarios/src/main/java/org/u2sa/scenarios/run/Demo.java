@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.run;
 
 import java.nio.file.Path;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.u2sa.core.launch.LaunchOptions;
@@ -44,6 +45,14 @@ public interface Demo {
    */
   default RunPlan.Start start(Mission mission) {
     return RunPlans.start(mission);
+  }
+
+  /**
+   * Within how many metres of a waypoint the rules count it as reached; empty: within the mission's
+   * threshold.
+   */
+  default OptionalDouble captureRadiusM() {
+    return OptionalDouble.empty();
   }
 
   /** What truly stands and moves around the vehicle: for the score and the picture. */

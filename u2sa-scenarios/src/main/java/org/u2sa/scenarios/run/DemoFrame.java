@@ -125,8 +125,11 @@ public final class DemoFrame {
 
   /** A mission of the demo as reports and screens see it. */
   public RunPlan plan(Demo demo, Mission mission) {
-    return RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)))
-        .among(demo.surroundings());
+    RunPlan plan =
+        RunPlans.of(demo.profile().domain(), mission, Optional.of(demo.start(mission)))
+            .among(demo.surroundings());
+    OptionalDouble ruled = demo.captureRadiusM();
+    return ruled.isPresent() ? plan.reachedWithin(ruled.getAsDouble()) : plan;
   }
 
   private LaunchOptions launch(SystemFile system, Demo.Trial trial) {

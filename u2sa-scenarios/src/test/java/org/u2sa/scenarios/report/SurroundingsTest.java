@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -64,6 +65,18 @@ class SurroundingsTest {
               Optional.of(new TrackSample.Flight(0.0, 0.0, 50.0, false))));
     }
     return track;
+  }
+
+  @Test
+  void breaking_furtherRules_keepsWhatWasCounted() {
+    RunOutcome outcome =
+        new RunOutcome(1, true, List.of("a"), Map.of("touches", 1), Map.of("distanceM", 2.0))
+            .breaking(List.of("b"));
+
+    assertThat(outcome)
+        .isEqualTo(
+            new RunOutcome(
+                1, true, List.of("a", "b"), Map.of("touches", 1), Map.of("distanceM", 2.0)));
   }
 
   private static RunReport report(double reachM, ObjectDescription... around) {
