@@ -196,7 +196,7 @@ final class RecordingFiles {
           String.format(
               Locale.ROOT,
               "recording into %s: %s (%d such failures so far)",
-              written.peekLast(),
+              written.isEmpty() ? first : written.peekLast(),
               e.getMessage(),
               failures));
     }

@@ -12,6 +12,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,6 +24,7 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
@@ -274,6 +278,57 @@ class RecorderTest {
       Map<String, String> counts = reader.metadata().get(0).entries();
       assertThat(counts).containsEntry("dropped", "4").containsEntry("messages", "20");
     }
+  }
+
+  @Test
+  void receive_whileNoFileCanBeBegun_isCountedAndRecordingGoesOnOnceThereCan() throws IOException {
+    Path file = folder.resolve("runs").resolve("r.mcap");
+    Files.writeString(file.getParent(), "where the folder should be");
+    List<String> told = new CopyOnWriteArrayList<>();
+    Consumer<String> trouble =
+        what -> {
+          told.add(what);
+          assertThat(file.getParent().toFile().delete()).isTrue();
+        };
+    RecorderSettings settings =
+        XmlConfiguration.inMemory("Recorder", Map.of("FORM", "U2SA"))
+            .settings(RecorderSettings.class)
+            .get();
+    RecordingFiles files =
+        new RecordingFiles(file, settings, "test", new RecordingFacts(), trouble);
+    AtomicLong micros = new AtomicLong();
+    Recording recording = new Recording("rover", clock(micros), settings, files, trouble);
+    StateInformation message = stamped(state(1.0));
+    message.freeze();
+    recording.start();
+    for (int i = 0; i < 3; i++) {
+      recording.receive(Channels.STATE, message);
+    }
+    micros.set(10_000_000);
+    recording.receive(Channels.STATE, message);
+    recording.close();
+
+    assertThat(told).hasSize(1).allMatch(line -> line.startsWith("recording into " + file + ": "));
+    try (McapReader reader = McapReader.open(file)) {
+      assertThat(reader.statistics().messages()).isEqualTo(1);
+      assertThat(reader.metadata().get(0).entries())
+          .containsEntry("not-written", "3")
+          .containsEntry("messages", "4");
+    }
+  }
+
+  private static Clock clock(AtomicLong micros) {
+    return new Clock() {
+      @Override
+      public long micros() {
+        return micros.get();
+      }
+
+      @Override
+      public Waiter newWaiter(String name) {
+        throw new UnsupportedOperationException("nobody waits here");
+      }
+    };
   }
 
   @Test

@@ -159,6 +159,21 @@ class ArcChooserTest {
     assertThat(outcome.gapM()).isNegative();
   }
 
+  /** What cannot stand flies to its route, and meets what is between. */
+  @Test
+  void play_aeroplaneBesideItsRoute_meetsWhatIsOnTheWayBackToIt() {
+    Route.Point from = new Route.Point(0.0, 6.0, false);
+    Route.Point to = new Route.Point(10.0, 6.0, false);
+    RouteTrack track = new RouteTrack(Route.of(List.of(from, to), 10.0));
+    Mover between = mover(2.3, 1.2, 0.0, 0.0);
+    TrafficForecast traffic = new TrafficForecast(List.of(between), BODY, aeroplane(), ORIGIN, 0L);
+    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, aeroplane(), ORIGIN, 1.0);
+    MotionForecast.Outcome outcome = forecast.play(Motion.along(track, 0.0, false, 1.0, 0.5));
+
+    assertThat(outcome.meetsS()).isBetween(1.0, 3.0);
+    assertThat(outcome.gapM()).isLessThan(aeroplane().trafficM());
+  }
+
   @Test
   void withoutRoute_trafficComesAtItInAGap_turnsOnTheSpotAndLeaves() {
     wall(0.7, 0.9, -4.0, 4.0);
