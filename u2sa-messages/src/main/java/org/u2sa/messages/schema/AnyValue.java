@@ -1,7 +1,5 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -13,55 +11,57 @@ import java.util.Map;
 final class AnyValue {
   private AnyValue() {}
 
-  static Object read(CborReader in) throws IOException, MalformedMessageException {
-    if (in.token() == null) {
-      throw in.unexpected("a value");
+  static Object read(CborReader in) throws MalformedMessageException {
+    int first = in.next();
+    switch (first & Cbor.MAJOR) {
+      case Cbor.UNSIGNED, Cbor.NEGATIVE:
+        return in.count();
+      case Cbor.TEXT:
+        return in.text();
+      case Cbor.ARRAY:
+        return Collections.unmodifiableList(in.list(() -> read(in)));
+      case Cbor.MAP:
+        return in.map();
+      default:
+        return simple(in, first);
     }
-    switch (in.token()) {
-      case VALUE_NUMBER_FLOAT:
+  }
+
+  private static Object simple(CborReader in, int first) throws MalformedMessageException {
+    switch (first) {
+      case Cbor.FALSE, Cbor.TRUE:
+        return in.flag();
+      case Cbor.FLOAT_16, Cbor.FLOAT_32, Cbor.FLOAT_64:
         double number = in.number();
         if (!Double.isFinite(number)) {
           throw in.malformed("expected a finite number, not " + number);
         }
         return number;
-      case VALUE_NUMBER_INT:
-        return in.count();
-      case VALUE_TRUE:
-      case VALUE_FALSE:
-        return in.flag();
-      case VALUE_STRING:
-        return in.text();
-      case START_ARRAY:
-        return Collections.unmodifiableList(in.list(() -> read(in)));
-      case START_OBJECT:
-        return in.map();
       default:
         throw in.unexpected("a number, text, bool, array or map");
     }
   }
 
-  static void write(CBORGenerator out, Object value) throws IOException {
+  static void write(CborOutput out, Object value) {
     if (value instanceof Double number) {
-      out.writeNumber(number);
+      out.number(number);
     } else if (value instanceof Long count) {
-      out.writeNumber(count);
+      out.count(count);
     } else if (value instanceof Boolean flag) {
-      out.writeBoolean(flag);
+      out.flag(flag);
     } else if (value instanceof List<?> list) {
-      out.writeStartArray(null, list.size());
+      out.array(list.size());
       for (Object element : list) {
         write(out, element);
       }
-      out.writeEndArray();
     } else if (value instanceof Map<?, ?> map) {
-      out.writeStartObject(null, map.size());
+      out.map(map.size());
       for (Map.Entry<?, ?> entry : map.entrySet()) {
-        out.writeFieldName((String) entry.getKey());
+        out.text((String) entry.getKey());
         write(out, entry.getValue());
       }
-      out.writeEndObject();
     } else {
-      out.writeString((String) value);
+      out.text((String) value);
     }
   }
 }

@@ -1,12 +1,5 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.core.JacksonException;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonToken;
-import com.fasterxml.jackson.core.StreamReadConstraints;
-import com.fasterxml.jackson.dataformat.cbor.CBORFactory;
-import com.fasterxml.jackson.dataformat.cbor.CBORParser;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
@@ -21,250 +14,250 @@ import org.u2sa.messages.frame.Point;
  * MalformedMessageException}.
  */
 final class CborReader {
-  private static final CBORFactory FACTORY =
-      CBORFactory.builder()
-          .streamReadConstraints(
-              StreamReadConstraints.builder()
-                  .maxNestingDepth(Limits.DEPTH)
-                  .maxStringLength(Limits.TEXT_BYTES)
-                  .maxNameLength(Limits.TEXT_BYTES)
-                  .maxDocumentLength(Limits.PAYLOAD_BYTES)
-                  .build())
-          .build();
+  private static final int COORDINATES = 3;
+  private static final int SOME = 16; // elements, to begin with, of a list that does not say
 
-  /** Reads the element of a list that the parser stands on. */
+  /** Reads the next element of a list. */
   interface Element<V> {
-    V read() throws IOException, MalformedMessageException;
+    V read() throws MalformedMessageException;
   }
 
   private final MessageTypes types;
-  private final CBORParser in;
+  private final CborInput in;
   private String path; // type and fields around what is being read, for errors
   private String key; // the field being read; null between fields
-  private int depth; // maps around what is being read
+  private int depth; // arrays and maps around what is being read
   private Origin origin; // as the outermost map says; else null
 
-  private CborReader(MessageTypes types, CBORParser in, String path) {
+  private CborReader(MessageTypes types, byte[] bytes, String path) {
     this.types = types;
-    this.in = in;
+    in = new CborInput(bytes);
     this.path = path;
   }
 
   static U2SAData message(MessageTypes types, List<String> chain, byte[] bytes)
       throws MalformedMessageException {
     MessageType<?> nearest = types.nearest(chain);
-    try (CBORParser parser = FACTORY.createParser(bytes)) {
-      CborReader reader = new CborReader(types, parser, chain.get(chain.size() - 1));
-      return reader.whole(nearest, chain, bytes.length);
-    } catch (IOException e) {
-      throw new MalformedMessageException(nearest.name(), 0L, "cannot be opened", e);
-    }
+    return new CborReader(types, bytes, chain.get(chain.size() - 1)).whole(nearest, chain);
   }
 
-  private U2SAData whole(MessageType<?> nearest, List<String> chain, int length)
+  private U2SAData whole(MessageType<?> nearest, List<String> chain)
       throws MalformedMessageException {
     try {
-      in.nextToken();
-      U2SAData message = map(nearest, chain);
+      U2SAData message = message(nearest, chain, in.map(), 0);
       message.cameFrom(origin);
-      if (in.currentLocation().getByteOffset() < length) {
+      if (!in.isAtEnd()) {
         throw malformed("expected the end of the message, not more bytes");
       }
       return message;
-    } catch (IOException | RuntimeException e) {
-      // RuntimeException: a setter's refusal, or the parser's own on bytes that its authors did not
-      // foresee.
-      throw new MalformedMessageException(where(), offset(), reason(e), e);
+    } catch (RuntimeException e) { // the input's, or a setter's refusal
+      throw new MalformedMessageException(where(), in.offset(), e.getMessage(), e);
     }
   }
 
-  private static String reason(Exception e) {
-    String message =
-        e instanceof JacksonException broken ? broken.getOriginalMessage() : e.getMessage();
-    return message == null ? "is no CBOR" : message;
-  }
-
-  /** The map that the parser stands on, as a message of the given type. */
-  private U2SAData map(MessageType<?> type, List<String> chain)
-      throws IOException, MalformedMessageException {
-    expect(JsonToken.START_OBJECT, "a map");
-    return mapAfterType(type, chain);
-  }
-
-  private U2SAData mapAfterType(MessageType<?> type, List<String> chain)
-      throws IOException, MalformedMessageException {
-    U2SAData message = type.createCarrier().get();
+  /** The rest of the map that was opened, as a message of the given type. */
+  private U2SAData message(MessageType<?> type, List<String> chain, long pairs, long read)
+      throws MalformedMessageException {
+    U2SAData message = type.newCarrier();
     boolean isKnown = type.chain().equals(chain);
     Map<String, Object> unknown = isKnown ? null : new LinkedHashMap<>();
-    fields(message, unknown);
+    String outerPath = path;
+    String outerKey = key;
+    path = where();
+    key = null;
+    deeper();
+    fields(message, unknown, pairs, read);
     if (unknown != null) {
       message.keepUnknown(
           new U2SAData.UnknownPart(List.copyOf(chain), Collections.unmodifiableMap(unknown)));
     }
+    key = null;
     requireComplete(message);
-    return message;
-  }
-
-  private void fields(U2SAData message, Map<String, Object> unknown)
-      throws IOException, MalformedMessageException {
-    String outerPath = path;
-    String outerKey = key;
-    path = where();
-    Set<String> skipped = new HashSet<>();
-    depth++;
-    for (key = in.nextFieldName(); key != null; key = in.nextFieldName()) {
-      MessageField<U2SAData> field = message.ownType().fieldOrNull(key);
-      if (field == null ? !skipped.add(key) : field.isSet(message) || skipped.contains(key)) {
-        throw malformed("the key comes twice");
-      }
-      in.nextToken();
-      if (field != null) {
-        field.read(this, message);
-        if (!field.isSet(message)) {
-          skipped.add(key); // a constant that only later readers know
-        }
-      } else if (depth == 1 && key.equals(Origin.KEY)) {
-        origin = origin();
-      } else if (unknown != null && !key.equals(Schema.TYPE_KEY)) {
-        unknown.put(unicode(key), AnyValue.read(this));
-      } else {
-        in.skipChildren();
-      }
-    }
-    expect(JsonToken.END_OBJECT, "a text key or the end of the map");
     depth--;
     path = outerPath;
     key = outerKey;
+    return message;
   }
 
-  /** What the parser stands on, as [sender, sequence]. */
-  private Origin origin() throws IOException, MalformedMessageException {
-    expect(JsonToken.START_ARRAY, "an array of sender and sequence");
-    in.nextToken();
-    String sender = text();
-    in.nextToken();
-    long sequence = count();
-    in.nextToken();
-    expect(JsonToken.END_ARRAY, "the end of the array after sender and sequence");
+  private void fields(U2SAData message, Map<String, Object> unknown, long pairs, long begun)
+      throws MalformedMessageException {
+    MessageType<U2SAData> type = message.ownType();
+    Set<String> others = Set.of(); // keys without a value in the message
+    int next = 0;
+    for (long read = begun; !in.isDone(pairs, read); read++) {
+      MessageField<U2SAData> field = null;
+      int index = type.takeKey(in, next);
+      if (index >= 0) { // in the order in which writers put them
+        field = type.fields().get(index);
+        key = field.name();
+        next = index + 1;
+      } else {
+        key = in.text();
+        field = type.fieldOrNull(key);
+      }
+      if (field != null && field.isSet(message) || others.contains(key)) {
+        throw malformed("the key comes twice");
+      }
+      if (field != null) {
+        field.read(this, message);
+      } else if (depth == 1 && key.equals(Origin.KEY)) {
+        origin = origin();
+      } else if (unknown != null && !key.equals(Schema.TYPE_KEY)) {
+        unknown.put(key, AnyValue.read(this));
+      } else {
+        in.skip(Limits.DEPTH - depth);
+      }
+      if (field == null || !field.isSet(message)) { // the latter: what only later readers know
+        others = with(others, key);
+      }
+    }
+  }
+
+  private static Set<String> with(Set<String> keys, String key) {
+    Set<String> more = keys.isEmpty() ? new HashSet<>() : keys;
+    more.add(key);
+    return more;
+  }
+
+  /** The next item, as [sender, sequence]. */
+  private Origin origin() throws MalformedMessageException {
+    if ((in.next() & Cbor.MAJOR) != Cbor.ARRAY) {
+      throw in.unexpected("an array of sender and sequence");
+    }
+    long length = in.array();
+    String sender = in.text();
+    long sequence = in.count();
+    if (!in.isDone(length, Origin.ELEMENTS)) {
+      throw malformed("expected the end of the array after sender and sequence");
+    }
     return new Origin(sender, sequence);
   }
 
   private void requireComplete(U2SAData message) throws MalformedMessageException {
-    for (MessageField<U2SAData> field : message.ownType().fields()) {
-      if (field.isRequired() && !field.isSet(message)) {
+    for (MessageField<U2SAData> field : message.ownType().requiredFields()) {
+      if (!field.isSet(message)) {
         throw malformed(field.path() + " is required and missing");
       }
     }
   }
 
-  /** The list element that the parser stands on: a map that opens with its type chain. */
-  <M extends U2SAData> M nested(MessageType<M> expected)
-      throws IOException, MalformedMessageException {
-    expect(JsonToken.START_OBJECT, "a map");
-    if (!Schema.TYPE_KEY.equals(in.nextFieldName())) {
+  /** The next element of a list: a map that opens with its type chain. */
+  <M extends U2SAData> M nested(MessageType<M> expected) throws MalformedMessageException {
+    long pairs = in.map();
+    boolean opensWithType =
+        !in.isDone(pairs, 0)
+            && (in.take(Schema.TYPE_KEY_BYTES) || Schema.TYPE_KEY.equals(in.text()));
+    if (!opensWithType) {
       throw malformed("expected \"type\" as the first key of a message in a list");
     }
-    in.nextToken();
-    List<String> chain = list(this::text);
-    MessageType<?> type = types.nearest(chain, offset());
+    List<String> chain = list(in::text);
+    MessageType<?> type = types.nearest(chain, in.offset());
     if (!expected.messageClass().isAssignableFrom(type.messageClass())) {
       throw malformed("expected a kind of " + expected.name() + ", not " + chain);
     }
-    return expected.messageClass().cast(mapAfterType(type, chain));
+    return expected.messageClass().cast(message(type, chain, pairs, 1));
   }
 
-  double number() throws IOException, MalformedMessageException {
-    JsonToken token = in.currentToken();
-    if (token != JsonToken.VALUE_NUMBER_FLOAT && token != JsonToken.VALUE_NUMBER_INT) {
-      throw unexpected("a number");
+  double number() {
+    return in.number();
+  }
+
+  long count() {
+    return in.count();
+  }
+
+  boolean flag() {
+    return in.flag();
+  }
+
+  String text() {
+    return in.text();
+  }
+
+  Point point() throws MalformedMessageException {
+    long length = in.array();
+    deeper();
+    double x = in.number();
+    double y = in.number();
+    double z = in.number();
+    if (!in.isDone(length, COORDINATES)) {
+      throw malformed("expected a point of three numbers");
     }
-    return in.getDoubleValue();
+    depth--;
+    return Point.of(x, y, z);
   }
 
-  long count() throws IOException, MalformedMessageException {
-    if (in.currentToken() != JsonToken.VALUE_NUMBER_INT
-        || in.getNumberType() == JsonParser.NumberType.BIG_INTEGER) {
-      throw unexpected("an integer of 64 bits");
+  /** The next item, as a list of numbers without objects for them. */
+  List<Double> numbers() throws MalformedMessageException {
+    long length = in.array();
+    if (length == CborInput.UNTIL_BREAK) {
+      return elements(length, in::number);
     }
-    return in.getLongValue();
+    requireRoom(length);
+    deeper();
+    double[] numbers = new double[(int) length];
+    in.numbers(numbers);
+    depth--;
+    return Numbers.owning(numbers);
   }
 
-  boolean flag() throws IOException, MalformedMessageException {
-    if (in.currentToken() != JsonToken.VALUE_TRUE && in.currentToken() != JsonToken.VALUE_FALSE) {
-      throw unexpected("true or false");
-    }
-    return in.currentToken() == JsonToken.VALUE_TRUE;
+  <V> List<V> list(Element<V> element) throws MalformedMessageException {
+    return elements(in.array(), element);
   }
 
-  String text() throws IOException, MalformedMessageException {
-    expect(JsonToken.VALUE_STRING, "text");
-    return unicode(in.getText());
-  }
-
-  /** Jackson reads halves of surrogate pairs, which no UTF-8 has and nobody could write again. */
-  private static String unicode(String text) {
-    ScalarKinds.requireUnicode(text);
-    return text;
-  }
-
-  Point point() throws IOException, MalformedMessageException {
-    List<Double> coordinates = list(this::number);
-    if (coordinates.size() != 3) {
-      throw malformed("expected a point of three numbers, not of " + coordinates.size());
-    }
-    return Point.of(coordinates.get(0), coordinates.get(1), coordinates.get(2));
-  }
-
-  <V> List<V> list(Element<V> element) throws IOException, MalformedMessageException {
-    expect(JsonToken.START_ARRAY, "an array");
-    List<V> elements = new ArrayList<>();
-    while (in.nextToken() != JsonToken.END_ARRAY) {
-      if (elements.size() == Limits.LIST_ELEMENTS) {
-        throw malformed("expected at most " + Limits.LIST_ELEMENTS + " elements");
-      }
+  private <V> List<V> elements(long length, Element<V> element) throws MalformedMessageException {
+    requireRoom(length);
+    deeper();
+    List<V> elements = new ArrayList<>(length == CborInput.UNTIL_BREAK ? SOME : (int) length);
+    while (!in.isDone(length, elements.size())) {
+      requireRoom(elements.size() + 1L);
       elements.add(element.read());
     }
+    depth--;
     return elements;
   }
 
-  Map<String, Object> map() throws IOException, MalformedMessageException {
+  private void requireRoom(long elements) throws MalformedMessageException {
+    if (elements > Limits.LIST_ELEMENTS) {
+      throw malformed("expected at most " + Limits.LIST_ELEMENTS + " elements");
+    }
+  }
+
+  Map<String, Object> map() throws MalformedMessageException {
+    long length = in.map();
+    deeper();
     Map<String, Object> map = new LinkedHashMap<>();
-    for (String name = in.nextFieldName(); name != null; name = in.nextFieldName()) {
-      in.nextToken();
-      if (map.put(unicode(name), AnyValue.read(this)) != null) {
+    while (!in.isDone(length, map.size())) {
+      String name = in.text();
+      if (map.put(name, AnyValue.read(this)) != null) {
         throw malformed("the key \"" + name + "\" comes twice");
       }
     }
-    expect(JsonToken.END_OBJECT, "a text key or the end of the map");
+    depth--;
     return Collections.unmodifiableMap(map);
   }
 
-  /** What the parser stands on. */
-  JsonToken token() {
-    return in.currentToken();
+  /** The first byte of the next item. */
+  int next() {
+    return in.next();
   }
 
-  private void expect(JsonToken token, String what) throws IOException, MalformedMessageException {
-    if (in.currentToken() != token) {
-      throw unexpected(what);
+  IllegalArgumentException unexpected(String what) {
+    return in.unexpected(what);
+  }
+
+  private void deeper() throws MalformedMessageException {
+    if (++depth > Limits.DEPTH) {
+      throw malformed("expected at most " + Limits.DEPTH + " levels of nesting");
     }
   }
 
-  MalformedMessageException unexpected(String what) {
-    JsonToken token = in.currentToken();
-    return malformed("expected " + what + ", not " + (token == null ? "the end" : token));
-  }
-
   MalformedMessageException malformed(String what) {
-    return new MalformedMessageException(where(), offset(), what);
+    return new MalformedMessageException(where(), in.offset(), what);
   }
 
   /** "GoalList.goals.uid". */
   private String where() {
     return key == null ? path : path + "." + key;
-  }
-
-  private long offset() {
-    return Math.max(0L, in.currentLocation().getByteOffset());
   }
 }

@@ -1,33 +1,20 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.core.util.ByteArrayBuilder;
-import com.fasterxml.jackson.dataformat.cbor.CBORFactory;
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.messages.frame.Point;
 
-/**
- * Writes one message as CBOR (RFC 8949): definite lengths, shortest integers, float64, fields in
- * the schema's order.
- */
+/** Writes one message as CBOR: fields in the schema's order. */
 final class CborWriter {
-  private static final CBORFactory FACTORY = new CBORFactory();
-  private static final int TYPICAL_BYTES = 512;
+  private static final int COORDINATES = 3;
 
   private CborWriter() {}
 
   /** The message, and who sends it unless that is null. */
   static byte[] bytes(U2SAData message, Origin origin) {
-    ByteArrayBuilder buffer = new ByteArrayBuilder(TYPICAL_BYTES);
-    try (CBORGenerator generator = FACTORY.createGenerator(buffer)) {
-      message(generator, message, origin, false);
-    } catch (IOException e) {
-      throw new UncheckedIOException("memory refused bytes", e);
-    }
-    byte[] bytes = buffer.toByteArray();
+    CborOutput out = new CborOutput();
+    message(out, message, origin, false);
+    byte[] bytes = out.toBytes();
     if (bytes.length > Limits.PAYLOAD_BYTES) {
       throw new IllegalStateException(
           String.format(
@@ -37,47 +24,50 @@ final class CborWriter {
     return bytes;
   }
 
-  private static void message(CBORGenerator out, U2SAData message, Origin origin, boolean withType)
-      throws IOException {
+  private static void message(CborOutput out, U2SAData message, Origin origin, boolean withType) {
     List<MessageField<U2SAData>> fields = message.ownType().fields();
     Map<String, Object> unknown = message.unknownFields();
     int size = unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1);
-    for (MessageField<U2SAData> field : fields) {
-      if (field.isWritten(message)) {
+    for (int i = 0; i < fields.size(); i++) {
+      if (fields.get(i).isWritten(message)) {
         size++;
       }
     }
-    out.writeStartObject(message, size);
+    out.map(size);
     if (withType) {
-      out.writeFieldName(Schema.TYPE_KEY);
+      out.item(Schema.TYPE_KEY_BYTES);
       List<String> chain = message.typeChain();
-      out.writeArray(chain.toArray(new String[0]), 0, chain.size());
+      out.array(chain.size());
+      chain.forEach(out::text);
     }
-    for (MessageField<U2SAData> field : fields) {
+    for (int i = 0; i < fields.size(); i++) {
+      MessageField<U2SAData> field = fields.get(i);
       if (field.isWritten(message)) {
-        out.writeFieldName(field.key);
+        out.item(field.key);
         field.write(out, message);
       }
     }
-    for (Map.Entry<String, Object> entry : unknown.entrySet()) {
-      out.writeFieldName(entry.getKey());
-      AnyValue.write(out, entry.getValue());
-    }
+    unknown.forEach(
+        (name, value) -> {
+          out.text(name);
+          AnyValue.write(out, value);
+        });
     if (origin != null) {
-      out.writeFieldName(Origin.KEY);
-      out.writeStartArray(null, Origin.ELEMENTS);
-      out.writeString(origin.sender());
-      out.writeNumber(origin.sequence());
-      out.writeEndArray();
+      out.text(Origin.KEY);
+      out.array(Origin.ELEMENTS);
+      out.text(origin.sender());
+      out.count(origin.sequence());
     }
-    out.writeEndObject();
   }
 
-  static void nested(CBORGenerator out, U2SAData message) throws IOException {
+  static void nested(CborOutput out, U2SAData message) {
     message(out, message, null, true);
   }
 
-  static void point(CBORGenerator out, Point value) throws IOException {
-    out.writeArray(new double[] {value.x(), value.y(), value.z()}, 0, 3);
+  static void point(CborOutput out, Point value) {
+    out.array(COORDINATES);
+    out.number(value.x());
+    out.number(value.y());
+    out.number(value.z());
   }
 }

@@ -1,10 +1,9 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.function.Function;
 import org.u2sa.messages.frame.Point;
 
 /** Kinds of lists: their elements are checked, parsed, written and read as single values are. */
@@ -13,18 +12,7 @@ final class ListKinds {
       new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT);
   static final ValueKind<List<Point>> POINTS =
       new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT);
-  static final ValueKind<List<Double>> NUMBERS =
-      new ListKind<>(
-          Kind.DOUBLE_LIST,
-          Double.class,
-          "numbers",
-          ",",
-          new ScalarKinds.SingleKind<>(
-              Kind.DOUBLE,
-              ListKinds::finite,
-              ListKinds::parseNumber,
-              (out, number) -> out.writeNumber(number.doubleValue()),
-              CborReader::number));
+  static final ValueKind<List<Double>> NUMBERS = new NumberList();
   static final ValueKind<List<Boolean>> FLAGS =
       new ListKind<>(Kind.BOOLEAN_LIST, Boolean.class, "true or false", ",", ScalarKinds.FLAG);
 
@@ -32,14 +20,6 @@ final class ListKinds {
 
   static <M extends U2SAData> ValueKind<List<M>> messages(MessageType<M> element) {
     return new Messages<>(element);
-  }
-
-  private static Double finite(Object value) {
-    double number = (Double) value;
-    if (!Double.isFinite(number)) {
-      throw ScalarKinds.expected("finite numbers, not " + number);
-    }
-    return number;
   }
 
   private static Double parseNumber(String text) {
@@ -54,9 +34,7 @@ final class ListKinds {
     if (!(value instanceof Collection<?> collection)) {
       throw ScalarKinds.expected("a list of " + what);
     }
-    if (collection.size() > Limits.LIST_ELEMENTS) {
-      throw ScalarKinds.expected("at most " + Limits.LIST_ELEMENTS + " elements");
-    }
+    requireRoom(collection);
     List<V> copy = new ArrayList<>(collection.size());
     for (Object element : collection) {
       if (!type.isInstance(element)) {
@@ -65,6 +43,25 @@ final class ListKinds {
       copy.add(type.cast(element));
     }
     return List.copyOf(copy);
+  }
+
+  private static void requireRoom(Collection<?> collection) {
+    if (collection.size() > Limits.LIST_ELEMENTS) {
+      throw ScalarKinds.expected("at most " + Limits.LIST_ELEMENTS + " elements");
+    }
+  }
+
+  private static <V> List<V> split(
+      List<String> texts, String separator, Function<String, V> parse) {
+    List<V> values = new ArrayList<>();
+    for (String text : texts) {
+      for (String part : text.split(separator)) {
+        if (!part.trim().isEmpty()) {
+          values.add(parse.apply(part.trim()));
+        }
+      }
+    }
+    return values;
   }
 
   private record ListKind<V>(
@@ -79,29 +76,56 @@ final class ListKinds {
 
     @Override
     public List<V> parsed(List<String> texts) {
-      List<V> values = new ArrayList<>();
-      for (String text : texts) {
-        for (String part : text.split(separator)) {
-          if (!part.trim().isEmpty()) {
-            values.add(element.parsed(List.of(part.trim())));
-          }
-        }
-      }
-      return values;
+      return split(texts, separator, part -> element.parsed(List.of(part)));
     }
 
     @Override
-    public void write(CBORGenerator out, List<V> values) throws IOException {
-      out.writeStartArray(null, values.size());
+    public void write(CborOutput out, List<V> values) {
+      out.array(values.size());
       for (V value : values) {
         element.write(out, value);
       }
-      out.writeEndArray();
     }
 
     @Override
-    public List<V> read(CborReader in) throws IOException, MalformedMessageException {
+    public List<V> read(CborReader in) throws MalformedMessageException {
       return in.list(() -> element.read(in));
+    }
+  }
+
+  /** Kept as {@link Numbers}. */
+  private record NumberList() implements ValueKind<List<Double>> {
+    @Override
+    public Kind kind() {
+      return Kind.DOUBLE_LIST;
+    }
+
+    @Override
+    public Numbers checked(Object value) {
+      if (!(value instanceof Collection<?> numbers)) {
+        throw ScalarKinds.expected("a list of numbers");
+      }
+      requireRoom(numbers);
+      return Numbers.of(numbers);
+    }
+
+    @Override
+    public List<Double> parsed(List<String> texts) {
+      return split(texts, ",", ListKinds::parseNumber);
+    }
+
+    @Override
+    public void write(CborOutput out, List<Double> values) {
+      Numbers numbers = Numbers.of(values);
+      out.array(numbers.size());
+      for (int i = 0; i < numbers.size(); i++) {
+        out.number(numbers.at(i));
+      }
+    }
+
+    @Override
+    public List<Double> read(CborReader in) throws MalformedMessageException {
+      return in.numbers();
     }
   }
 
@@ -123,16 +147,15 @@ final class ListKinds {
     }
 
     @Override
-    public void write(CBORGenerator out, List<M> value) throws IOException {
-      out.writeStartArray(null, value.size());
+    public void write(CborOutput out, List<M> value) {
+      out.array(value.size());
       for (M message : value) {
         CborWriter.nested(out, message);
       }
-      out.writeEndArray();
     }
 
     @Override
-    public List<M> read(CborReader in) throws IOException, MalformedMessageException {
+    public List<M> read(CborReader in) throws MalformedMessageException {
       return in.list(() -> in.nested(element));
     }
 

@@ -1,9 +1,5 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.core.SerializableString;
-import com.fasterxml.jackson.core.io.SerializedString;
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -19,7 +15,7 @@ public abstract class MessageField<T extends U2SAData> {
   static final int NO_BIT = -1;
 
   final int slot; // index in the message's storage
-  final SerializableString key; // the name, encoded once
+  final byte[] key; // the name, encoded once
   final int bit; // in the presence vector, or NO_BIT
   private final String owner;
   private final String name;
@@ -35,9 +31,16 @@ public abstract class MessageField<T extends U2SAData> {
     unit = outline.unit();
     presence = outline.presence();
     slot = outline.slot();
-    key = new SerializedString(name);
+    key = encoded(name);
     bit = outline.bit();
     since = outline.since();
+  }
+
+  /** A text as it is on the wire. */
+  static byte[] encoded(String text) {
+    CborOutput out = new CborOutput();
+    out.text(text);
+    return out.toBytes();
   }
 
   /** Name in code, XML and on the wire. */
@@ -126,9 +129,9 @@ public abstract class MessageField<T extends U2SAData> {
   /** True if an encoder must write the field. */
   abstract boolean isWritten(T message);
 
-  abstract void write(CBORGenerator out, T message) throws IOException;
+  abstract void write(CborOutput out, T message);
 
-  abstract void read(CborReader in, T message) throws IOException, MalformedMessageException;
+  abstract void read(CborReader in, T message) throws MalformedMessageException;
 
   abstract void copy(T from, T to);
 

@@ -34,6 +34,8 @@ public final class MessageType<T extends U2SAData> {
   private final ValueField<?, ReferenceFrame> frameField; // null: none
   private final Sizes sizes;
   private final List<String> chain;
+  private final List<MessageField<T>> required = new ArrayList<>();
+  private final byte[][] keys;
 
   MessageType(
       Identity<T> identity,
@@ -46,8 +48,13 @@ public final class MessageType<T extends U2SAData> {
     this.aliases = aliases;
     this.frameField = frameField;
     this.sizes = sizes;
+    keys = new byte[fields.size()][];
     for (MessageField<T> field : fields) {
+      keys[byName.size()] = field.key;
       byName.put(field.name(), field);
+      if (field.isRequired()) {
+        required.add(field);
+      }
     }
     List<String> names = new ArrayList<>();
     if (identity.parent() != null) {
@@ -128,10 +135,36 @@ public final class MessageType<T extends U2SAData> {
   }
 
   /**
-   * A message to decode into: of this type, or a stand-in if it is abstract; empty for U2SAData.
+   * A message to decode or copy into: of this type, or a stand-in if it is abstract.
+   *
+   * @throws IllegalStateException for U2SAData, of which there is none
    */
-  Optional<T> createCarrier() {
-    return Optional.ofNullable(identity.empty()).map(Supplier::get);
+  T newCarrier() {
+    if (identity.empty() == null) {
+      throw new IllegalStateException("no message can be of type " + name());
+    }
+    return identity.empty().get();
+  }
+
+  /**
+   * Reads a key if it is a field's, written as short as can be.
+   *
+   * @param from index of the field to begin with: that after the one before, as writers keep the
+   *     order
+   * @return the field's index; -1 if the key is none of those, or is before that one
+   */
+  int takeKey(CborInput in, int from) {
+    for (int index = from; index < keys.length; index++) {
+      if (in.take(keys[index])) {
+        return index;
+      }
+    }
+    return -1;
+  }
+
+  /** Those without which a message is not complete. */
+  List<MessageField<T>> requiredFields() {
+    return required;
   }
 
   MessageField<T> fieldOrNull(String name) {

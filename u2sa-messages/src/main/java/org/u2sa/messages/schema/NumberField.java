@@ -1,7 +1,5 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -108,12 +106,12 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   }
 
   @Override
-  void write(CBORGenerator out, T message) throws IOException {
-    out.writeNumber(message.storage().get(this));
+  void write(CborOutput out, T message) {
+    out.number(message.storage().get(this));
   }
 
   @Override
-  void read(CborReader in, T message) throws IOException, MalformedMessageException {
+  void read(CborReader in, T message) throws MalformedMessageException {
     message.put(this, in.number());
   }
 

@@ -1,7 +1,5 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
@@ -14,31 +12,27 @@ import org.u2sa.messages.frame.ReferenceFrame;
 final class ScalarKinds {
   static final ValueKind<String> TEXT =
       new SingleKind<>(
-          Kind.STRING,
-          ScalarKinds::text,
-          text -> text,
-          CBORGenerator::writeString,
-          CborReader::text);
+          Kind.STRING, ScalarKinds::text, text -> text, CborOutput::text, CborReader::text);
   static final ValueKind<Long> COUNT =
       new SingleKind<>(
           Kind.LONG,
           ScalarKinds::count,
           ScalarKinds::parseCount,
-          (out, count) -> out.writeNumber(count.longValue()),
+          (out, count) -> out.count(count),
           CborReader::count);
   static final ValueKind<Boolean> FLAG =
       new SingleKind<>(
           Kind.BOOLEAN,
           value -> instance(value, Boolean.class, "true or false"),
           ScalarKinds::parseFlag,
-          (out, flag) -> out.writeBoolean(flag),
+          (out, flag) -> out.flag(flag),
           CborReader::flag);
   static final ValueKind<ReferenceFrame> FRAME =
       new SingleKind<>(
           Kind.FRAME,
           value -> instance(value, ReferenceFrame.class, "a reference frame"),
           ReferenceFrame::parse,
-          (out, frame) -> out.writeString(frame.name()),
+          (out, frame) -> out.text(frame.name()),
           in -> ReferenceFrame.parse(in.text()));
   static final ValueKind<Point> POINT =
       new SingleKind<>(
@@ -158,12 +152,12 @@ final class ScalarKinds {
     }
 
     @Override
-    public void write(CBORGenerator out, E value) throws IOException {
-      out.writeString(value.name());
+    public void write(CborOutput out, E value) {
+      out.text(value.name());
     }
 
     @Override
-    public E read(CborReader in) throws IOException, MalformedMessageException {
+    public E read(CborReader in) throws MalformedMessageException {
       String name = in.text();
       try {
         return named(name);
@@ -180,12 +174,12 @@ final class ScalarKinds {
 
     /** Writes one value. */
     interface Writer<V> {
-      void write(CBORGenerator out, V value) throws IOException;
+      void write(CborOutput out, V value);
     }
 
     /** Reads one value. */
     interface Reader<V> {
-      V read(CborReader in) throws IOException, MalformedMessageException;
+      V read(CborReader in) throws MalformedMessageException;
     }
 
     @Override
@@ -199,12 +193,12 @@ final class ScalarKinds {
     }
 
     @Override
-    public void write(CBORGenerator writer, V value) throws IOException {
+    public void write(CborOutput writer, V value) {
       out.write(writer, value);
     }
 
     @Override
-    public V read(CborReader reader) throws IOException, MalformedMessageException {
+    public V read(CborReader reader) throws MalformedMessageException {
       return in.read(reader);
     }
   }

@@ -132,7 +132,7 @@ public abstract class U2SAData {
 
   /** A message with the same values that is not frozen. */
   public U2SAData copy() {
-    U2SAData copy = type().createCarrier().get();
+    U2SAData copy = type().newCarrier();
     for (MessageField<U2SAData> field : fields()) {
       field.copy(this, copy);
     }
@@ -141,8 +141,8 @@ public abstract class U2SAData {
   }
 
   private void requireComplete() {
-    for (MessageField<U2SAData> field : fields()) {
-      if (field.isRequired() && !field.isSet(this)) {
+    for (MessageField<U2SAData> field : ownType().requiredFields()) {
+      if (!field.isSet(this)) {
         throw missing(field);
       }
     }

@@ -1,7 +1,5 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 
@@ -76,12 +74,12 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
   }
 
   @Override
-  void write(CBORGenerator out, T message) throws IOException {
+  void write(CborOutput out, T message) {
     values.write(out, message.storage().get(this));
   }
 
   @Override
-  void read(CborReader in, T message) throws IOException, MalformedMessageException {
+  void read(CborReader in, T message) throws MalformedMessageException {
     V value;
     try {
       value = values.read(in);

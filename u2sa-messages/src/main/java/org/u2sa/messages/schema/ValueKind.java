@@ -1,7 +1,5 @@
 package org.u2sa.messages.schema;
 
-import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
-import java.io.IOException;
 import java.util.List;
 
 /**
@@ -16,9 +14,9 @@ interface ValueKind<V> {
 
   V parsed(List<String> texts);
 
-  void write(CBORGenerator out, V value) throws IOException;
+  void write(CborOutput out, V value);
 
-  V read(CborReader in) throws IOException, MalformedMessageException;
+  V read(CborReader in) throws MalformedMessageException;
 
   /** For copies of messages: nested messages are copied too, all else is immutable. */
   default V copied(V value) {

@@ -1,0 +1,34 @@
+package org.u2sa.messages.schema;
+
+/**
+ * The first byte of a CBOR data item (RFC 8949, 3): three bits say what kind it is, five how long
+ * or which.
+ */
+final class Cbor {
+  static final int UNSIGNED = 0x00;
+  static final int NEGATIVE = 0x20;
+  static final int BYTES = 0x40;
+  static final int TEXT = 0x60;
+  static final int ARRAY = 0x80;
+  static final int MAP = 0xA0;
+  static final int TAG = 0xC0;
+  static final int SIMPLE = 0xE0;
+  static final int MAJOR = 0xE0; // mask of the kind
+  static final int INFO = 0x1F; // mask of the rest
+
+  static final int ONE_BYTE = 24; // the argument follows in so many bytes; below: it is this itself
+  static final int TWO_BYTES = 25;
+  static final int FOUR_BYTES = 26;
+  static final int EIGHT_BYTES = 27;
+  static final int INDEFINITE = 31;
+
+  static final int FALSE = 0xF4;
+  static final int TRUE = 0xF5;
+  static final int NULL = 0xF6;
+  static final int FLOAT_16 = 0xF9;
+  static final int FLOAT_32 = 0xFA;
+  static final int FLOAT_64 = 0xFB;
+  static final int BREAK = 0xFF; // ends what has no length
+
+  private Cbor() {}
+}

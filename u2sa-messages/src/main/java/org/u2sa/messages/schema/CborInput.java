@@ -1,0 +1,332 @@
+package org.u2sa.messages.schema;
+
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Reads CBOR data items (RFC 8949) from hostile bytes, one after the other. Tags are skipped. Takes
+ * no more memory than there are bytes; whatever is wrong with them is an {@link
+ * IllegalArgumentException} that says what was expected.
+ */
+final class CborInput {
+  /** What {@link #array} and {@link #map} return for those that only a break ends. */
+  static final long UNTIL_BREAK = -1;
+
+  private static final int HALF_EXPONENT = 10; // bits of the fraction before it
+  private static final int HALF_FRACTION = 0x3FF;
+  private static final int HALF_LARGEST_EXPONENT = 0x1F;
+
+  private final byte[] bytes;
+  private final ByteBuffer view;
+  private int at;
+
+  CborInput(byte[] bytes) {
+    this.bytes = bytes;
+    view = ByteBuffer.wrap(bytes);
+  }
+
+  /** Bytes read so far. */
+  int offset() {
+    return at;
+  }
+
+  boolean isAtEnd() {
+    return at == bytes.length;
+  }
+
+  /** The first byte of the next item, tags left out; stays there. */
+  int next() {
+    while (at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.TAG) {
+      argument();
+    }
+    if (at == bytes.length) {
+      throw new IllegalArgumentException("expected a data item, not the end");
+    }
+    return bytes[at] & 0xFF;
+  }
+
+  /** Whether the next bytes are these; then they are read. */
+  boolean take(byte[] encoded) {
+    if (bytes.length - at < encoded.length) {
+      return false;
+    }
+    for (int i = 0; i < encoded.length; i++) {
+      if (bytes[at + i] != encoded[i]) {
+        return false;
+      }
+    }
+    at += encoded.length;
+    return true;
+  }
+
+  /** A number of any length, whole ones too. */
+  double number() {
+    int first = next();
+    if (first == Cbor.FLOAT_64) {
+      int start = skipBytes(1 + Double.BYTES) + 1;
+      return view.getDouble(start);
+    }
+    if (first == Cbor.FLOAT_32) {
+      int start = skipBytes(1 + Float.BYTES) + 1;
+      return view.getFloat(start);
+    }
+    if (first == Cbor.FLOAT_16) {
+      int start = skipBytes(1 + Short.BYTES) + 1;
+      return half(view.getShort(start));
+    }
+    if ((first & Cbor.MAJOR) > Cbor.NEGATIVE) {
+      throw unexpected("a number");
+    }
+    long argument = argument();
+    double size = argument >= 0 ? argument : (argument >>> 1) * 2.0 + (argument & 1);
+    return (first & Cbor.MAJOR) == Cbor.UNSIGNED ? size : -1.0 - size;
+  }
+
+  /** As many numbers as there is room for in the array. */
+  void numbers(double[] into) {
+    for (int i = 0; i < into.length; i++) {
+      if (bytes.length - at > Double.BYTES && (bytes[at] & 0xFF) == Cbor.FLOAT_64) {
+        into[i] = view.getDouble(at + 1);
+        at += 1 + Double.BYTES;
+      } else {
+        into[i] = number();
+      }
+    }
+  }
+
+  /** RFC 8949, appendix D. */
+  private static double half(short bits) {
+    int exponent = bits >> HALF_EXPONENT & HALF_LARGEST_EXPONENT;
+    int fraction = bits & HALF_FRACTION;
+    double size;
+    if (exponent == 0) {
+      size = Math.scalb((double) fraction, -24);
+    } else if (exponent < HALF_LARGEST_EXPONENT) {
+      size = Math.scalb((double) (fraction + HALF_FRACTION + 1), exponent - 25);
+    } else {
+      size = fraction == 0 ? Double.POSITIVE_INFINITY : Double.NaN;
+    }
+    return bits < 0 ? -size : size;
+  }
+
+  long count() {
+    int major = next() & Cbor.MAJOR;
+    if (major > Cbor.NEGATIVE) {
+      throw unexpected("an integer of 64 bits");
+    }
+    long argument = argument();
+    if (argument < 0) {
+      throw new IllegalArgumentException("expected an integer of 64 bits, not of 65");
+    }
+    return major == Cbor.UNSIGNED ? argument : ~argument;
+  }
+
+  boolean flag() {
+    int first = next();
+    if (first != Cbor.TRUE && first != Cbor.FALSE) {
+      throw unexpected("true or false");
+    }
+    at++;
+    return first == Cbor.TRUE;
+  }
+
+  String text() {
+    if ((next() & Cbor.MAJOR) != Cbor.TEXT) {
+      throw unexpected("text");
+    }
+    if ((bytes[at] & Cbor.INFO) != Cbor.INDEFINITE) {
+      return chunk(Limits.TEXT_BYTES);
+    }
+    at++;
+    StringBuilder whole = new StringBuilder();
+    int left = Limits.TEXT_BYTES;
+    while (!isBreak()) {
+      if ((bytes[at] & Cbor.MAJOR) != Cbor.TEXT || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
+        throw unexpected("a piece of text or its end");
+      }
+      int before = at;
+      whole.append(chunk(left));
+      left -= at - before - 1;
+    }
+    return whole.toString();
+  }
+
+  private String chunk(int atMost) {
+    long length = argument();
+    if (length < 0 || length > atMost) {
+      throw new IllegalArgumentException(
+          "expected at most " + Limits.TEXT_BYTES + " bytes of text");
+    }
+    int start = skipBytes((int) length);
+    for (int i = start; i < at; i++) {
+      if (bytes[i] < 0) {
+        return utf8(start, (int) length);
+      }
+    }
+    return new String(bytes, start, (int) length, StandardCharsets.ISO_8859_1); // the same in ASCII
+  }
+
+  private String utf8(int start, int length) {
+    try {
+      CharBuffer text =
+          StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes, start, length));
+      return text.toString();
+    } catch (CharacterCodingException e) {
+      throw new IllegalArgumentException(
+          "expected text in UTF-8; half a surrogate pair is none", e);
+    }
+  }
+
+  /** Opens an array; returns how many elements follow, or {@link #UNTIL_BREAK}. */
+  long array() {
+    return open(Cbor.ARRAY, "an array");
+  }
+
+  /** Opens a map; returns how many pairs follow, or {@link #UNTIL_BREAK}. */
+  long map() {
+    return open(Cbor.MAP, "a map");
+  }
+
+  private long open(int major, String what) {
+    if ((next() & Cbor.MAJOR) != major) {
+      throw unexpected(what);
+    }
+    if ((bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
+      at++;
+      return UNTIL_BREAK;
+    }
+    long length = argument();
+    if (length < 0 || length > bytes.length - at) { // each takes a byte at least
+      throw new IllegalArgumentException("expected " + what + " that fits into the message");
+    }
+    return length;
+  }
+
+  /** Whether an array or map ends here, of which so much was read; reads a break. */
+  boolean isDone(long length, long read) {
+    return length == UNTIL_BREAK ? isBreak() : read == length;
+  }
+
+  private boolean isBreak() {
+    if (at == bytes.length) {
+      throw new IllegalArgumentException("expected a data item or a break, not the end");
+    }
+    if ((bytes[at] & 0xFF) != Cbor.BREAK) {
+      return false;
+    }
+    at++;
+    return true;
+  }
+
+  /**
+   * Skips an item, whatever it is.
+   *
+   * @param levels how deep arrays and maps may be nested in it
+   */
+  void skip(int levels) {
+    int first = next();
+    switch (first & Cbor.MAJOR) {
+      case Cbor.UNSIGNED, Cbor.NEGATIVE -> argument();
+      case Cbor.TEXT -> text();
+      case Cbor.BYTES -> skipByteString();
+      case Cbor.ARRAY -> skipItems(array(), 1, levels);
+      case Cbor.MAP -> skipItems(map(), 2, levels);
+      default -> skipSimple(first);
+    }
+  }
+
+  private void skipItems(long length, int each, int levels) {
+    if (levels == 0) {
+      throw new IllegalArgumentException("expected at most " + Limits.DEPTH + " levels of nesting");
+    }
+    for (long read = 0; !isDone(length, read); read++) {
+      for (int item = 0; item < each; item++) {
+        skip(levels - 1);
+      }
+    }
+  }
+
+  private void skipByteString() {
+    if ((bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
+      at++;
+      while (!isBreak()) {
+        if ((bytes[at] & Cbor.MAJOR) != Cbor.BYTES || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
+          throw unexpected("a piece of a byte string or its end");
+        }
+        skipByteString();
+      }
+    } else {
+      long length = argument();
+      if (length < 0 || length > bytes.length - at) {
+        throw new IllegalArgumentException("expected a byte string that fits into the message");
+      }
+      skipBytes((int) length);
+    }
+  }
+
+  private void skipSimple(int first) {
+    if (first == Cbor.BREAK) {
+      throw new IllegalArgumentException("expected a data item, not a break");
+    }
+    argument();
+  }
+
+  /** The argument of the item whose first byte is next, which is read too: unsigned. */
+  private long argument() {
+    int info = bytes[at] & Cbor.INFO;
+    if (info < Cbor.ONE_BYTE) {
+      at++;
+      return info;
+    }
+    switch (info) {
+      case Cbor.ONE_BYTE:
+        return bytes[skipBytes(1 + Byte.BYTES) + 1] & 0xFF;
+      case Cbor.TWO_BYTES:
+        return view.getShort(skipBytes(1 + Short.BYTES) + 1) & 0xFFFF;
+      case Cbor.FOUR_BYTES:
+        return view.getInt(skipBytes(1 + Integer.BYTES) + 1) & 0xFFFF_FFFFL;
+      case Cbor.EIGHT_BYTES:
+        return view.getLong(skipBytes(1 + Long.BYTES) + 1);
+      default:
+        at++;
+        throw new IllegalArgumentException("expected a length or a value, not CBOR's reserved one");
+    }
+  }
+
+  /** Passes so many bytes; returns where they begin. */
+  private int skipBytes(int count) {
+    if (count > bytes.length - at) {
+      at = bytes.length;
+      throw new IllegalArgumentException("expected more bytes, not the end");
+    }
+    int start = at;
+    at += count;
+    return start;
+  }
+
+  /** Passes the first byte of what is not expected, and says so. */
+  IllegalArgumentException unexpected(String what) {
+    int first = bytes[at++] & 0xFF;
+    return new IllegalArgumentException("expected " + what + ", not " + name(first));
+  }
+
+  private static String name(int first) {
+    return switch (first & Cbor.MAJOR) {
+      case Cbor.UNSIGNED, Cbor.NEGATIVE -> "an integer";
+      case Cbor.BYTES -> "a byte string";
+      case Cbor.TEXT -> "text";
+      case Cbor.ARRAY -> "an array";
+      case Cbor.MAP -> "a map";
+      default ->
+          switch (first) {
+            case Cbor.TRUE, Cbor.FALSE -> "true or false";
+            case Cbor.NULL -> "null";
+            case Cbor.FLOAT_16, Cbor.FLOAT_32, Cbor.FLOAT_64 -> "a number with a fraction";
+            case Cbor.BREAK -> "a break";
+            default -> "a simple value";
+          };
+    };
+  }
+}
