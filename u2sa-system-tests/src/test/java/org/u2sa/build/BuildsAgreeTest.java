@@ -58,7 +58,7 @@ class BuildsAgreeTest {
           u2sa-core/build.gradle.kts       | api(libs.slf4j)                           | runtimeOnly(libs.slf4j)                   | dependency of u2sa-core only in Gradle: org.slf4j:slf4j-api
           u2sa-interfaces/build.gradle.kts | api(libs.paho)                            | // gone                                   | dependency of u2sa-interfaces only in Maven: org.eclipse.paho
           u2sa-core/pom.xml                | <scope>test</scope>                       | <scope>compile</scope>                    | dependency of u2sa-core only in Maven: org.u2sa:u2sa-abstract:test-fixtures
-          u2sa-messages/build.gradle.kts   | module = "jackson-databind"               | module = "jackson-core"                   | without [com.fasterxml.jackson.core:jackson-core]
+          u2sa-scenarios/build.gradle.kts  | module = "xmlgraphics-commons"            | module = "jackson-core"                   | org.apache.xmlgraphics:jackson-core
           u2sa-bom/build.gradle.kts        | api(project(":u2sa-core"))                | // gone                                   | BOM only in Maven: u2sa-core
           gradle/libs.versions.toml        | test = ["junit", "assertj", "jqwik"]      | test = ["junit", "assertj"]               | dependency of every module only in Maven: net.jqwik:jqwik
           gradle.properties                | version=0                                 | version=1                                 | setting only in Gradle: version = 1
