@@ -58,32 +58,47 @@ final class MessageHandling {
     return patient;
   }
 
-  /** {@link U2SAService#handleMessages}. */
-  void until(long untilMicros) throws InterruptedException {
+  /** {@link U2SAService#handleMessages}: turns that are over at the deadline. */
+  Clock.Turns until(long untilMicros) {
     service.health.busy(false);
-    int first = inbox.depth();
-    while (service.running) {
-      if (service.succession.carryOut()) {
-        service.running = false;
-        return;
-      }
-      if (contract.configurationWriter().hasWritten()) {
-        guarded(contract.configurationWriter()::handOver);
-        continue;
-      }
-      long now = service.clock().micros();
-      reporter.reportIfDue(now);
-      boolean mayHandle = first-- > 0 || now < untilMicros;
-      ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
-      if (delivery != null) {
-        handle(delivery);
-      } else if (now >= untilMicros) {
-        break;
-      } else {
-        service.life.await(Math.min(untilMicros, reporter.dueMicros()));
-      }
+    return new Round(untilMicros);
+  }
+
+  /** Handles messages until a deadline [µs] has come. */
+  private final class Round implements Clock.Turns {
+    private final long untilMicros;
+    private int first = inbox.depth(); // are handled even if the deadline has passed
+
+    Round(long untilMicros) {
+      this.untilMicros = untilMicros;
     }
-    service.health.busy(true);
+
+    @Override
+    public long take() throws InterruptedException {
+      while (service.running) {
+        if (service.succession.carryOut()) {
+          service.running = false;
+          return OVER;
+        }
+        if (contract.configurationWriter().hasWritten()) {
+          guarded(contract.configurationWriter()::handOver);
+          continue;
+        }
+        long now = service.clock().micros();
+        reporter.reportIfDue(now);
+        boolean mayHandle = first-- > 0 || now < untilMicros;
+        ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
+        if (delivery != null) {
+          handle(delivery);
+        } else if (now >= untilMicros) {
+          break;
+        } else {
+          return Math.min(untilMicros, reporter.dueMicros());
+        }
+      }
+      service.health.busy(true);
+      return OVER;
+    }
   }
 
   private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {

@@ -85,23 +85,41 @@ public abstract class PeriodicService extends U2SAService {
     life.kill();
   }
 
-  private void stepByStep() throws InterruptedException {
+  private Clock.Turns stepByStep() {
     if (!hasSucceeded) {
       dueMicros = clock().micros();
     }
-    while (isRunning()) {
-      handleMessages(dueMicros);
-      if (!isRunning()) {
-        return;
+    return new Steps();
+  }
+
+  /** A step at each time that is due, and messages between them. */
+  private final class Steps implements Clock.Turns {
+    private Clock.Turns messages = handling.until(dueMicros);
+
+    @Override
+    public long take() throws InterruptedException {
+      while (isRunning()) {
+        long next = messages.take();
+        if (next != OVER) {
+          return next;
+        }
+        if (isRunning()) {
+          handling.guarded(() -> step(nowS()));
+          scheduleNext();
+          messages = handling.until(dueMicros);
+        }
       }
-      handling.guarded(() -> step(nowS()));
-      dueMicros += periodMicros;
-      long lateMicros = clock().micros() - dueMicros;
-      if (lateMicros > periodMicros) {
-        long missed = lateMicros / periodMicros;
-        health.overrun(missed);
-        dueMicros += missed * periodMicros;
-      }
+      return OVER;
+    }
+  }
+
+  private void scheduleNext() {
+    dueMicros += periodMicros;
+    long lateMicros = clock().micros() - dueMicros;
+    if (lateMicros > periodMicros) {
+      long missed = lateMicros / periodMicros;
+      health.overrun(missed);
+      dueMicros += missed * periodMicros;
     }
   }
 }

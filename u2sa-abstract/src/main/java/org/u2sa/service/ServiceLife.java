@@ -3,6 +3,7 @@ package org.u2sa.service;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -25,6 +26,7 @@ final class ServiceLife {
   private volatile ServiceStatus status = ServiceStatus.CREATED;
   private volatile Clock.Waiter waiter; // null until started
   private volatile long startedMicros;
+  private volatile boolean keepsToOwnThread;
 
   ServiceLife(U2SAService service, Clock clock) {
     this.service = service;
@@ -95,9 +97,19 @@ final class ServiceLife {
     waiter.await(clock.micros());
   }
 
-  /** Waits on the run's clock until {@link #wake} or the deadline. */
-  void await(long untilMicros) throws InterruptedException {
-    waiter.await(untilMicros);
+  /**
+   * Takes all turns on the calling thread, the service's, and waits on the run's clock between
+   * them.
+   */
+  void takeAll(Clock.Turns turns) throws InterruptedException {
+    for (long next = turns.take(); next != Clock.Turns.OVER; next = turns.take()) {
+      waiter.await(next);
+    }
+  }
+
+  /** {@link U2SAService#keepToOwnThread}. */
+  void keepToOwnThread() {
+    keepsToOwnThread = true;
   }
 
   /**
@@ -148,14 +160,18 @@ final class ServiceLife {
    * {@link U2SAService#run} of a service whose author writes only what happens in its loop.
    *
    * @param begin called once, before anything else
-   * @param loop returns when the service no longer runs
+   * @param loop makes, after that, the turns that are over when the service no longer runs
    */
-  void run(ServiceHealth.CallbackCode begin, ServiceHealth.CallbackCode loop) {
+  void run(ServiceHealth.CallbackCode begin, Supplier<Clock.Turns> loop) {
     try {
       awaitTurn();
       service.log("running as thread " + service.threadID);
       service.handling.guarded(begin);
-      loop.run();
+      if (keepsToOwnThread) {
+        takeAll(loop.get());
+      } else {
+        waiter.lend(loop.get());
+      }
     } catch (InterruptedException e) {
       service.log("interrupted, stopping");
     } catch (RuntimeException | Error e) {
@@ -168,7 +184,7 @@ final class ServiceLife {
   /** {@link U2SAService#kill} of such a service. */
   void kill() {
     stopWaiting();
-    if (Thread.currentThread() == service) {
+    if (Clock.runningThread() == service) {
       return; // the loop ends after the present callback and closes everything
     }
     boolean interrupted = false;

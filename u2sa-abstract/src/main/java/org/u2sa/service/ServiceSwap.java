@@ -112,7 +112,7 @@ public final class ServiceSwap {
    * @throws InterruptedException if the calling thread was interrupted; the order stands
    */
   public Optional<String> await(double withinS) throws InterruptedException {
-    if (Thread.currentThread() instanceof U2SAService caller) {
+    if (Clock.runningThread() instanceof U2SAService caller) {
       waiting = caller;
       caller.life.awaitUntil(this::isDecided, caller.clock().micros() + Clock.micros(withinS));
     } else {

@@ -120,7 +120,7 @@ public abstract class U2SAService extends Thread
    * @throws InterruptedException if the service's thread was interrupted
    */
   protected final void handleMessages(long untilMicros) throws InterruptedException {
-    handling.until(untilMicros);
+    life.takeAll(handling.until(untilMicros));
   }
 
   // Configuration and log (thesis 3.2.1.1, 3.2.1.5)
@@ -322,6 +322,15 @@ public abstract class U2SAService extends Thread
   public void start() {
     succession.resume();
     life.start();
+  }
+
+  /**
+   * Has handlers and steps called on this service's own thread and no other, also in a simulation,
+   * where a thread of the run's clock calls them as a rule: for libraries that know the thread that
+   * calls them. That costs the simulation time. Called in the constructor.
+   */
+  protected final void keepToOwnThread() {
+    life.keepToOwnThread();
   }
 
   /** Whether {@link #run} calls {@link #end} whatever happens, so that nobody need watch it. */

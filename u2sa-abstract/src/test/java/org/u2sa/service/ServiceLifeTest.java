@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.ConfigurationException;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -29,7 +30,8 @@ class ServiceLifeTest {
   /** Notes what it is handed, and fails when it is told to. */
   private static class Listener extends EventDrivenService {
     private final List<U2SAData> received = new ArrayList<>();
-    private final List<String> threads = new ArrayList<>();
+    private final List<Thread> threads = new ArrayList<>(); // as which it ran
+    private final List<Thread> takers = new ArrayList<>(); // on which it ran
     private int released;
     private boolean failing;
 
@@ -41,7 +43,8 @@ class ServiceLifeTest {
     @Override
     public void callback(U2SAData data) {
       received.add(data);
-      threads.add(Thread.currentThread().getName());
+      threads.add(Clock.runningThread());
+      takers.add(Thread.currentThread());
       if (failing) {
         throw new IllegalStateException("told to fail");
       }
@@ -72,13 +75,79 @@ class ServiceLifeTest {
   }
 
   @Test
-  void callback_message_isHandedOverOnTheServicesThread() {
+  void callback_message_isHandedOverAsTheServicesThread() {
     Listener listener = kit.start(Listener::new);
 
     kit.publish(Channels.STATE, state("a"));
 
     assertThat(listener.received).hasSize(1);
-    assertThat(listener.threads).containsExactly("Listener");
+    assertThat(listener.threads).containsExactly(listener);
+    assertThat(listener.takers).doesNotContain(listener); // so no thread is woken for it
+  }
+
+  @Test
+  void keepToOwnThread_messagesAndSteps_areHandledOnNoOtherThread() {
+    List<Thread> takers = new ArrayList<>();
+    class Bound extends PeriodicService {
+      Bound(ServiceContext context) {
+        super(context, ServiceRole.OBSERVER, "Bound", 10.0);
+        keepToOwnThread();
+        subscribe(Channels.STATE, state -> takers.add(Thread.currentThread()));
+      }
+
+      @Override
+      protected void step(double nowS) {
+        takers.add(Thread.currentThread());
+      }
+    }
+    Bound bound = kit.start(Bound::new);
+
+    kit.publish(Channels.STATE, state("a"));
+    kit.advance(0.2);
+
+    assertThat(takers).hasSize(4).containsOnly(bound);
+  }
+
+  @Test
+  void log_inATurnThatTheClockTakes_saysTheServicesThread() {
+    Listener listener =
+        kit.start(
+            context ->
+                new Listener(context) {
+                  @Override
+                  public void callback(U2SAData data) {
+                    super.callback(data);
+                    log("heard");
+                  }
+                });
+
+    kit.publish(Channels.STATE, state("a"));
+
+    assertThat(kit.log("Listener"))
+        .filteredOn(line -> line.endsWith("heard"))
+        .hasSize(1)
+        .allMatch(line -> line.contains(" " + listener.getThreadID() + " "));
+  }
+
+  @Test
+  void kill_fromItsOwnHandler_endsAfterTheHandlerAndDoesNotWaitForItself() {
+    List<Integer> releasedThen = new ArrayList<>();
+    Listener listener =
+        kit.start(
+            context ->
+                new Listener(context) {
+                  @Override
+                  public void callback(U2SAData data) {
+                    kill();
+                    releasedThen.add(super.released);
+                  }
+                });
+
+    kit.publish(Channels.STATE, state("a"));
+    listener.kill(); // waits for the end
+
+    assertThat(releasedThen).containsExactly(0);
+    assertThat(listener.released).isEqualTo(1);
   }
 
   @Test

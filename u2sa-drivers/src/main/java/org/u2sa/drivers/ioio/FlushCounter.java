@@ -1,5 +1,6 @@
 package org.u2sa.drivers.ioio;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
@@ -12,7 +13,8 @@ final class FlushCounter extends OutputStream {
   private static final long AT_MOST_MS = 5_000;
 
   private final OutputStream target;
-  private long written; // guarded by this, as all below
+  private final ByteArrayOutputStream waiting =
+      new ByteArrayOutputStream(); // until the library flushes; guarded by this, as all below
   private long dataSent; // bytes of what was flushed, less a header for each flush
   private long dataExpected;
   private boolean counting;
@@ -23,17 +25,18 @@ final class FlushCounter extends OutputStream {
 
   @Override
   public synchronized void write(int octet) throws IOException {
-    target.write(octet);
-    written++;
+    waiting.write(octet);
   }
 
   @Override
   public synchronized void flush() throws IOException {
+    byte[] bytes = waiting.toByteArray();
+    waiting.reset();
+    target.write(bytes); // at once: the library writes byte by byte
     target.flush();
     if (counting) {
-      dataSent += written - HEADER;
+      dataSent += bytes.length - HEADER;
     }
-    written = 0;
     notifyAll();
   }
 

@@ -178,7 +178,7 @@ public final class LogFile implements AutoCloseable {
     text.append(TIMESTAMP.format(time)).append(SEPARATOR);
     text.append(level).append(SEPARATOR);
     text.append(serviceName).append(SEPARATOR);
-    text.append(Thread.currentThread().getId()).append(SEPARATOR);
+    text.append(Clock.runningThread().getId()).append(SEPARATOR);
     text.append(message).append('\n');
   }
 

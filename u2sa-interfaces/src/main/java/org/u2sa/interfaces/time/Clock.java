@@ -27,6 +27,16 @@ public interface Clock {
    */
   Waiter newWaiter(String name);
 
+  /**
+   * The thread whose code the calling one runs: the one that {@linkplain Waiter#lend lent} its
+   * turns, if a clock takes one of them on another thread; otherwise the calling one itself.
+   */
+  static Thread runningThread() {
+    return Thread.currentThread() instanceof TurnCarriers.Carrier carrier
+        ? carrier.lender()
+        : Thread.currentThread();
+  }
+
   /** The given time or span in seconds. */
   static double seconds(long micros) {
     return micros / (double) MICROS_PER_SECOND;
@@ -37,8 +47,25 @@ public interface Clock {
     return Math.round(seconds * MICROS_PER_SECOND);
   }
 
+  /** What a thread does between its waits, one turn at a time. */
+  @FunctionalInterface
+  interface Turns {
+    /** Says that no further turn follows. */
+    long OVER = Long.MIN_VALUE;
+
+    /**
+     * Does what there is to do now.
+     *
+     * @return time of the clock [µs] until which to wait for the next turn, unless a signal comes
+     *     first, or {@link Clock#NEVER}; {@link #OVER} at the end
+     * @throws InterruptedException if the thread was interrupted
+     */
+    long take() throws InterruptedException;
+  }
+
   /**
-   * One thread's place to wait. {@link #await} belongs to that thread, the other calls to anyone.
+   * One thread's place to wait. {@link #await} and {@link #lend} belong to that thread, the other
+   * calls to anyone.
    */
   interface Waiter extends AutoCloseable {
     /**
@@ -49,6 +76,23 @@ public interface Clock {
      * @throws InterruptedException if the waiting thread was interrupted
      */
     void await(long deadlineMicros) throws InterruptedException;
+
+    /**
+     * Takes turns until they are over, and {@linkplain #await waits} between them.
+     *
+     * <p>The thread lends its turns: a clock may take some on a thread of its own while this one
+     * waits for the call to return. One turn is taken at a time, each sees what those before it
+     * wrote, and no lock must be held from one to the next. An interrupt of this thread reaches the
+     * turn that is being taken. {@link Clock#runningThread} is this thread in all of them.
+     *
+     * @throws InterruptedException if this thread was interrupted, or a turn threw it; whatever
+     *     else a turn throws comes out here, too
+     */
+    default void lend(Turns turns) throws InterruptedException {
+      for (long next = turns.take(); next != Turns.OVER; next = turns.take()) {
+        await(next);
+      }
+    }
 
     /** Ends the present wait, or the next one if the thread is not waiting. Never blocks. */
     void signal();

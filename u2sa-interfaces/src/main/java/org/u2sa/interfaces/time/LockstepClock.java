@@ -13,9 +13,11 @@ import java.util.function.BooleanSupplier;
  * waiter was made first). So a run with many threads repeats bit for bit, as fast as the machine
  * allows, and every service has answered a step of the simulation before the next one begins.
  *
- * <p>Waking a sleeping thread takes the machine longer than most turns last. So whoever is certain
- * to be next is woken while the one before still runs, and looks out for its turn for a few
- * microseconds before it sleeps again. That changes when a thread wakes, never whose turn it is.
+ * <p>Waking a sleeping thread takes the machine longer than most turns last. So the turns that
+ * threads {@linkplain Waiter#lend lend} are taken one after the other on one thread of the clock, a
+ * carrier. Whoever else is certain to be next is woken while the one before still runs, and looks
+ * out for its turn for a few microseconds before it sleeps again. Both change which thread runs and
+ * when it wakes, never whose turn it is.
  *
  * <p>The thread that calls {@link #runUntil} or {@link #advance} drives: it is blocked while the
  * services run. A waiter counts as busy from its creation until its thread first waits, so make it
@@ -30,6 +32,7 @@ public final class LockstepClock implements Clock {
   private final List<Turn> turns = new ArrayList<>(); // in order of creation
   private final ArrayDeque<Turn> ready =
       new ArrayDeque<>(); // signalled while waiting, first come first
+  private final TurnCarriers carriers = new TurnCarriers();
   private int busy; // turns that are not waiting
   private volatile long nowMicros;
   private long targetMicros;
@@ -144,7 +147,7 @@ public final class LockstepClock implements Clock {
       driving = false;
       lock.notifyAll();
     } else {
-      next.take();
+      next.grant();
       callAhead();
     }
   }
@@ -152,7 +155,7 @@ public final class LockstepClock implements Clock {
   /** Wakes the thread whose turn is certain to come next. The caller holds the lock. */
   private void callAhead() {
     Turn next = ready.peek();
-    if (CALLS_AHEAD && next != null) {
+    if (CALLS_AHEAD && next != null && !next.isLent) {
       next.wait.callAhead();
     }
   }
@@ -170,8 +173,10 @@ public final class LockstepClock implements Clock {
 
   /** One thread's place in the order. Its fields are guarded by the clock's lock. */
   private final class Turn implements Waiter {
-    private Thread thread; // known once it has waited
+    private boolean hasWaited;
     private final TurnWait wait = new TurnWait();
+    private Loan loan; // the last one; null if it never lent
+    private boolean isLent; // while it waits for a turn that a carrier is to take
     private boolean queued;
     private boolean signalled;
     private boolean closed;
@@ -180,22 +185,10 @@ public final class LockstepClock implements Clock {
     @Override
     public void await(long deadline) throws InterruptedException {
       synchronized (lock) {
-        if (closed) {
+        if (goesOn()) {
           return;
         }
-        // A thread's first wait is where it joins the order, so it gives its turn up whatever is
-        // pending.
-        if (signalled && thread != null) {
-          signalled = false;
-          return;
-        }
-        thread = Thread.currentThread();
-        deadlineMicros = deadline;
-        wait.begin();
-        busy--;
-        if (signalled) {
-          signal();
-        }
+        begin(deadline);
         passTurnIfIdle();
       }
       while (wait.isWaiting()) {
@@ -211,10 +204,102 @@ public final class LockstepClock implements Clock {
       }
     }
 
+    /** Whether there is no wait now: it was signalled meanwhile, or closed. */
+    private boolean goesOn() {
+      // A thread's first wait is where it joins the order, so it gives its turn up whatever is
+      // pending.
+      boolean goesOn = closed || signalled && hasWaited;
+      signalled &= !goesOn;
+      return goesOn;
+    }
+
+    private void begin(long deadline) {
+      hasWaited = true;
+      deadlineMicros = deadline;
+      wait.begin();
+      busy--;
+      if (signalled) {
+        signal();
+      }
+    }
+
+    @Override
+    public void lend(Turns lent) throws InterruptedException {
+      Loan mine = new Loan(lent, this::goesOn);
+      long next = lent.take();
+      while (next != Turns.OVER) {
+        next = isLent(mine, next) && awaitReturn(mine) ? Turns.OVER : lent.take();
+      }
+    }
+
+    /** Lends the turns that follow, unless the next one is to be taken at once. */
+    private boolean isLent(Loan mine, long deadline) {
+      synchronized (lock) {
+        if (goesOn()) {
+          return false;
+        }
+        if (loan == null) {
+          carriers.join();
+        }
+        loan = mine;
+        isLent = true;
+        mine.begin();
+        begin(deadline);
+        passTurnIfIdle();
+        return true;
+      }
+    }
+
+    /** Waits until the lender has its turns back. Returns whether they are over. */
+    private boolean awaitReturn(Loan mine) throws InterruptedException {
+      while (mine.isLent()) {
+        mine.await();
+        if (Thread.interrupted()) {
+          synchronized (lock) {
+            if (isLent) {
+              take();
+              throw new InterruptedException();
+            }
+            mine.passInterruptOn();
+          }
+        }
+      }
+      return mine.isOver();
+    }
+
+    /** Whether a carrier that has taken a lent turn is to take the next one at once. */
+    private boolean goesOn(Loan lent) {
+      synchronized (lock) {
+        boolean isEnding = lent.isEnding();
+        if (!isEnding && !closed && goesOn()) {
+          return true;
+        }
+        carriers.release(lent);
+        if (isEnding || closed) {
+          lent.giveBack(); // the turn goes with it
+        } else {
+          isLent = true;
+          begin(lent.deadlineMicros());
+          passTurnIfIdle();
+        }
+        return false;
+      }
+    }
+
+    /** Gives it the turn, and a carrier if it is lent. */
+    private void grant() {
+      boolean isCarried = isLent;
+      take();
+      if (isCarried) {
+        carriers.carry(loan);
+      }
+    }
+
     private void take() {
       ready.remove(this);
       queued = false;
       signalled = false;
+      isLent = false;
       deadlineMicros = NEVER;
       busy++;
       wait.end();
@@ -241,8 +326,14 @@ public final class LockstepClock implements Clock {
           return;
         }
         closed = true;
+        if (isLent) {
+          loan.giveBack();
+        }
         if (wait.isWaiting()) {
-          take(); // its thread returns from await and ends; it is no longer waited for
+          take(); // its thread returns from its wait and ends; it is no longer waited for
+        }
+        if (loan != null) {
+          carriers.leave();
         }
         turns.remove(this);
         busy--;

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Threads that signal each other at random take their turns in the order that {@link LockstepClock}
- * promises, however fast each of them wakes.
+ * promises, however fast each of them wakes, and whether they lend their turns or take them.
  */
 @Timeout(120)
 class LockstepOrderTest {
@@ -95,36 +95,45 @@ class LockstepOrderTest {
     return order;
   }
 
-  private void start(LockstepClock clock, long seed, int count) {
+  private void start(LockstepClock clock, long seed, int count, int takers) {
     for (int i = 0; i < count; i++) {
       waiters.add(clock.newWaiter("w" + i));
     }
     for (int i = 0; i < count; i++) {
       int self = i;
-      Thread thread = new Thread(() -> live(clock, new Script(seed, self, count), self));
+      boolean lends = i >= takers;
+      Thread thread = new Thread(() -> live(clock, new Script(seed, self, count), self, lends));
       thread.setDaemon(true);
       threads.add(thread);
       thread.start();
     }
   }
 
-  private void live(LockstepClock clock, Script script, int self) {
+  private void live(LockstepClock clock, Script script, int self, boolean lends) {
     try {
-      long deadline = 0;
+      Clock.Waiter waiter = waiters.get(self);
+      waiter.await(0);
+      Clock.Turns turn = () -> turn(clock, script, self);
+      if (lends) {
+        waiter.lend(turn);
+      }
       while (true) {
-        waiters.get(self).await(deadline);
-        turns.add(self + "@" + clock.micros());
-        double work = 0.0;
-        for (int i = script.work(); i > 0; i--) {
-          work = Math.sqrt(work + i);
-        }
-        assertThat(work).isNotNegative(); // so that it is computed
-        script.signalled().forEach(other -> waiters.get(other).signal());
-        deadline = script.deadline(clock.micros());
+        waiter.await(turn.take());
       }
     } catch (InterruptedException e) {
       waiters.get(self).close();
     }
+  }
+
+  private long turn(LockstepClock clock, Script script, int self) {
+    turns.add(self + "@" + clock.micros());
+    double work = 0.0;
+    for (int i = script.work(); i > 0; i--) {
+      work = Math.sqrt(work + i);
+    }
+    assertThat(work).isNotNegative(); // so that it is computed
+    script.signalled().forEach(other -> waiters.get(other).signal());
+    return script.deadline(clock.micros());
   }
 
   @AfterEach
@@ -136,11 +145,11 @@ class LockstepOrderTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"1, 2", "2, 3", "3, 5", "4, 9"})
-  void runUntil_randomSignals_turnsComeInThePromisedOrder(long seed, int count)
+  @CsvSource({"1, 2, 2", "2, 3, 0", "3, 5, 5", "3, 5, 0", "3, 5, 2", "4, 9, 9", "4, 9, 1"})
+  void runUntil_randomSignals_turnsComeInThePromisedOrder(long seed, int count, int takers)
       throws InterruptedException {
     LockstepClock clock = new LockstepClock();
-    start(clock, seed, count);
+    start(clock, seed, count, takers);
 
     clock.runUntil(() -> turns.size() >= 1_500, 1_000_000);
 

@@ -79,12 +79,14 @@ public final class IoioInProcess {
     lock.notifyAll();
   }
 
-  /** Moves what the board has for the host onto the cable. */
+  /** Moves what the board has for the host onto the cable, and wakes the reader if it matters. */
   private void pass() {
     for (int count = firmware.output(scratch); count > 0; count = firmware.output(scratch)) {
       cable.push(scratch, 0, count);
     }
-    lock.notifyAll();
+    if (cable.size() > 0 || hasEnded()) {
+      lock.notifyAll();
+    }
   }
 
   /**

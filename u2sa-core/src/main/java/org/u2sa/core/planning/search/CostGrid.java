@@ -13,13 +13,18 @@ public final class CostGrid {
   /** A square of unknown cells costs so much more than one that was seen to be free. */
   private static final float UNKNOWN_COST = 0.3f;
 
+  /** Of a cell's state: something stands in it. 0 is a cell that was seen to be free. */
+  public static final byte OCCUPIED = 1;
+
+  /** Of a cell's state: nobody has seen what is in it. May come together with the other. */
+  public static final byte UNKNOWN = 2;
+
   /** Cells of a rectangle, ends included. */
   public record Area(int firstRow, int firstColumn, int lastRow, int lastColumn) {}
 
   private final GridFrame frame;
   private final Inflation inflation;
-  private final boolean[] occupied;
-  private final boolean[] unknown;
+  private final byte[] states;
   private final float[] cost;
   private final DistanceField distances;
 
@@ -27,8 +32,7 @@ public final class CostGrid {
   public CostGrid(GridFrame frame, Inflation inflation) {
     this.frame = frame;
     this.inflation = inflation;
-    occupied = new boolean[frame.cells()];
-    unknown = new boolean[frame.cells()];
+    states = new byte[frame.cells()];
     cost = new float[frame.cells()];
     Arrays.fill(cost, 1.0f);
     int reach = (int) Math.ceil(inflation.reachM() / frame.cellM()) + 1;
@@ -57,45 +61,73 @@ public final class CostGrid {
 
   /** The same, where nothing has changed outside an area. */
   public Area update(Area where, IntPredicate isOccupied, IntPredicate isUnknown) {
-    int top = Integer.MAX_VALUE;
-    int left = Integer.MAX_VALUE;
-    int bottom = -1;
-    int right = -1;
+    Changes changes = new Changes();
     for (int row = where.firstRow(); row <= where.lastRow(); row++) {
       for (int column = where.firstColumn(); column <= where.lastColumn(); column++) {
         int i = frame.index(row, column);
-        boolean full = isOccupied.test(i);
-        boolean unseen = isUnknown.test(i);
-        if (full != occupied[i] || unseen != unknown[i]) {
-          occupied[i] = full;
-          unknown[i] = unseen;
-          top = Math.min(top, row);
-          bottom = row;
-          left = Math.min(left, column);
-          right = Math.max(right, column);
+        int state = (isOccupied.test(i) ? OCCUPIED : 0) | (isUnknown.test(i) ? UNKNOWN : 0);
+        if (state != states[i]) {
+          states[i] = (byte) state;
+          changes.add(row, column);
         }
       }
     }
-    if (bottom < 0) {
-      return null;
-    }
-    int[] near = distances.update(occupied, top, left, bottom, right);
-    for (int row = near[0]; row <= near[2]; row++) {
-      for (int i = frame.index(row, near[1]); i <= frame.index(row, near[3]); i++) {
-        cost[i] = (float) inflation.cost(distanceM(i)) + (unknown[i] ? UNKNOWN_COST : 0.0f);
+    return changes.compute();
+  }
+
+  /**
+   * The same, with the state of every cell: {@link #OCCUPIED}, {@link #UNKNOWN}, both or neither.
+   */
+  public Area update(byte[] newStates) {
+    Changes changes = new Changes();
+    for (int row = 0, i = 0; row < frame.rows(); row++) {
+      for (int column = 0; column < frame.columns(); column++, i++) {
+        if (newStates[i] != states[i]) {
+          states[i] = newStates[i];
+          changes.add(row, column);
+        }
       }
     }
-    return new Area(near[0], near[1], near[2], near[3]);
+    return changes.compute();
+  }
+
+  /** The cells whose state has changed. */
+  private final class Changes {
+    private int top = Integer.MAX_VALUE;
+    private int left = Integer.MAX_VALUE;
+    private int bottom = -1;
+    private int right = -1;
+
+    void add(int row, int column) {
+      top = Math.min(top, row);
+      bottom = row;
+      left = Math.min(left, column);
+      right = Math.max(right, column);
+    }
+
+    /** Computes costs around them. Returns the cells whose cost may have changed; null if none. */
+    Area compute() {
+      if (bottom < 0) {
+        return null;
+      }
+      int[] near = distances.update(states, top, left, bottom, right);
+      for (int row = near[0]; row <= near[2]; row++) {
+        for (int i = frame.index(row, near[1]); i <= frame.index(row, near[3]); i++) {
+          cost[i] = (float) inflation.cost(distanceM(i)) + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
+        }
+      }
+      return new Area(near[0], near[1], near[2], near[3]);
+    }
   }
 
   /** Whether something stands in a cell. */
   public boolean isOccupied(int index) {
-    return occupied[index];
+    return (states[index] & OCCUPIED) != 0;
   }
 
   /** Whether nobody has seen what is in a cell. */
   public boolean isUnknown(int index) {
-    return unknown[index];
+    return (states[index] & UNKNOWN) != 0;
   }
 
   /** Whether the vehicle's centre may be in a cell. */

@@ -45,12 +45,12 @@ final class DistanceField {
    * @return the cells whose distance may have changed: first row, first column, last row, last
    *     column
    */
-  int[] update(boolean[] occupied, int firstRow, int firstColumn, int lastRow, int lastColumn) {
+  int[] update(byte[] states, int firstRow, int firstColumn, int lastRow, int lastColumn) {
     int top = Math.max(0, firstRow - reach);
     int bottom = Math.min(rows - 1, lastRow + reach);
     int left = Math.max(0, firstColumn - reach);
     int right = Math.min(columns - 1, lastColumn + reach);
-    alongColumns(occupied, firstRow, lastRow, firstColumn, lastColumn, top, bottom);
+    alongColumns(states, firstRow, lastRow, firstColumn, lastColumn, top, bottom);
     for (int row = top; row <= bottom; row++) {
       alongRow(row, left, right);
     }
@@ -58,7 +58,7 @@ final class DistanceField {
   }
 
   private void alongColumns(
-      boolean[] occupied,
+      byte[] states,
       int firstRow,
       int lastRow,
       int firstColumn,
@@ -72,7 +72,10 @@ final class DistanceField {
     for (int row = start; row <= bottom; row++) {
       for (int column = firstColumn; column <= lastColumn; column++) {
         int i = row * columns + column;
-        int here = occupied[i] ? 0 : Math.min(reach, since[column - firstColumn] + 1);
+        int here =
+            (states[i] & CostGrid.OCCUPIED) != 0
+                ? 0
+                : Math.min(reach, since[column - firstColumn] + 1);
         since[column - firstColumn] = here;
         if (row >= top) {
           below[i] = here;
@@ -83,7 +86,10 @@ final class DistanceField {
     for (int row = end; row >= top; row--) {
       for (int column = firstColumn; column <= lastColumn; column++) {
         int i = row * columns + column;
-        int here = occupied[i] ? 0 : Math.min(reach, since[column - firstColumn] + 1);
+        int here =
+            (states[i] & CostGrid.OCCUPIED) != 0
+                ? 0
+                : Math.min(reach, since[column - firstColumn] + 1);
         since[column - firstColumn] = here;
         if (row <= bottom && here < below[i]) {
           below[i] = here;

@@ -1,7 +1,9 @@
 package org.u2sa.core.planning.seen;
 
+import java.util.Arrays;
 import java.util.function.DoubleToIntFunction;
 import java.util.function.IntToDoubleFunction;
+import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
@@ -16,8 +18,7 @@ import org.u2sa.messages.frame.Point;
  */
 final class GridLayer {
   private static final double SHRUNK_M = 1.0e-6; // a cell that only touches another covers none
-  private static final byte FREE = 1; // 0: unknown
-  private static final byte OCCUPIED = 2;
+  private static final byte FREE = 0;
 
   private final OccupancyGrid grid;
   private final PlanningPlane plane;
@@ -29,7 +30,7 @@ final class GridLayer {
   private final double eastByColumn;
   private final double eastByRow;
   private final double half;
-  private final byte[] said;
+  private final byte[] said; // as CostGrid's states
 
   private GridLayer(
       OccupancyGrid grid, PlanningPlane plane, GridFrame frame, double occupiedAbove) {
@@ -46,6 +47,7 @@ final class GridLayer {
     eastByRow = alongY.y() - corner.y();
     half = 0.5 * grid.resolution() - SHRUNK_M;
     said = new byte[frame.cells()];
+    Arrays.fill(said, CostGrid.UNKNOWN);
     draw(grid.cells(), grid.columns(), threshold(occupiedAbove));
   }
 
@@ -65,12 +67,9 @@ final class GridLayer {
     return same ? before : new GridLayer(grid, plane, frame, occupiedAbove);
   }
 
-  boolean isOccupied(int index) {
-    return said[index] == OCCUPIED;
-  }
-
-  boolean isUnknown(int index) {
-    return said[index] == 0;
+  /** The state of each cell of the plan, as {@link CostGrid} has them; the caller's own. */
+  byte[] states() {
+    return said.clone();
   }
 
   private void draw(byte[] cells, int columns, byte threshold) {
@@ -91,7 +90,7 @@ final class GridLayer {
     for (int row = 0, k = 0; row < rows; row++) {
       for (int column = 0; column < columns; column++, k++) {
         if (cells[k] != OccupancyGrid.UNKNOWN) {
-          byte what = cells[k] >= threshold ? OCCUPIED : FREE;
+          byte what = cells[k] >= threshold ? CostGrid.OCCUPIED : FREE;
           if (northward.fits[row] && eastward.fits[column]) {
             fill(
                 northward.first[row],
@@ -127,7 +126,7 @@ final class GridLayer {
   private void fill(int firstRow, int lastRow, int firstColumn, int lastColumn, byte what) {
     for (int row = firstRow; row <= lastRow; row++) {
       for (int i = frame.index(row, firstColumn); i <= frame.index(row, lastColumn); i++) {
-        if (said[i] < what) { // occupied overrules free
+        if (said[i] == CostGrid.UNKNOWN || what == CostGrid.OCCUPIED) { // it overrules free
           said[i] = what;
         }
       }

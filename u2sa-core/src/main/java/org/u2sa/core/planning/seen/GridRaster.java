@@ -1,25 +1,37 @@
 package org.u2sa.core.planning.seen;
 
 import java.util.List;
+import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
 /** Which cells of a grid shapes, corridors and the World Modeler's grid occupy. */
 final class GridRaster {
   private final GridFrame frame;
-  private final boolean[] occupied;
-  private GridLayer layer; // null: no grid said anything
+  private final byte[] states;
 
+  /** All cells are free. */
   GridRaster(GridFrame frame) {
     this.frame = frame;
-    occupied = new boolean[frame.cells()];
+    states = new byte[frame.cells()];
   }
 
-  boolean isOccupied(int index) {
-    return occupied[index] || layer != null && layer.isOccupied(index);
+  /** The cells are as the World Modeler has seen them: free, occupied or unknown. */
+  GridRaster(GridFrame frame, GridLayer seen) {
+    this.frame = frame;
+    states = seen.states();
   }
 
-  boolean isUnknown(int index) {
-    return layer != null && layer.isUnknown(index);
+  /** The state of each cell, as {@link CostGrid} has them. */
+  byte[] states() {
+    return states;
+  }
+
+  private boolean isOccupied(int index) {
+    return (states[index] & CostGrid.OCCUPIED) != 0;
+  }
+
+  private void occupy(int index) {
+    states[index] |= CostGrid.OCCUPIED;
   }
 
   /** Cells that a shape touches, by their centres and half a cell. */
@@ -31,8 +43,9 @@ final class GridRaster {
     for (int row = Math.max(0, frame.row(bounds[0] - half)); row <= top; row++) {
       for (int c = Math.max(0, frame.column(bounds[2] - half)); c <= right; c++) {
         int i = frame.index(row, c);
-        if (!occupied[i]) {
-          occupied[i] = shape.distanceM(frame.centreNorthM(i), frame.centreEastM(i)) <= half;
+        if (!isOccupied(i)
+            && shape.distanceM(frame.centreNorthM(i), frame.centreEastM(i)) <= half) {
+          occupy(i);
         }
       }
     }
@@ -40,19 +53,16 @@ final class GridRaster {
 
   /** Cells that are in none of the corridors. */
   void drawOutside(List<PlanarShape> corridors) {
-    for (int i = 0; i < occupied.length; i++) {
+    for (int i = 0; i < states.length; i++) {
       double north = frame.centreNorthM(i);
       double east = frame.centreEastM(i);
       boolean inside = false;
       for (PlanarShape corridor : corridors) {
         inside |= corridor.distanceM(north, east) == 0.0;
       }
-      occupied[i] |= !inside;
+      if (!inside) {
+        occupy(i);
+      }
     }
-  }
-
-  /** Cells that the World Modeler has seen, free or occupied; the others are unknown. */
-  void draw(GridLayer grid) {
-    layer = grid;
   }
 }

@@ -181,20 +181,25 @@ public final class SeenWorld {
       costs = new CostGrid(new GridFrame(north, east, now.cellM(), cells, cells), now.inflation());
       costsRead = now;
     }
-    GridRaster raster = new GridRaster(costs.frame());
+    GridRaster raster = raster(now);
     shapes.forEach(raster::draw);
     if (!corridors.isEmpty()) {
       raster.drawOutside(corridors);
     }
-    if (seenGrid != null) {
-      layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
-      raster.draw(layer);
-    }
-    boolean different = costs.update(raster::isOccupied, raster::isUnknown) != null;
+    boolean different = costs.update(raster.states()) != null;
     if (different || moved) {
       revision++;
     }
     changed = false;
+  }
+
+  /** The window as the World Modeler's grid has it, before any object. */
+  private GridRaster raster(Reading now) {
+    if (seenGrid == null) {
+      return new GridRaster(costs.frame());
+    }
+    layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
+    return new GridRaster(costs.frame(), layer);
   }
 
   private static boolean isNearEdge(GridFrame frame, double northM, double eastM) {

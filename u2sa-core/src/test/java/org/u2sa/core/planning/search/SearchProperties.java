@@ -19,7 +19,7 @@ class SearchProperties {
   void distances_changedInPlaces_areThoseOfBruteForce(@ForAll long seed) {
     Random random = new Random(seed);
     int reach = 1 + random.nextInt(8);
-    boolean[] occupied = new boolean[SIZE * SIZE];
+    byte[] states = new byte[SIZE * SIZE];
     DistanceField field = new DistanceField(SIZE, SIZE, reach);
     for (int round = 0; round < 5; round++) {
       int top = random.nextInt(SIZE);
@@ -29,24 +29,70 @@ class SearchProperties {
       double density = 0.5 * random.nextDouble();
       for (int row = top; row <= bottom; row++) {
         for (int column = left; column <= right; column++) {
-          occupied[row * SIZE + column] = random.nextDouble() < density;
+          states[row * SIZE + column] = state(random, density);
         }
       }
-      field.update(occupied, top, left, bottom, right);
+      field.update(states, top, left, bottom, right);
     }
-    for (int i = 0; i < occupied.length; i++) {
-      assertThat((double) field.cells(i)).isCloseTo(bruteForce(occupied, i, reach), within(1e-4));
+    for (int i = 0; i < states.length; i++) {
+      assertThat((double) field.cells(i)).isCloseTo(bruteForce(states, i, reach), within(1e-4));
     }
   }
 
-  private static double bruteForce(boolean[] occupied, int at, int reach) {
+  private static byte state(Random random, double density) {
+    int full = random.nextDouble() < density ? CostGrid.OCCUPIED : 0;
+    return (byte) (random.nextInt(4) == 0 ? full | CostGrid.UNKNOWN : full);
+  }
+
+  private static double bruteForce(byte[] states, int at, int reach) {
     double least = reach;
-    for (int i = 0; i < occupied.length; i++) {
-      if (occupied[i]) {
+    for (int i = 0; i < states.length; i++) {
+      if ((states[i] & CostGrid.OCCUPIED) != 0) {
         least = Math.min(least, Math.hypot(at / SIZE - i / SIZE, at % SIZE - i % SIZE));
       }
     }
     return least;
+  }
+
+  @Property(tries = 100)
+  void update_someStatesChanged_isAsAGridThatHadThemFromTheBeginning(@ForAll long seed) {
+    Random random = new Random(seed);
+    CostGrid changing = new CostGrid(FRAME, INFLATION);
+    byte[] states = new byte[SIZE * SIZE];
+    for (int round = 0; round < 4; round++) {
+      float[] before = costs(changing);
+      for (int changes = random.nextInt(9); changes > 0; changes--) {
+        states[random.nextInt(states.length)] = state(random, 0.3);
+      }
+      CostGrid.Area area = changing.update(states);
+
+      CostGrid fresh = new CostGrid(FRAME, INFLATION);
+      fresh.update(
+          i -> (states[i] & CostGrid.OCCUPIED) != 0, i -> (states[i] & CostGrid.UNKNOWN) != 0);
+      assertThat(costs(changing)).isEqualTo(costs(fresh));
+      for (int i = 0; i < states.length; i++) {
+        assertThat(changing.isOccupied(i)).isEqualTo(fresh.isOccupied(i));
+        assertThat(changing.isUnknown(i)).isEqualTo(fresh.isUnknown(i));
+        assertThat(changing.cost(i) == before[i] || contains(area, i)).isTrue();
+      }
+      assertThat(changing.update(states)).isNull();
+    }
+  }
+
+  private static boolean contains(CostGrid.Area area, int cell) {
+    return area != null
+        && cell / SIZE >= area.firstRow()
+        && cell / SIZE <= area.lastRow()
+        && cell % SIZE >= area.firstColumn()
+        && cell % SIZE <= area.lastColumn();
+  }
+
+  private static float[] costs(CostGrid grid) {
+    float[] costs = new float[SIZE * SIZE];
+    for (int i = 0; i < costs.length; i++) {
+      costs[i] = grid.cost(i);
+    }
+    return costs;
   }
 
   @Property(tries = 300)

@@ -6,6 +6,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
@@ -76,7 +77,7 @@ class GridLayerTest {
   private static String said(GridLayer layer, GridFrame frame) {
     StringBuilder said = new StringBuilder();
     for (int i = 0; i < frame.cells(); i++) {
-      said.append(layer.isOccupied(i) ? '#' : layer.isUnknown(i) ? '?' : '.');
+      said.append(".#?".charAt(layer.states()[i]));
     }
     return said.toString();
   }
@@ -136,18 +137,20 @@ class GridLayerTest {
         grid(ReferenceFrame.LOCAL_ENU, Point.of(0, 0, 0), 0.1, 1, (byte) 10, EMPTY);
     GridLayer before = layer(grid, local, frame);
     int full = frame.indexAt(-0.05, 0.0);
-    assertThat(before.isOccupied(full)).isTrue();
+    assertThat(before.states()[full]).isEqualTo(CostGrid.OCCUPIED);
 
     GridLayer stricter = GridLayer.of(grid, local, frame, 0.99, before);
-    assertThat(stricter.isOccupied(full)).isFalse();
+    assertThat(stricter.states()[full]).isNotEqualTo(CostGrid.OCCUPIED);
     GridFrame elsewhere = new GridFrame(50.0, 50.0, 0.1, 20, 20);
-    assertThat(GridLayer.of(grid, local, elsewhere, THRESHOLD, before).isUnknown(full)).isTrue();
+    assertThat(GridLayer.of(grid, local, elsewhere, THRESHOLD, before).states()[full])
+        .isEqualTo(CostGrid.UNKNOWN);
     OccupancyGrid empty = grid(ReferenceFrame.LOCAL_ENU, Point.of(0, 0, 0), 0.1, 1, EMPTY, EMPTY);
-    assertThat(GridLayer.of(empty, local, frame, THRESHOLD, before).isOccupied(full)).isFalse();
+    assertThat(GridLayer.of(empty, local, frame, THRESHOLD, before).states()[full])
+        .isNotEqualTo(CostGrid.OCCUPIED);
     OccupancyGrid onGlobe = grid(ReferenceFrame.GLOBAL, Point.of(15, 50, 0), 0.1, 1, FULL, EMPTY);
     GridLayer near = layer(onGlobe, onEarth(15.0, 50.0), frame);
     GridLayer far = GridLayer.of(onGlobe, onEarth(15.1, 50.0), frame, THRESHOLD, near);
-    assertThat(near.isOccupied(full)).isTrue();
-    assertThat(far.isOccupied(full)).isFalse();
+    assertThat(near.states()[full]).isEqualTo(CostGrid.OCCUPIED);
+    assertThat(far.states()[full]).isNotEqualTo(CostGrid.OCCUPIED);
   }
 }
