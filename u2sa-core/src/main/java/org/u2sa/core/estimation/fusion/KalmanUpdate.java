@@ -17,6 +17,7 @@ final class KalmanUpdate {
   private final DMatrixRMaj s = new DMatrixRMaj(3, 3);
   private final DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
   private final double[] dx = new double[N];
+  private final int[] columns = new int[N]; // of error states that are concerned
   private int rows;
 
   /** Variance of each component by the state's own uncertainty: diagonal of H P Hᵀ. */
@@ -34,12 +35,34 @@ final class KalmanUpdate {
     g.reshape(N, rows);
     s.reshape(rows, rows);
     inverse.reshape(rows, rows);
-    CommonOps_DDRM.multTransB(state.p, m.h, g);
+    project(state.p.data, m.h.data);
     CommonOps_DDRM.mult(m.h, g, s);
     for (int i = 0; i < rows; i++) {
       expected[i] = s.data[i * rows + i];
     }
     return weigh(m, factor);
+  }
+
+  /** G = P Hᵀ, from the columns of H that are not 0. */
+  private void project(double[] p, double[] h) {
+    int used = 0;
+    for (int column = 0; column < N; column++) {
+      for (int row = 0; row < rows; row++) {
+        if (h[row * N + column] != 0.0) {
+          columns[used++] = column;
+          break;
+        }
+      }
+    }
+    for (int i = 0; i < N; i++) {
+      for (int row = 0; row < rows; row++) {
+        double sum = 0.0;
+        for (int c = 0; c < used; c++) {
+          sum += p[i * N + columns[c]] * h[row * N + columns[c]];
+        }
+        g.data[i * rows + row] = sum;
+      }
+    }
   }
 
   /** {@link #prepare} with another factor, for the same measurement. */
@@ -63,24 +86,41 @@ final class KalmanUpdate {
     ks.reshape(N, rows);
     CommonOps_DDRM.mult(g, inverse, k);
     CommonOps_DDRM.mult(k, s, ks);
-    double[] p = state.p.data;
+    int touched = 0;
     for (int i = 0; i < N; i++) {
-      for (int j = 0; j < N; j++) {
-        double sum = 0.0;
-        for (int c = 0; c < rows; c++) {
-          double ki = k.data[i * rows + c];
-          double kj = k.data[j * rows + c];
-          sum += ks.data[i * rows + c] * kj - ki * g.data[j * rows + c] - g.data[i * rows + c] * kj;
-        }
-        p[i * N + j] += sum;
-      }
       dx[i] = 0.0;
+      boolean isTouched = false;
       for (int c = 0; c < rows; c++) {
+        isTouched |= g.data[i * rows + c] != 0.0;
         dx[i] += k.data[i * rows + c] * m.innovation[c];
       }
+      if (isTouched) {
+        columns[touched++] = i;
+      }
     }
-    ProcessModel.symmetrise(state.p);
+    double[] p = state.p.data;
+    for (int a = 0; a < touched; a++) {
+      int i = columns[a];
+      p[i * N + i] += change(i, i);
+      for (int b = 0; b < a; b++) {
+        int j = columns[b];
+        double mean = 0.5 * (p[i * N + j] + change(i, j) + (p[j * N + i] + change(j, i)));
+        p[i * N + j] = mean;
+        p[j * N + i] = mean;
+      }
+    }
     correct(state);
+  }
+
+  /** A number of K S Kᵀ - K Gᵀ - G Kᵀ. */
+  private double change(int i, int j) {
+    double sum = 0.0;
+    for (int c = 0; c < rows; c++) {
+      double ki = k.data[i * rows + c];
+      double kj = k.data[j * rows + c];
+      sum += ks.data[i * rows + c] * kj - ki * g.data[j * rows + c] - g.data[i * rows + c] * kj;
+    }
+    return sum;
   }
 
   private void correct(FilterState state) {

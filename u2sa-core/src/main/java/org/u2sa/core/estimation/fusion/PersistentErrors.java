@@ -139,12 +139,15 @@ final class PersistentErrors {
   }
 
   /** Lets the errors fade, into F. */
-  void fade(FilterState s, double[] f, double dt) {
+  void fade(FilterState s, Transition f, double dt) {
     for (int slot = 0; slot < SLOTS; slot++) {
+      if (s.persistentSource[slot] == FilterState.NO_SOURCE) {
+        continue;
+      }
       double kept = kept(slot, dt);
       for (int i = first(slot); i < first(slot) + size(slot); i++) {
         s.x[FilterState.PERSISTENT_ERRORS + i] *= kept;
-        f[(FilterState.PERSISTENT + i) * (FilterState.N + 1)] = kept;
+        f.set(FilterState.PERSISTENT + i, FilterState.PERSISTENT + i, kept);
       }
     }
   }

@@ -1,7 +1,6 @@
 package org.u2sa.core.estimation.fusion;
 
 import org.ejml.data.DMatrixRMaj;
-import org.ejml.dense.row.CommonOps_DDRM;
 
 /**
  * Carries state and covariance ahead in time (Solà 2017, section 7.2). With inertial input it is a
@@ -22,8 +21,7 @@ final class ProcessModel {
 
   private final FilterTuning tuning;
   private final PersistentErrors persistent;
-  private final DMatrixRMaj f = new DMatrixRMaj(N, N);
-  private final DMatrixRMaj fp = new DMatrixRMaj(N, N);
+  private final Transition f = new Transition();
   private final double[] r = new double[9];
   private final double[] a = new double[3];
   private final double[] w = new double[3];
@@ -55,9 +53,9 @@ final class ProcessModel {
   private void advance(FilterState s, double dt) {
     double[] x = s.x;
     Quaternions.matrix(x, FilterState.Q, r);
-    CommonOps_DDRM.setIdentity(f);
+    f.reset();
     for (int i = 0; i < 3; i++) {
-      f.data[(FilterState.POSITION + i) * N + FilterState.VELOCITY + i] = dt;
+      f.set(FilterState.POSITION + i, FilterState.VELOCITY + i, dt);
       double rate =
           s.isInertial ? x[FilterState.GYRO + i] - x[FilterState.BG + i] : x[FilterState.W + i];
       w[i] = s.hasTilt || i == 2 ? rate : 0.0; // without tilt the vehicle is taken to be level
@@ -72,8 +70,7 @@ final class ProcessModel {
     double vd = x[FilterState.V + 2];
     s.move(dt * (vn - 0.5 * dt * a[0]), dt * (ve - 0.5 * dt * a[1]), dt * (vd - 0.5 * dt * a[2]));
     turn(s, dt);
-    CommonOps_DDRM.mult(f, s.p, fp);
-    CommonOps_DDRM.multTransB(fp, f, s.p);
+    f.carry(s.p.data);
     addNoise(s, dt);
     symmetrise(s.p);
   }
@@ -91,7 +88,7 @@ final class ProcessModel {
     for (int i = 0; i < 3; i++) {
       a[i] = r[3 * i] * mx + r[3 * i + 1] * my + r[3 * i + 2] * mz;
       for (int k = 0; k < 3; k++) {
-        f.data[(FilterState.VELOCITY + i) * N + FilterState.FORCE_BIAS + k] = -dt * r[3 * i + k];
+        f.set(FilterState.VELOCITY + i, FilterState.FORCE_BIAS + k, -dt * r[3 * i + k]);
       }
     }
     minusCross(a, dt, FilterState.VELOCITY, FilterState.ATTITUDE);
@@ -119,18 +116,18 @@ final class ProcessModel {
     x[FilterState.V + 1] = sin * vn + cos * ve;
     a[0] = (x[FilterState.V] - vn) / dt;
     a[1] = (x[FilterState.V + 1] - ve) / dt;
-    int north = FilterState.VELOCITY * N;
-    int east = north + N;
-    f.data[north + FilterState.VELOCITY] = cos;
-    f.data[north + FilterState.VELOCITY + 1] = -sin;
-    f.data[east + FilterState.VELOCITY] = sin;
-    f.data[east + FilterState.VELOCITY + 1] = cos;
+    int north = FilterState.VELOCITY;
+    int east = north + 1;
+    f.set(north, north, cos);
+    f.set(north, east, -sin);
+    f.set(east, north, sin);
+    f.set(east, east, cos);
     int source = s.isInertial ? FilterState.GYRO_BIAS : FilterState.RATE;
     double sign = s.isInertial ? -dt : dt;
     for (int k = 0; k < 3; k++) {
       if (s.hasTilt || k == 2) {
-        f.data[north + source + k] = sign * -ve * r[6 + k];
-        f.data[east + source + k] = sign * vn * r[6 + k];
+        f.set(north, source + k, sign * -ve * r[6 + k]);
+        f.set(east, source + k, sign * vn * r[6 + k]);
       }
     }
   }
@@ -143,7 +140,7 @@ final class ProcessModel {
     for (int i = 0; i < 3; i++) {
       for (int k = 0; k < 3; k++) {
         if (s.hasTilt || i == 2 && k == 2) {
-          f.data[(FilterState.ATTITUDE + i) * N + source + k] = sign * r[3 * i + k];
+          f.set(FilterState.ATTITUDE + i, source + k, sign * r[3 * i + k]);
         }
       }
     }
@@ -153,26 +150,25 @@ final class ProcessModel {
         x[FilterState.W + i] = w[i];
       } else {
         x[FilterState.W + i] *= left;
-        f.data[(FilterState.RATE + i) * N + FilterState.RATE + i] = left;
+        f.set(FilterState.RATE + i, FilterState.RATE + i, left);
       }
     }
     double flowLeft = 1.0 - dt / FLOW_MEMORY_S;
     x[FilterState.FLOW_NORTH] *= flowLeft;
     x[FilterState.FLOW_NORTH + 1] *= flowLeft;
-    f.data[FilterState.FLOW * (N + 1)] = flowLeft;
-    f.data[(FilterState.FLOW + 1) * (N + 1)] = flowLeft;
-    persistent.fade(s, f.data, dt);
+    f.set(FilterState.FLOW, FilterState.FLOW, flowLeft);
+    f.set(FilterState.FLOW + 1, FilterState.FLOW + 1, flowLeft);
+    persistent.fade(s, f, dt);
   }
 
   /** Block of F: -[a]× dt. */
   private void minusCross(double[] v, double dt, int row, int column) {
-    double[] d = f.data;
-    d[row * N + column + 1] = dt * v[2];
-    d[row * N + column + 2] = -dt * v[1];
-    d[(row + 1) * N + column] = -dt * v[2];
-    d[(row + 1) * N + column + 2] = dt * v[0];
-    d[(row + 2) * N + column] = dt * v[1];
-    d[(row + 2) * N + column + 1] = -dt * v[0];
+    f.set(row, column + 1, dt * v[2]);
+    f.set(row, column + 2, -dt * v[1]);
+    f.set(row + 1, column, -dt * v[2]);
+    f.set(row + 1, column + 2, dt * v[0]);
+    f.set(row + 2, column, dt * v[1]);
+    f.set(row + 2, column + 1, -dt * v[0]);
   }
 
   private void addNoise(FilterState s, double dt) {
@@ -228,7 +224,7 @@ final class ProcessModel {
     s.p.data[i * (N + 1)] += noise * noise * dt;
   }
 
-  static void symmetrise(DMatrixRMaj p) {
+  private static void symmetrise(DMatrixRMaj p) {
     double[] d = p.data;
     for (int i = 1; i < N; i++) {
       for (int k = 0; k < i; k++) {
