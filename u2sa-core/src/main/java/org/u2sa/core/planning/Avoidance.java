@@ -59,6 +59,7 @@ final class Avoidance {
   private Optional<RouteTrack> track = Optional.empty();
   private Optional<PlannedPath> path = Optional.empty(); // not yet published
   private String obstacle = ""; // why there is no route
+  private boolean searches; // a search goes on: there is no route until it ends
   private double goalNorthM;
   private double goalEastM;
   private int revision; // of the world when it was looked at last
@@ -73,6 +74,8 @@ final class Avoidance {
   private int recoveries;
   private long recoversUntil;
   private PathStatus status = PathStatus.FOLLOWED;
+  private RouteTrack announced;
+  private String announcedReason = "";
   private boolean begun;
 
   /**
@@ -144,6 +147,7 @@ final class Avoidance {
     track = Optional.empty();
     begun = false;
     obstacle = "";
+    searches = false;
     recoveries = 0;
     recoversUntil = Long.MIN_VALUE;
     status = PathStatus.FOLLOWED;
@@ -247,22 +251,27 @@ final class Avoidance {
                     track.get().eastM(track.get().count() - 1) - goalEastM)
                 > wanted.thresholdM() + now.planningCell();
     boolean hopeless = track.isEmpty() && world.revision() == triedRevision;
-    if (goalMoved || (track.isEmpty() && due && !hopeless) || blocked || (left && due)) {
+    boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
+    revision = world.revision();
+    if (goalMoved || lacking || blocked || (left && due)) {
       Route route = plan(pose, wanted, now, micros);
       obstacle = route.obstacle();
+      searches = route.goesOn();
       take(route, micros);
+      revision = triedRevision; // a longer search may not have seen what is there by now
     } else if (changed && due) {
       Route route = plan(pose, wanted, now, micros);
       if (route.exists() && route.cost() < BETTER * costLeft()) {
         take(route, micros);
       }
     }
-    revision = world.revision();
   }
 
   private Route plan(Pose pose, Wanted wanted, AvoidanceSettings now, long micros) {
     plannedMicros = micros;
-    triedRevision = world.revision();
+    if (!searches) {
+      triedRevision = world.revision();
+    }
     return planners
         .get(chosen.get())
         .plan(
@@ -275,7 +284,8 @@ final class Avoidance {
                 new Mobility(now.body(), now.clearance(), 1.05 * turnRadiusM(0.0), now.reverses()),
                 world.costs(),
                 world.shapes(),
-                world.corridors()));
+                world.corridors(),
+                now.effort()));
   }
 
   private void take(Route route, long micros) {
@@ -358,6 +368,7 @@ final class Avoidance {
     recoversUntil = micros + now.stuckMicros() / 3;
     progressMicros = recoversUntil;
     track = Optional.empty(); // plans anew from where it will be
+    searches = false;
     plannedMicros = recoversUntil - now.replanMicros();
     triedRevision = -1;
     return Optional.empty();
@@ -407,10 +418,12 @@ final class Avoidance {
       say.accept(reason, status == PathStatus.BRAKING);
     }
     boolean newRoute = track.isPresent() && track.get() != announced;
-    if (status == before && !newRoute) {
+    boolean otherReason = track.isEmpty() && !reason.equals(announcedReason);
+    if (status == before && !newRoute && !otherReason) {
       return;
     }
     announced = track.orElse(null);
+    announcedReason = reason;
     PlannedPath news =
         new PlannedPath()
             .goal(wanted.goal())
@@ -424,8 +437,6 @@ final class Avoidance {
     track.ifPresent(route -> news.cost(route.cost()));
     path = Optional.of(news);
   }
-
-  private RouteTrack announced;
 
   private List<Point> points(PlanningPlane plane, double downM) {
     List<Point> points = new ArrayList<>();

@@ -161,6 +161,13 @@ record AvoidanceSettings(
             text = "Time from one search for a better route to the next.")
         double replanInterval,
     @Variable(
+            min = 100,
+            max = 1_000_000,
+            ifAbsent = 2000,
+            text =
+                "Nodes that HYBRID searches at each state, if the vehicle can stand; a longer search goes on with the next state.")
+        int planningEffort,
+    @Variable(
             unit = "s",
             min = 0,
             minExcluded = true,
@@ -214,6 +221,11 @@ record AvoidanceSettings(
 
   boolean stops() {
     return leastSpeed == 0.0;
+  }
+
+  /** Nodes to search at one state: what cannot stand must know its way at once. */
+  int effort() {
+    return stops() ? planningEffort : Integer.MAX_VALUE;
   }
 
   long replanMicros() {

@@ -25,9 +25,9 @@ public interface Modeller {
 
   /**
    * Takes what is known beforehand, in place of what was known so before. What has a velocity moves
-   * from now on.
+   * from the sighting's time on, which may have passed.
    */
-  default void known(List<ObjectDescription> objects, Sighting now) {}
+  default void known(List<ObjectDescription> objects, Sighting since) {}
 
   /**
    * Goes on in another frame: the vehicle has learnt where it is, or knows it no longer.

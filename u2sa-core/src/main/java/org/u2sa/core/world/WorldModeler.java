@@ -46,6 +46,7 @@ public final class WorldModeler extends PeriodicService {
   private final SightingCount count = new SightingCount();
   private MapFrame frame = MapFrame.BODY;
   private List<ObjectDescription> known;
+  private long knownMicros; // since when what moves in the file has been moving
   private long heardStateMicros; // of the run's clock, not of the state
   private long gridDueMicros = Long.MIN_VALUE;
 
@@ -56,6 +57,7 @@ public final class WorldModeler extends PeriodicService {
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
     known = known();
+    knownMicros = clock().micros();
     choose();
     subscribe(Channels.STATE, this::onState);
     subscribe(Channels.SENSED_OBJECTS, this::onArrival);
@@ -90,7 +92,12 @@ public final class WorldModeler extends PeriodicService {
       throw new ConfigurationException(e.getMessage(), e);
     }
     modellers.working().keySet().forEach(name -> remark(name, ""));
-    modellers.choose(names, frame, now()).forEach(modeller -> modeller.known(known, now()));
+    modellers.choose(names, frame, now()).forEach(modeller -> modeller.known(known, known(now())));
+  }
+
+  /** What is known beforehand is where it is since the file counts, whoever asks later. */
+  private Sighting known(Sighting now) {
+    return new Sighting(knownMicros, now.frame(), now.vehicle());
   }
 
   @Override
@@ -109,7 +116,11 @@ public final class WorldModeler extends PeriodicService {
     if (variableNames.contains(WorldSettings.WORLD)
         || variableNames.contains(WorldSettings.WORLD_MOVERS)) {
       known = known();
-      modellers.working().values().forEach(modeller -> modeller.known(known, now()));
+      if (variableNames.contains(WorldSettings.WORLD)) {
+        knownMicros = clock().micros();
+      }
+      Sighting since = known(now());
+      modellers.working().values().forEach(modeller -> modeller.known(known, since));
     }
     if (variableNames.contains(WorldSettings.MODELLERS)) {
       choose();
@@ -267,6 +278,8 @@ public final class WorldModeler extends PeriodicService {
   protected void handOver(HandOver state) {
     poses.newest().ifPresent(newest -> state.message("STATE", newest));
     frame.handOver(state);
+    state.text("WORLD", settings.get().world());
+    state.number("WORLD SINCE", Clock.seconds(knownMicros));
     state.texts("WANTED TYPES", relevance.types());
     Sighting now = now();
     modellers.working().values().forEach(modeller -> modeller.handOver(state, now));
@@ -278,8 +291,12 @@ public final class WorldModeler extends PeriodicService {
     heardStateMicros = clock().micros();
     relevance.want(state.texts("WANTED TYPES"));
     frame = MapFrame.takenOver(state).orElse(frame);
+    if (state.text("WORLD").filter(settings.get().world()::equals).isPresent()) {
+      knownMicros = Clock.micros(state.number("WORLD SINCE").orElse(Clock.seconds(knownMicros)));
+    }
     Sighting now = now();
     for (Modeller modeller : modellers.working().values()) {
+      modeller.known(known, known(now));
       modeller.enter(frame, now);
       modeller.takeOver(state, now);
     }

@@ -13,6 +13,8 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
@@ -22,6 +24,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -292,11 +295,12 @@ class WorldModelerTest {
     for (int i = 0; i < 5; i++) {
       tick(local(0.0, 0.0, 0.0), seen("a", 5.0, 0.0));
     }
-    assertThat(modeler.setVariable("MODELLERS", "REACTIVE, GRID")).isTrue();
-    kit.settle();
+    change("MODELLERS", "REACTIVE, GRID");
     kit.advance(0.1);
 
     assertThat(objects()).extracting(ObjectDescription::uid).containsExactly("a");
+    kit.advance(1.0);
+    assertThat(remarks()).contains("REACTIVE:").doesNotContain("OBJECTS:");
     assertThat(modeler.setVariable("MODELLERS", "REACTIV")).isFalse();
     assertThat(modeler.setVariable("MODELLERS", "REACTIVE, OBJECTS")).isFalse();
   }
@@ -324,6 +328,14 @@ class WorldModelerTest {
 
   @Test
   void world_moversNotKnownBeforehand_onlyWhatStandsIsPublished() throws IOException {
+    kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    kit.with("WORLD MOVERS", false).start(WorldModeler::new);
+    tick(local(0.0, 0.0, 0.0), seen("a", 4.9, 1.1));
+    kit.advance(0.5);
+    assertThat(objects()).extracting(ObjectDescription::uid).containsExactly("mast");
+  }
+
+  private Path mastAndCart() throws IOException {
     Path file = folder.resolve("world.xml");
     Files.writeString(
         file,
@@ -331,11 +343,58 @@ class WorldModelerTest {
             + "<Circle><uid>mast</uid><x>5</x><y>-1</y><radius>0.3</radius></Circle>"
             + "<MovingSphere><uid>cart</uid><x>0</x><y>50</y><radius>2</radius>"
             + "<xDot>1</xDot><yDot>0</yDot></MovingSphere></world>");
-    kit.with("MODELLERS", "OBJECTS").with("WORLD", file.toString());
-    kit.with("WORLD MOVERS", false).start(WorldModeler::new);
-    tick(local(0.0, 0.0, 0.0), seen("a", 4.9, 1.1));
-    kit.advance(0.5);
+    return file;
+  }
+
+  private void change(String variable, String value) {
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .serviceName("WorldModeler")
+            .variableName(variable)
+            .value(value));
+  }
+
+  private void stand(int ticks) {
+    for (int i = 0; i < ticks; i++) {
+      tick(local(0.0, 0.0, 0.0));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"OBJECTS", "REACTIVE"})
+  void worldMovers_changedWhileRunning_moverGoesAndComesBackWhereItIsByNow(String modeller)
+      throws IOException {
+    kit.with("MODELLERS", modeller).with("WORLD", mastAndCart().toString());
+    kit.start(WorldModeler::new);
+    stand(10);
+    change("WORLD MOVERS", "false");
+    stand(20);
     assertThat(objects()).extracting(ObjectDescription::uid).containsExactly("mast");
+
+    change("WORLD MOVERS", "true");
+    stand(10);
+    assertThat(objects()).extracting(ObjectDescription::uid).containsExactly("mast", "cart");
+    assertThat(objects().get(1).x()).isCloseTo(4.0, within(0.11)); // 1 m/s since the start
+  }
+
+  @Test
+  void world_serviceSwappedOrModellersChanged_moverIsWhereItWouldHaveBeen()
+      throws IOException {
+    kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    WorldModeler modeler = kit.start(WorldModeler::new);
+    stand(10);
+    kit.swap(modeler, WorldModeler::new);
+    stand(10);
+    assertThat(objects().get(1).x()).isCloseTo(2.0, within(0.11));
+
+    change("MODELLERS", "REACTIVE");
+    stand(10);
+    assertThat(objects().get(1).x()).isCloseTo(3.0, within(0.11));
+    change("MODELLERS", "OBJECTS");
+    stand(10);
+    assertThat(objects()).extracting(ObjectDescription::uid).containsExactly("mast", "cart");
+    assertThat(objects().get(1).x()).isCloseTo(4.0, within(0.11));
   }
 
   @Test

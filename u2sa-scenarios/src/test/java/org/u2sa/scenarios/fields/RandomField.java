@@ -109,6 +109,7 @@ final class RandomField {
   }
 
   final Kind kind;
+  final long seed;
   final List<ObjectDescription> obstacles = new ArrayList<>();
   private final List<double[]> outlines = new ArrayList<>(); // east, north, radius around each
   final List<Traffic> traffic = new ArrayList<>();
@@ -120,6 +121,7 @@ final class RandomField {
 
   RandomField(Kind kind, long seed) {
     this.kind = kind;
+    this.seed = seed;
     Random random = new Random(seed);
     double edge = 1.5 * kind.freeM;
     startEast = edge + random.nextDouble() * 0.15 * kind.sideM;

@@ -12,15 +12,11 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
-import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
-import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.shape.Circle;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.GroundStart;
@@ -37,9 +33,7 @@ final class RoverRun implements AutoCloseable {
   /** The circle that the vehicle fills as it turns, CLEARANCE, and a cell of the map [m]. */
   static final double NEEDED_M = 0.54 + 0.1 + 0.1;
 
-  private static final double RANGE_M = 8.0;
   private static final double STEP_S = 0.05;
-  private static final int SCAN_EVERY = 4;
   private static final double LIMIT_S = 420.0;
   private static final Map<String, Object> PLANNER =
       Map.ofEntries(
@@ -57,29 +51,32 @@ final class RoverRun implements AutoCloseable {
 
   final ServiceKit kit = new ServiceKit();
   private final RandomField field;
-  private final World world;
   private final DifferentialVehicle vehicle;
-  private final LidarMap map;
+  private final RoverEyes eyes;
   private final Set<Integer> touched = new HashSet<>();
   private final List<String> contacts = new ArrayList<>();
   private final ContactWatch watch =
       new ContactWatch(
           c -> contacts.add(c.object().uid() + " at " + Math.round(10.0 * c.timeS()) / 10.0));
 
-  RoverRun(RandomField field) {
+  /**
+   * @param modelled whether the World Modeler tells of the surroundings, instead of the truth
+   */
+  RoverRun(RandomField field, boolean modelled) {
     this.field = field;
-    world = World.at(new Geodetic(8.0, 50.0, 0.0)).with(field.obstacles);
+    World world = World.at(new Geodetic(8.0, 50.0, 0.0)).with(field.obstacles);
     vehicle =
         new DifferentialVehicle(
             DifferentialParameters.miniMolle(),
             new GroundStart(field.startEast, field.startNorth, field.startHeading));
     vehicle.enter(world);
-    map = new LidarMap(field.kind.sideM(), RANGE_M);
     PLANNER.forEach(kit::with);
     kit.start(PathPlanner::new);
     kit.withoutVariables();
     kit.with("LEFT ACTUATOR", "LEFT MOTOR").with("RIGHT ACTUATOR", "RIGHT MOTOR");
     kit.start(DifferentialPursuitControl::new);
+    eyes =
+        modelled ? new ModelledEyes(field, world, kit, field.seed) : new KnownEyes(field, world, kit);
   }
 
   FieldResult run() {
@@ -88,16 +85,11 @@ final class RoverRun implements AutoCloseable {
     String reason = "";
     kit.publish(
         Channels.GOALS, new GoalList().goals(List.of(goal())).upcoming(List.<Waypoint>of()));
-    int step = 0;
     while (kit.nowS() < LIMIT_S && !reported) {
       VehicleTruth truth = vehicle.truth();
       double east = truth.position().x();
       double north = truth.position().y();
-      if (step++ % SCAN_EVERY == 0) {
-        map.scan(world, east, north);
-        kit.publish(Channels.GRID, map.message());
-        kit.publish(Channels.OBJECTS, traffic(east, north));
-      }
+      eyes.look(truth);
       track.add(new double[] {east, north});
       kit.publish(Channels.STATE, state(truth));
       for (ActuatorCommand command : kit.published(Channels.ACTUATION)) {
@@ -140,27 +132,6 @@ final class RoverRun implements AutoCloseable {
         .xDot(truth.velocity().y())
         .yDot(truth.velocity().x())
         .psiDot(truth.rates().z());
-  }
-
-  private ObjectList traffic(double east, double north) {
-    List<ObjectDescription> seen = new ArrayList<>();
-    double now = kit.nowS();
-    for (int i = 0; i < field.traffic.size(); i++) {
-      RandomField.Traffic other = field.traffic.get(i);
-      if (Math.hypot(other.eastM(now) - east, other.northM(now) - north) < RANGE_M) {
-        Circle circle =
-            new Circle()
-                .radius(other.radiusM)
-                .uid("T" + i)
-                .referenceFrame(ReferenceFrame.LOCAL_ENU)
-                .x(other.eastM(now))
-                .y(other.northM(now));
-        circle.timestamp(kit.clock().micros());
-        circle.motion().velocity(Point.of(other.eastMps(now), other.northMps(now), 0.0));
-        seen.add(circle);
-      }
-    }
-    return new ObjectList().objects(seen);
   }
 
   /** Contact with what moves: the vehicle's rectangle against its disc. */

@@ -35,7 +35,8 @@ import org.u2sa.service.ServiceContext;
  * <p>Place → velocity → force and angle → rate → moment, a PID each ({@link Cascade}), and weighted
  * allocation ({@link Allocator}). An actuator that comes, goes or is weakened is allocated to anew
  * at the next state, and health says what authority is left. Without fresh navigation the vehicle
- * stops and keeps its heading.
+ * stops and keeps its heading. Without any state it goes to the point by what it sees of it ({@link
+ * SeenMotion}), and actuators are let go when no point comes (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
   /** What actuators are commanded by. */
@@ -96,6 +97,7 @@ public final class AllocatingControl extends ControlSystem {
   private final CascadeSettings tuning = new CascadeSettings(this);
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Cascade cascade = new Cascade(tuning);
+  private final SeenMotion seen = new SeenMotion();
   private final ResponseWatch response = new ResponseWatch();
   private final Weaknesses weaknesses = new Weaknesses();
   private final double[] masses = new double[DegreeOfFreedom.COUNT];
@@ -109,6 +111,7 @@ public final class AllocatingControl extends ControlSystem {
   private boolean armed = true; // where nobody arms, actuators obey at once
   private boolean isArmedBySomebody; // which tuning requires
   private boolean isBlind;
+  private boolean wentBySight; // at the step before
   private boolean takesOver;
   private OptionalDouble headingBefore = OptionalDouble.empty();
 
@@ -135,8 +138,7 @@ public final class AllocatingControl extends ControlSystem {
   @Override
   protected void control(StateInformation state, Optional<NavigationPoint> point) {
     lookAtActuators();
-    Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
-    headingBefore = state.psi();
+    Optional<BodyMotion> motion = motion(state, point);
     if (motion.isEmpty() != isBlind) {
       isBlind = motion.isEmpty();
       if (isBlind) {
@@ -155,6 +157,34 @@ public final class AllocatingControl extends ControlSystem {
     drive(motion.get(), wayToGo(state, point), point.flatMap(to -> speed(to)));
   }
 
+  @Override
+  protected boolean obeysWithoutState() {
+    return true;
+  }
+
+  private Optional<BodyMotion> motion(StateInformation state, Optional<NavigationPoint> point) {
+    if (isStateless() != wentBySight) {
+      wentBySight = isStateless();
+      cascade.rest(); // it learnt from other axes
+      seen.rest();
+    }
+    cascade.goBySight(isStateless());
+    if (isStateless()) {
+      Point acceleration =
+          Point.of(
+              cascade.attained(DegreeOfFreedom.SURGE),
+              cascade.attained(DegreeOfFreedom.SWAY),
+              cascade.attained(DegreeOfFreedom.HEAVE));
+      double turning = cascade.attained(DegreeOfFreedom.YAW);
+      return point
+          .flatMap(this::nedOf)
+          .map(place -> seen.step(place, acceleration, turning, stepS()));
+    }
+    Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
+    headingBefore = state.psi();
+    return motion;
+  }
+
   private static Optional<Double> speed(NavigationPoint point) {
     return point.speed().isPresent() ? Optional.of(point.speed().getAsDouble()) : Optional.empty();
   }
@@ -167,12 +197,14 @@ public final class AllocatingControl extends ControlSystem {
     double[] wanted = cascade.step(motion, way, speedMps, stepS());
     double mass = tuning.of(tuner.axis()).mass();
     tuner
-        .step(isArmedBySomebody, left, wanted, cascade.measured(), mass, stepS())
+        .step(isArmedBySomebody && !wentBySight, left, wanted, cascade.measured(), mass, stepS())
         .ifPresent(words -> log(words));
     allocator.allocate(wanted, stepS(), motion.velocity().distance());
     cascade.attained(allocator, stepS());
     tuner.tuned().ifPresent(cascade::rest);
-    if (choices.get().watchesResponse() && tuner.tuned().isEmpty()) {
+    if (wentBySight) {
+      response.restart();
+    } else if (choices.get().watchesResponse() && tuner.tuned().isEmpty()) {
       watchResponse();
     }
     List<Effector> effectors = allocator.effectors();
@@ -274,6 +306,9 @@ public final class AllocatingControl extends ControlSystem {
   protected void handOver(HandOver state) {
     super.handOver(state);
     cascade.handOver(state);
+    if (wentBySight) {
+      seen.handOver(state.text("BY SIGHT", "true"));
+    }
   }
 
   @Override
@@ -281,6 +316,8 @@ public final class AllocatingControl extends ControlSystem {
     super.takeOver(state);
     if (isOfMyClass(state)) {
       cascade.takeOver(state);
+      wentBySight = state.text("BY SIGHT").isPresent();
+      seen.takeOver(state);
     } else {
       takesOver = true;
     }

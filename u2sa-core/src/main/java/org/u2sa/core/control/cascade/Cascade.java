@@ -1,5 +1,6 @@
 package org.u2sa.core.control.cascade;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.core.control.Pid;
@@ -21,8 +22,10 @@ final class Cascade {
   private final Pid[] pids = new Pid[DegreeOfFreedom.COUNT];
   private final double[] wanted = new double[DegreeOfFreedom.COUNT]; // velocities and rates
   private final double[] measured = new double[DegreeOfFreedom.COUNT];
+  private final double[] attained = new double[DegreeOfFreedom.COUNT];
   private final double[] wrench = new double[DegreeOfFreedom.COUNT];
   private OptionalDouble headingRad = OptionalDouble.empty(); // to keep
+  private boolean turnsFirst; // and does not go aside
 
   Cascade(CascadeSettings settings) {
     this.settings = settings;
@@ -92,7 +95,7 @@ final class Cascade {
     Point body = motion.frd(toGo);
     double forward = towards(DegreeOfFreedom.SURGE, body.x());
     double right = towards(DegreeOfFreedom.SWAY, body.y());
-    if (!tuning[DegreeOfFreedom.SWAY.ordinal()].isControlled()) {
+    if (turnsFirst || !tuning[DegreeOfFreedom.SWAY.ordinal()].isControlled()) {
       double aside = Math.hypot(body.x(), body.y());
       double ahead = aside > 0.0 ? body.x() / aside : 0.0;
       forward = Math.max(0.0, towards(DegreeOfFreedom.SURGE, aside) * ahead); // turn first
@@ -111,9 +114,15 @@ final class Cascade {
   void attained(Allocator allocator, double stepS) {
     for (int j = 0; j < AXES.length; j++) {
       if (tuning[j].isControlled()) {
-        pids[j].attained(allocator.attained(AXES[j]) / tuning[j].mass(), stepS);
+        attained[j] = allocator.attained(AXES[j]) / tuning[j].mass();
+        pids[j].attained(attained[j], stepS);
       }
     }
+  }
+
+  /** How the actuators speed the vehicle up along an axis [m/s², rad/s²]; 0 if not controlled. */
+  double attained(DegreeOfFreedom axis) {
+    return attained[axis.ordinal()];
   }
 
   /** Velocities [m/s] and rates [rad/s] of the last step, by axis. */
@@ -126,11 +135,24 @@ final class Cascade {
     pids[axis.ordinal()].reset();
   }
 
+  /**
+   * Goes by what the vehicle sees in its own axes, or by states again: a heading to keep was against
+   * axes that have turned, and one that faces the way must not go aside, which would look like
+   * turning.
+   */
+  void goBySight(boolean bySight) {
+    turnsFirst = bySight && settings.facesTheWay();
+    if (bySight) {
+      headingRad = OptionalDouble.empty();
+    }
+  }
+
   /** Forgets integrals and heading: the actuators do not obey. */
   void rest() {
     for (Pid pid : pids) {
       pid.reset();
     }
+    Arrays.fill(attained, 0.0);
     headingRad = OptionalDouble.empty();
   }
 

@@ -22,6 +22,10 @@ import org.u2sa.core.planning.search.GridFrame;
  * heuristic is the greater of the cost to go without regard to turning, and the shortest curve
  * without regard to obstacles; from time to time that curve itself is tried to the goal.
  *
+ * <p>A search may be done in parts ({@link #begin}, {@link #search}), between which costs may
+ * change: what was looked at before is not looked at again. In one part or many, it looks at the
+ * same nodes in the same order.
+ *
  * <p>Belongs to one thread; its memory serves one search after the other.
  */
 public final class HybridAStar {
@@ -83,19 +87,30 @@ public final class HybridAStar {
   private double stepM;
   private boolean goalOutside;
   private final List<Curve> shots = new ArrayList<>(); // moves from HEADINGS on
+  private int looked; // nodes looked at since the search began
+  private int nextShot;
+  private Optional<Way> found = Optional.empty();
 
   /** How many nodes the last search made. */
   public int nodes() {
     return nodes.count();
   }
 
+  /** The cheapest way found by a whole search; parameters as of {@link #begin}. */
+  public Optional<Way> plan(
+      CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {
+    begin(costs, discs, within, can, from, to);
+    search(Integer.MAX_VALUE);
+    return found;
+  }
+
   /**
-   * The cheapest way found.
+   * Begins a search, and forgets the one before.
    *
    * @param within what the vehicle's discs must keep from obstacles [m]; where it already is
    *     nearer, no nearer than it is
    */
-  public Optional<Way> plan(
+  public void begin(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {
     grid = costs;
     body = discs;
@@ -109,15 +124,22 @@ public final class HybridAStar {
     toGo.search(grid, to.northM(), to.eastM());
     nodes.clear();
     shots.clear();
-    return search();
-  }
-
-  private Optional<Way> search() {
+    looked = 0;
+    nextShot = 0;
+    found = Optional.empty();
     int first = nodes.add(key(start, false), start, 0.0, SearchNodes.NONE, 0);
     nodes.push(first, GREED * heuristic(start));
-    int looked = 0;
-    int nextShot = 0;
-    while (!nodes.isEmpty() && looked < motion.expansions()) {
+  }
+
+  /**
+   * Goes on with the search that was begun.
+   *
+   * @param most nodes to look at now
+   * @return whether it is over: a way is {@link #found}, or none will be
+   */
+  public boolean search(int most) {
+    int until = (int) Math.min(motion.expansions(), (long) looked + most);
+    while (found.isEmpty() && !nodes.isEmpty() && looked < until) {
       int node = nodes.pop();
       if (nodes.isClosed(node)) {
         continue;
@@ -125,7 +147,8 @@ public final class HybridAStar {
       nodes.close(node);
       Pose pose = nodes.pose(node);
       if (nodes.move(node) >= 2 * HEADINGS || isGoal(pose)) {
-        return Optional.of(way(node));
+        found = Optional.of(way(node));
+        return true;
       }
       looked++;
       if (looked > nextShot && !goalOutside) {
@@ -135,7 +158,17 @@ public final class HybridAStar {
       }
       expand(node);
     }
-    return Optional.empty();
+    return found.isPresent() || nodes.isEmpty() || isExhausted();
+  }
+
+  /** The way that the search has found; empty as long as it has not, and if there is none. */
+  public Optional<Way> found() {
+    return found;
+  }
+
+  /** Whether the search has looked at as many nodes as it may: what it did not find may exist. */
+  public boolean isExhausted() {
+    return looked >= motion.expansions();
   }
 
   private boolean isGoal(Pose pose) {

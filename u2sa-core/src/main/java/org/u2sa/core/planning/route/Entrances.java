@@ -8,6 +8,7 @@ final class Entrances {
   static final String ENCLOSED = "the vehicle is enclosed by obstacles";
   static final String GOAL_OCCUPIED = "an obstacle stands on the goal";
   static final String NO_WAY = "obstacles leave no way to the goal";
+  static final String NONE_FOUND = "no way to the goal was found among the obstacles";
 
   /** From where the vehicle is too near to an obstacle, it may begin so many radii away. */
   private static final double ESCAPE_RADII = 2.0;

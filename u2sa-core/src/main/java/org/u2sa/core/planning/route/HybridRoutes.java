@@ -4,54 +4,100 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.core.planning.curve.Curve;
+import org.u2sa.core.planning.curve.Pose;
 import org.u2sa.core.planning.hybrid.HybridAStar;
 import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
 
 /**
  * The planner HYBRID, for vehicles with a turning circle, on wheels or in the air: ways that they
- * can follow through the grid of costs ({@link HybridAStar}).
+ * can follow through the grid of costs ({@link HybridAStar}). A search that takes longer than the
+ * effort of one request goes on with the next one, as long as vehicle and goal stay where they are.
  */
 final class HybridRoutes implements RoutePlanner {
   /** A vehicle that turns on the spot is planned for as if it needed this [cells]. */
   private static final double LEAST_RADIUS_CELLS = 2.0;
 
+  /** A vehicle that has moved by more than this begins elsewhere [cells, rad]. */
+  private static final double MOVED_CELLS = 2.0;
+
+  private static final double TURNED_RAD = Math.toRadians(5.0);
+
+  /** Ways end within this share of the tolerance; by the rest of it the goal may move meanwhile. */
+  private static final double GOAL_SHARE = 0.7;
+
   private final HybridAStar search = new HybridAStar();
+  private RouteRequest begun; // with it the search under way began; null if there is none
 
   @Override
   public Route plan(RouteRequest request) {
     CostGrid costs = request.costs();
     GridFrame frame = costs.frame();
-    if (frame.contains(request.goalNorthM(), request.goalEastM())
+    boolean inside = frame.contains(request.goalNorthM(), request.goalEastM());
+    if (inside
         && costs.nearestFree(request.goalNorthM(), request.goalEastM(), request.toleranceM()) < 0) {
       return Route.none(Entrances.GOAL_OCCUPIED);
     }
-    Mobility can = request.mobility();
-    double radius = Math.max(can.turnRadiusM(), LEAST_RADIUS_CELLS * frame.cellM());
-    Optional<HybridAStar.Way> way =
-        search.plan(
-            costs,
-            can.body(),
-            can.clearanceM(),
-            HybridAStar.Motion.of(radius, can.reverses()),
-            request.start(),
-            new HybridAStar.Goal(
-                request.goalNorthM(),
-                request.goalEastM(),
-                request.goalHeadingRad(),
-                0.7 * request.toleranceM()));
+    if (!goesOn(request)) {
+      begin(request);
+    }
+    if (!search.search(request.effort())) {
+      return Route.sought();
+    }
+    begun = null;
+    Optional<HybridAStar.Way> way = search.found();
     if (way.isEmpty()) {
-      return Route.none(Entrances.NO_WAY);
+      return Route.none(search.isExhausted() ? Entrances.NONE_FOUND : Entrances.NO_WAY);
     }
     List<Route.Point> points = new ArrayList<>();
-    points.add(new Route.Point(request.start().northM(), request.start().eastM(), false));
+    Pose start = way.get().start();
+    points.add(new Route.Point(start.northM(), start.eastM(), false));
     for (Curve.Sample sample : way.get().samples()) {
       points.add(
           new Route.Point(sample.pose().northM(), sample.pose().eastM(), sample.backwards()));
     }
-    if (!frame.contains(request.goalNorthM(), request.goalEastM())) {
+    if (!inside) {
       points.add(new Route.Point(request.goalNorthM(), request.goalEastM(), false));
     }
     return Route.of(points, way.get().cost());
+  }
+
+  private void begin(RouteRequest request) {
+    begun = request;
+    Mobility can = request.mobility();
+    double cell = request.costs().frame().cellM();
+    search.begin(
+        request.costs(),
+        can.body(),
+        can.clearanceM(),
+        HybridAStar.Motion.of(
+            Math.max(can.turnRadiusM(), LEAST_RADIUS_CELLS * cell), can.reverses()),
+        request.start(),
+        new HybridAStar.Goal(
+            request.goalNorthM(),
+            request.goalEastM(),
+            request.goalHeadingRad(),
+            GOAL_SHARE * request.toleranceM()));
+  }
+
+  /** Whether the way that is sought is the one that is wanted now. */
+  private boolean goesOn(RouteRequest now) {
+    if (begun == null || begun.costs() != now.costs()) {
+      return false;
+    }
+    double cell = now.costs().frame().cellM();
+    Mobility can = now.mobility();
+    Mobility could = begun.mobility();
+    double turned = Pose.wrapped(now.start().headingRad() - begun.start().headingRad());
+    return now.start().distanceM(begun.start().northM(), begun.start().eastM())
+            <= MOVED_CELLS * cell
+        && Math.abs(turned) <= TURNED_RAD
+        && Math.hypot(now.goalNorthM() - begun.goalNorthM(), now.goalEastM() - begun.goalEastM())
+            <= (1.0 - GOAL_SHARE) * now.toleranceM()
+        && now.goalHeadingRad().equals(begun.goalHeadingRad())
+        && now.toleranceM() == begun.toleranceM()
+        && can.turnRadiusM() == could.turnRadiusM()
+        && can.clearanceM() == could.clearanceM()
+        && can.reverses() == could.reverses();
   }
 }

@@ -9,8 +9,9 @@ import java.util.List;
  *     none
  * @param cost its length [m], each metre times the cost of where it lies; infinite if there is none
  * @param obstacle why there is none, as an operator reads it; empty if there is one
+ * @param goesOn whether none is known yet, as the search goes on when the planner is asked again
  */
-public record Route(List<Point> points, double cost, String obstacle) {
+public record Route(List<Point> points, double cost, String obstacle, boolean goesOn) {
   /**
    * A point of the way.
    *
@@ -27,12 +28,17 @@ public record Route(List<Point> points, double cost, String obstacle) {
 
   /** A way. */
   public static Route of(List<Point> points, double cost) {
-    return new Route(points, cost, "");
+    return new Route(points, cost, "", false);
   }
 
   /** That there is none. */
   public static Route none(String why) {
-    return new Route(List.of(), Double.POSITIVE_INFINITY, why);
+    return new Route(List.of(), Double.POSITIVE_INFINITY, why, false);
+  }
+
+  /** That it is not known yet, as the search has come to the end of its {@code effort}. */
+  public static Route sought() {
+    return new Route(List.of(), Double.POSITIVE_INFINITY, "a way to the goal is sought", true);
   }
 
   /** Whether there is one. */

@@ -20,6 +20,8 @@ import org.u2sa.core.planning.seen.PlanarShape;
  * @param shapes what stands in the way, as shapes; what only a grid shows is not among them
  * @param corridors areas of which one must always be around the vehicle; empty if it may go
  *     anywhere
+ * @param effort most nodes to search now, above 0; a planner that needs more answers {@link
+ *     Route#sought} and goes on when it is asked for the same way again
  */
 public record RouteRequest(
     Pose start,
@@ -30,4 +32,5 @@ public record RouteRequest(
     Mobility mobility,
     CostGrid costs,
     List<PlanarShape> shapes,
-    List<PlanarShape> corridors) {}
+    List<PlanarShape> corridors,
+    int effort) {}
