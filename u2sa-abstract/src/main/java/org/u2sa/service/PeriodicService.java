@@ -94,6 +94,7 @@ public abstract class PeriodicService extends U2SAService {
       if (!isRunning()) {
         return;
       }
+      context().execution().ifPresent(Execution::steps);
       handling.guarded(() -> step(nowS()));
       dueMicros += periodMicros;
       long lateMicros = clock().micros() - dueMicros;

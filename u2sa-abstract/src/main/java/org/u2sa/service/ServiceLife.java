@@ -151,7 +151,9 @@ final class ServiceLife {
    * @param loop returns when the service no longer runs
    */
   void run(ServiceHealth.CallbackCode begin, ServiceHealth.CallbackCode loop) {
+    Optional<Execution> execution = service.context().execution();
     try {
+      execution.ifPresent(Execution::begins);
       awaitTurn();
       service.log("running as thread " + service.threadID);
       service.handling.guarded(begin);
@@ -161,6 +163,7 @@ final class ServiceLife {
     } catch (RuntimeException | Error e) {
       die(e);
     } finally {
+      execution.ifPresent(Execution::ends);
       end();
     }
   }

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.record.RunFacts;
-import org.u2sa.gcs.run.Setting;
+import org.u2sa.gcs.command.Setting;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
