@@ -1,11 +1,11 @@
 package org.u2sa.recorder.execution;
 
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapException;
 
 /** What a service published on one channel, in the recording and when executed again. */
 public final class ChannelComparison {
@@ -50,23 +50,24 @@ public final class ChannelComparison {
     this.channel = channel;
   }
 
-  void add(long micros, ExecutionReader.Next before, U2SAData after) {
+  void add(long micros, RecordedMessage before, U2SAData after) throws McapException {
     recorded += before == null ? 0 : 1;
     now += after == null ? 0 : 1;
     if (before == null) {
       differs(micros, new FieldDifference("", "no message", after.type().name()));
     } else if (after == null) {
-      differs(micros, new FieldDifference("", before.message().type().name(), "no message"));
-    } else if (Arrays.equals(before.data(), after.serialize())) {
+      differs(micros, new FieldDifference("", before.typeName(), "no message"));
+    } else if (before.is(after)) {
       pairs++;
       same++;
     } else {
       pairs++;
+      U2SAData decoded = before.decoded();
       differs(
           micros,
-          FieldDifference.between(before.message(), after)
+          FieldDifference.between(decoded, after)
               .orElse(new FieldDifference("(encoding)", "other bytes", "other bytes")));
-      deviate(before.message(), after);
+      deviate(decoded, after);
     }
   }
 

@@ -6,12 +6,9 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapCursor;
 import org.u2sa.recorder.mcap.McapException;
@@ -27,6 +24,7 @@ final class ExecutionReader {
   private static final int AHEAD = 2048;
 
   private final Map<Integer, McapChannel> channels;
+  private final Map<Integer, RecordedMessage.Track> tracks = new HashMap<>();
   private final MessageCodec codec;
   private final String topic;
   private final McapCursor cursor;
@@ -43,11 +41,9 @@ final class ExecutionReader {
    * What comes next.
    *
    * @param entry what passed
-   * @param on the channel of its message; null if it is about none
-   * @param message its message, as it was published; null if it is about none
-   * @param data the message's bytes; null if it is about none
+   * @param message the message that it is about; null if it is about none
    */
-  record Next(ExecutionEntry entry, Channel<?> on, U2SAData message, byte[] data) {}
+  record Next(ExecutionEntry entry, RecordedMessage message) {}
 
   ExecutionReader(McapReader reader, MessageCodec codec, String execution) {
     channels = reader.channels();
@@ -71,7 +67,7 @@ final class ExecutionReader {
       if (entry.kind() == ExecutionEntry.Kind.READING) {
         lastMicros = entry.micros();
       }
-      next = entry.kind().isOfMessage() ? withMessage(entry) : new Next(entry, null, null, null);
+      next = entry.kind().isOfMessage() ? withMessage(entry) : new Next(entry, null);
     }
     return Optional.ofNullable(next);
   }
@@ -134,7 +130,7 @@ final class ExecutionReader {
   private Next withMessage(ExecutionEntry entry) throws IOException {
     long channelId = places.number();
     if (channelId == ExecutionPart.HERE) {
-      return decoded(entry, places.text(), places.bytes());
+      return new Next(entry, new RecordedMessage(codec, track(places.text()), places.bytes()));
     }
     long sequence = places.number();
     McapMessage found = near.get(key(channelId, sequence));
@@ -145,17 +141,19 @@ final class ExecutionReader {
       throw new McapException(
           "message " + sequence + " of channel " + channelId + " is missing in the recording");
     }
-    return decoded(entry, channel((int) channelId).topic(), found.data());
+    RecordedMessage.Track track = tracks.get((int) channelId);
+    if (track == null) {
+      track = track(channel((int) channelId).topic());
+      tracks.put((int) channelId, track);
+    }
+    return new Next(entry, new RecordedMessage(codec, track, found.data()));
   }
 
-  private Next decoded(ExecutionEntry entry, String messageTopic, byte[] data)
-      throws McapException {
+  private static RecordedMessage.Track track(String messageTopic) throws McapException {
     try {
       Topic parsed = Topic.parse(messageTopic);
-      U2SAData message = codec.decode(parsed.typeChain(), data);
-      message.freeze();
-      return new Next(entry, Channels.namedOrNew(parsed.channel()), message, data);
-    } catch (MalformedMessageException | IllegalArgumentException e) {
+      return new RecordedMessage.Track(parsed, Channels.namedOrNew(parsed.channel()));
+    } catch (IllegalArgumentException e) {
       throw new McapException("a message on " + messageTopic + ": " + e.getMessage(), e);
     }
   }

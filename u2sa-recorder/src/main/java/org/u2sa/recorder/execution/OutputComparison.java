@@ -1,5 +1,6 @@
 package org.u2sa.recorder.execution;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -16,8 +17,8 @@ final class OutputComparison implements RepeatedExecution.Outputs {
   private final Map<String, ChannelComparison> channels = new TreeMap<>();
 
   @Override
-  public void published(
-      long micros, Channel<?> channel, ExecutionReader.Next recorded, U2SAData now) {
+  public void published(long micros, Channel<?> channel, RecordedMessage recorded, U2SAData now)
+      throws IOException {
     if (!channel.equals(Channels.HEALTH)) {
       channels
           .computeIfAbsent(channel.name(), name -> new ChannelComparison(channel))

@@ -51,8 +51,10 @@ final class RepeatedExecution implements Execution {
      * @param micros when it is, or was [µs of the run's clock]
      * @param recorded null: only now
      * @param now null: only in the recording
+     * @throws IOException if the recorded one cannot be read
      */
-    void published(long micros, Channel<?> channel, Next recorded, U2SAData now);
+    void published(long micros, Channel<?> channel, RecordedMessage recorded, U2SAData now)
+        throws IOException;
   }
 
   /**
@@ -129,12 +131,19 @@ final class RepeatedExecution implements Execution {
       return null;
     }
     Next next = pass();
-    return new Arrival(next.on(), next.message(), next.entry().micros());
+    try {
+      return new Arrival(next.message().channel(), next.message().decoded(), next.entry().micros());
+    } catch (IOException e) {
+      failure = e;
+      stop();
+      return null;
+    }
   }
 
   @Override
   public boolean takesWritten(BooleanSupplier isWritten) throws InterruptedException {
-    if (nextAnchor() != Kind.WRITTEN) {
+    Next next = isHolding() || readingsLeft > 0 ? null : peek();
+    if (next == null || next.entry().kind() != Kind.WRITTEN) {
       return false;
     }
     pass();
@@ -154,21 +163,23 @@ final class RepeatedExecution implements Execution {
     }
     Next counterpart = isHolding() ? null : counterpart(channel);
     strayed |= counterpart == null;
-    outputs.published(micros, channel, counterpart, message);
+    tell(channel, counterpart == null ? null : counterpart.message(), message);
     return counterpart == null || counterpart.entry().kind() == Kind.PUBLISHED;
   }
 
   /** What was published on the channel in the recording at this point; null if nothing. */
   private Next counterpart(Channel<?> channel) {
     Next next = readingsLeft > 0 || !unpublished.isEmpty() ? null : peek();
-    if (next != null && next.entry().kind().isOutput() && next.on().equals(channel)) {
+    if (next != null
+        && next.entry().kind().isOutput()
+        && next.message().channel().equals(channel)) {
       recorded.skip();
       return next;
     }
     goToAnchor();
     for (Iterator<Next> all = unpublished.iterator(); all.hasNext(); ) {
       Next one = all.next();
-      if (one.on().equals(channel)) {
+      if (one.message().channel().equals(channel)) {
         all.remove();
         return one;
       }
@@ -252,8 +263,17 @@ final class RepeatedExecution implements Execution {
   }
 
   private void leaveOut() {
-    unpublished.forEach(one -> outputs.published(micros, one.on(), one, null));
+    unpublished.forEach(one -> tell(one.message().channel(), one.message(), null));
     unpublished.clear();
+  }
+
+  private void tell(Channel<?> channel, RecordedMessage before, U2SAData now) {
+    try {
+      outputs.published(micros, channel, before, now);
+    } catch (IOException e) {
+      failure = e;
+      stop();
+    }
   }
 
   private boolean isHolding() {
@@ -358,7 +378,7 @@ final class RepeatedExecution implements Execution {
       if (next.get().entry().kind() == Kind.READING) {
         micros = next.get().entry().micros();
       } else if (next.get().entry().kind().isOutput()) {
-        outputs.published(micros, next.get().on(), next.get(), null);
+        outputs.published(micros, next.get().message().channel(), next.get().message(), null);
       }
     }
   }
