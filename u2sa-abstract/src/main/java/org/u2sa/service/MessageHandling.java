@@ -24,6 +24,7 @@ final class MessageHandling {
   private final ContractResponder contract;
   private final HealthReporter reporter;
   private final int maxErrorsInARow;
+  private final Execution execution; // null if nobody keeps it
   private volatile boolean patient;
 
   MessageHandling(U2SAService service, ServiceConfiguration.ServiceVariables variables) {
@@ -34,6 +35,7 @@ final class MessageHandling {
     reporter = new HealthReporter(service, variables.healthInterval());
     inbox = new ServiceInbox(variables.inboxCapacity());
     contract = new ContractResponder(service);
+    execution = service.context().execution().orElse(null);
   }
 
   ServiceInbox inbox() {
@@ -80,7 +82,7 @@ final class MessageHandling {
           service.running = false;
           return OVER;
         }
-        if (contract.configurationWriter().hasWritten()) {
+        if (takesWritten()) {
           guarded(contract.configurationWriter()::handOver);
           continue;
         }
@@ -88,6 +90,9 @@ final class MessageHandling {
         reporter.reportIfDue(now);
         boolean mayHandle = first-- > 0 || now < untilMicros;
         ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
+        if (execution != null) {
+          delivery = asExecuted(delivery);
+        }
         if (delivery != null) {
           handle(delivery);
         } else if (now >= untilMicros) {
@@ -99,6 +104,23 @@ final class MessageHandling {
       service.health.busy(true);
       return OVER;
     }
+  }
+
+  private boolean takesWritten() throws InterruptedException {
+    ConfigurationWriter writer = contract.configurationWriter();
+    return execution == null ? writer.hasWritten() : execution.takesWritten(writer::hasWritten);
+  }
+
+  private ServiceInbox.Delivery asExecuted(ServiceInbox.Delivery waiting) {
+    Execution.Arrival arrival =
+        waiting == null
+            ? null
+            : new Execution.Arrival(waiting.channel(), waiting.message(), waiting.arrivedMicros());
+    Execution.Arrival handled = execution.receives(arrival);
+    if (handled == null || handled == arrival) {
+      return handled == null ? null : waiting;
+    }
+    return new ServiceInbox.Delivery(handled.channel(), handled.message(), handled.arrivedMicros());
   }
 
   private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {

@@ -104,6 +104,7 @@ public abstract class PeriodicService extends U2SAService {
           return next;
         }
         if (isRunning()) {
+          context().execution().ifPresent(Execution::steps);
           handling.guarded(() -> step(nowS()));
           scheduleNext();
           messages = handling.until(dueMicros);

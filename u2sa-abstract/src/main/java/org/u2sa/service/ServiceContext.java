@@ -26,13 +26,15 @@ public final class ServiceContext {
   private final MessageTypes messageTypes;
   private final long seed;
   private final boolean restart;
+  private final Execution execution; // null if nobody keeps it
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
   private volatile U2SAService predecessor; // null if there is none, or none any more
 
   private ServiceContext(Builder builder) {
     systemId = Topic.checkSystemId(builder.systemId);
     configuration = builder.configuration;
-    clock = builder.clock;
+    execution = builder.execution;
+    clock = execution == null ? builder.clock : execution.clock();
     transport = builder.transport;
     logDirectory = builder.logDirectory;
     messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
@@ -79,6 +81,26 @@ public final class ServiceContext {
   /** The run's seed: whatever is random in a service derives from it. */
   public long seed() {
     return seed;
+  }
+
+  /** This context for a service whose execution is kept, or repeated. */
+  public ServiceContext with(Execution kept) {
+    Builder builder =
+        of(systemId, configuration)
+            .clock(clock)
+            .logDirectory(logDirectory)
+            .messageTypes(messageTypes)
+            .seed(seed)
+            .restart(restart);
+    builder.transport = transport;
+    builder.predecessor = predecessor;
+    builder.execution = Objects.requireNonNull(kept, "kept");
+    return builder.build();
+  }
+
+  /** What passes between the service and the world, if that is kept or repeated. */
+  public Optional<Execution> execution() {
+    return Optional.ofNullable(execution);
   }
 
   /** Whose place the service is to take, until it has. */
@@ -134,6 +156,7 @@ public final class ServiceContext {
     private long seed = 1;
     private boolean restart;
     private U2SAService predecessor;
+    private Execution execution;
 
     private Builder(String systemId, XmlConfiguration configuration) {
       this.systemId = Objects.requireNonNull(systemId, "systemId");

@@ -163,7 +163,9 @@ final class ServiceLife {
    * @param loop makes, after that, the turns that are over when the service no longer runs
    */
   void run(ServiceHealth.CallbackCode begin, Supplier<Clock.Turns> loop) {
+    Optional<Execution> execution = service.context().execution();
     try {
+      execution.ifPresent(Execution::begins);
       awaitTurn();
       service.log("running as thread " + service.threadID);
       service.handling.guarded(begin);
@@ -177,6 +179,7 @@ final class ServiceLife {
     } catch (RuntimeException | Error e) {
       die(e);
     } finally {
+      execution.ifPresent(Execution::ends);
       end();
     }
   }

@@ -32,6 +32,7 @@ final class ServiceWiring {
   private volatile long missed; // likewise
   private volatile String instance; // of the connection, also after it was closed
   private final Clock clock;
+  private final Execution execution; // null if nobody keeps it
   private final AtomicLong published = new AtomicLong(); // without what the contract makes it say
   private volatile long publishedMicros; // the last of them
   private boolean closed;
@@ -41,6 +42,7 @@ final class ServiceWiring {
     this.receiver = receiver;
     staged = context.predecessor().isPresent();
     clock = context.clock();
+    execution = context.execution().orElse(null);
     this.transport = context.transport().orElseGet(() -> remote(context));
   }
 
@@ -104,6 +106,9 @@ final class ServiceWiring {
     if (connection == null) {
       Connection made = transport.connect(serviceName, receiver);
       instance = made.instance();
+      if (execution != null) {
+        execution.connects(instance);
+      }
       connection = made;
       for (Channel<?> channel : ContractResponder.CHANNELS) {
         made.subscribe(channel);
@@ -113,7 +118,11 @@ final class ServiceWiring {
   }
 
   boolean publish(Channel<?> channel, U2SAData message) {
-    if (!connection().publish(channel, message)) {
+    boolean taken =
+        execution == null
+            ? connection().publish(channel, message)
+            : execution.publishes(channel, message, () -> connection().publish(channel, message));
+    if (!taken) {
       return false;
     }
     if (!ContractResponder.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {

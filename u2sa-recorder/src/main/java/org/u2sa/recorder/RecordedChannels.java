@@ -8,6 +8,7 @@ import java.util.Map;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.execution.ExecutionPart;
 import org.u2sa.recorder.mcap.McapChannel;
 import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapSchema;
@@ -91,8 +92,10 @@ final class RecordedChannels {
    *
    * @param logNanos when it was recorded [ns]
    * @param publishNanos when it was measured, as it says itself [ns]
+   * @return where it is
    */
-  void write(McapWriter writer, Track track, long logNanos, long publishNanos, byte[] data)
+  ExecutionPart.Place write(
+      McapWriter writer, Track track, long logNanos, long publishNanos, byte[] data)
       throws IOException {
     if (track.definedIn != file) {
       track.definedIn = file;
@@ -102,8 +105,8 @@ final class RecordedChannels {
       }
       writer.add(track.channel);
     }
-    writer.add(
-        new McapMessage(
-            track.channel.id(), track.sequence++ & 0xFFFF_FFFFL, logNanos, publishNanos, data));
+    long sequence = track.sequence++ & 0xFFFF_FFFFL;
+    writer.add(new McapMessage(track.channel.id(), sequence, logNanos, publishNanos, data));
+    return new ExecutionPart.Place(track.channel.id(), sequence);
   }
 }

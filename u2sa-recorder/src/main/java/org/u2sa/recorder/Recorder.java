@@ -11,7 +11,9 @@ import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.recorder.execution.KeptExecutions;
 import org.u2sa.service.EventDrivenService;
+import org.u2sa.service.Execution;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
@@ -22,10 +24,12 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>Serves in a system file as well, on a phone too.
  */
-public final class Recorder extends EventDrivenService {
+public final class Recorder extends EventDrivenService implements Execution.Keeper {
   private static final String LIBRARY = "u2sa";
 
   private final Recording recording;
+  private final KeptExecutions executions;
+  private final boolean keepsExecutions;
   private final Connection connection;
   private final Optional<LocalBus> bus;
 
@@ -53,6 +57,8 @@ public final class Recorder extends EventDrivenService {
             settings,
             new RecordingFiles(file, settings, LIBRARY, facts, this::tell),
             this::tell);
+    executions = new KeptExecutions(recording::begin, recording::add, this::tell);
+    keepsExecutions = settings.keepsExecutions();
     Transport transport =
         context
             .transport()
@@ -70,6 +76,11 @@ public final class Recorder extends EventDrivenService {
     if (!refused.isEmpty()) {
       trouble("not allowed to hear, and so not recorded: " + String.join(", ", refused));
     }
+  }
+
+  @Override
+  public Optional<Execution> keep(String className, ServiceContext context) {
+    return keepsExecutions ? executions.keep(className, context) : Optional.empty();
   }
 
   private void tell(String what) {

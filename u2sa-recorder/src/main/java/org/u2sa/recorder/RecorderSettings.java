@@ -34,6 +34,11 @@ record RecorderSettings(
             text = "Number of files to keep: of more, the oldest is deleted; 0: all are kept.")
         int keep,
     @Variable(
+            ifAbsentText = "true",
+            text =
+                "Whether it is recorded, too, when which service handled what, so that services can be executed again.")
+        boolean executions,
+    @Variable(
             min = 16,
             max = 1_000_000,
             ifAbsent = 8192,
@@ -71,6 +76,10 @@ record RecorderSettings(
 
   boolean recordsMessages() {
     return form != Form.FOXGLOVE;
+  }
+
+  boolean keepsExecutions() {
+    return executions && recordsMessages();
   }
 
   boolean recordsFoxglove() {

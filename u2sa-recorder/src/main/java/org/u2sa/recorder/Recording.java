@@ -17,6 +17,8 @@ import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.execution.ExecutionPart;
+import org.u2sa.recorder.execution.ExecutionStart;
 import org.u2sa.recorder.foxglove.FoxgloveMessages;
 import org.u2sa.recorder.mcap.McapWriter;
 
@@ -31,8 +33,18 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long SAVE_EVERY_MICROS = 250_000;
   private static final long END_WITHIN_MS = 60_000;
 
-  /** A message and when it came [µs of the run's clock]. */
-  private record Taken(Channel<?> channel, U2SAData message, long micros) {}
+  /** What waits to be written. */
+  private interface Waiting {
+    /** When it came [µs of the run's clock]. */
+    long micros();
+  }
+
+  private record Taken(Channel<?> channel, U2SAData message, long micros) implements Waiting {}
+
+  private record TakenPart(ExecutionPart part, long micros) implements Waiting {}
+
+  private record TakenStart(String execution, ExecutionStart start, long micros)
+      implements Waiting {}
 
   private final String systemId;
   private final Clock clock;
@@ -41,8 +53,9 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final RecordingFiles files;
   private final RecorderSettings settings;
   private final Consumer<String> trouble;
-  private final BlockingQueue<Taken> waiting;
+  private final BlockingQueue<Waiting> waiting;
   private final RecordedChannels channels = new RecordedChannels();
+  private final RecentMessages recent = new RecentMessages();
   private final FoxgloveMessages foxglove;
   private final AtomicLong dropped = new AtomicLong();
   private final AtomicLong taken = new AtomicLong();
@@ -81,8 +94,21 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
-    Taken one = new Taken(channel, message, clock.micros());
     taken.incrementAndGet();
+    take(new Taken(channel, message, clock.micros()));
+  }
+
+  /** Records what a service was given; from any thread. */
+  void begin(String execution, ExecutionStart start) {
+    take(new TakenStart(execution, start, clock.micros()));
+  }
+
+  /** Records a part of an execution; from any thread. */
+  void add(ExecutionPart part) {
+    take(new TakenPart(part, part.micros()));
+  }
+
+  private void take(Waiting one) {
     if (inRealTime || closing) {
       if (!waiting.offer(one)) {
         drop();
@@ -128,12 +154,12 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   private void write() {
-    files.at(lastNanos, channels::nextFile); // attachments come first, and there is a file at once
+    files.at(lastNanos, this::nextFile); // attachments come first, and there is a file at once
     try (DiskSync sync = new DiskSync(trouble)) {
       while (!(closing && waiting.isEmpty())) {
-        Taken next = waiting.poll(LOOK_UP_EVERY_MS, TimeUnit.MILLISECONDS);
+        Waiting next = waiting.poll(LOOK_UP_EVERY_MS, TimeUnit.MILLISECONDS);
         if (next != null) {
-          lastNanos = next.micros * NANOS_PER_MICRO;
+          lastNanos = next.micros() * NANOS_PER_MICRO;
           write(next, lastNanos);
         }
         if (inRealTime && stopwatch.micros() - savedMicros >= SAVE_EVERY_MICROS) {
@@ -147,36 +173,68 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     files.end(lastNanos, counts());
   }
 
-  private void write(Taken next, long nanos) {
-    McapWriter writer = files.at(nanos, channels::nextFile);
+  private void nextFile() {
+    channels.nextFile();
+    recent.clear();
+  }
+
+  private void write(Waiting next, long nanos) {
+    McapWriter writer = files.at(nanos, this::nextFile);
     if (writer == null) {
       failedToWrite++;
       return;
     }
     try {
-      U2SAData message = next.message;
-      long publishedNanos =
-          message.timestamp().isPresent()
-              ? message.timestamp().getAsLong() * NANOS_PER_MICRO
-              : nanos;
-      if (settings.recordsMessages()) {
-        String system = message.systemId().isEmpty() ? systemId : message.systemId();
-        channels.write(
-            writer,
-            channels.of(system, next.channel, message),
-            nanos,
-            publishedNanos,
-            message.serialize());
-      }
-      if (settings.recordsFoxglove()) {
-        foxglove.write(next.channel, message, nanos, view -> write(writer, view, nanos));
+      if (next instanceof Taken) {
+        write(writer, (Taken) next, nanos);
+      } else if (next instanceof TakenPart) {
+        write(writer, ((TakenPart) next).part, nanos);
+      } else {
+        TakenStart begun = (TakenStart) next;
+        begun.start.write(writer, begun.execution, nanos);
       }
     } catch (IOException e) {
       files.failed(e);
     } catch (RuntimeException e) { // this one cannot be written; others can
       failedToWrite++;
-      trouble.accept("a message on \"" + next.channel + "\" cannot be recorded: " + e);
+      trouble.accept(next + " cannot be recorded: " + e);
     }
+  }
+
+  private void write(McapWriter writer, Taken next, long nanos) throws IOException {
+    U2SAData message = next.message;
+    long publishedNanos =
+        message.timestamp().isPresent() ? message.timestamp().getAsLong() * NANOS_PER_MICRO : nanos;
+    if (settings.recordsMessages()) {
+      String system = message.systemId().isEmpty() ? systemId : message.systemId();
+      recent.add(
+          message,
+          channels.write(
+              writer,
+              channels.of(system, next.channel, message),
+              nanos,
+              publishedNanos,
+              message.serialize()));
+    }
+    if (settings.recordsFoxglove()) {
+      foxglove.write(next.channel, message, nanos, view -> write(writer, view, nanos));
+    }
+  }
+
+  private void write(McapWriter writer, ExecutionPart part, long nanos) throws IOException {
+    String topic = ExecutionPart.TOPIC + part.execution();
+    RecordedChannels.Track track = channels.named(topic);
+    if (track == null) {
+      track =
+          channels.add(
+              topic,
+              ExecutionPart.ENCODING,
+              ExecutionPart.ENCODING,
+              ExecutionPart.ENCODING,
+              new byte[0],
+              Map.of());
+    }
+    channels.write(writer, track, nanos, nanos, part.bytes(systemId, recent::place));
   }
 
   private void write(McapWriter writer, FoxgloveMessages.View view, long nanos) throws IOException {

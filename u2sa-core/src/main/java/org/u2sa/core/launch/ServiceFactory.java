@@ -8,7 +8,7 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
 /** Makes a service from the name of its class, as it stands in a system file or in an order. */
-final class ServiceFactory {
+public final class ServiceFactory {
   private ServiceFactory() {}
 
   /**
@@ -89,7 +89,7 @@ final class ServiceFactory {
    * @throws BadInputException if there is no such class or it is no service; names the class
    * @throws RuntimeException what its constructor threw
    */
-  static U2SAService create(String className, ServiceContext context) {
+  public static U2SAService create(String className, ServiceContext context) {
     try {
       return constructor(className).newInstance(context);
     } catch (InvocationTargetException e) {

@@ -7,6 +7,7 @@ import java.util.function.Function;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.Execution;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -16,6 +17,7 @@ final class ServiceMaker {
   private final LaunchOptions options;
   private final MessageTypes types;
   private final Transport transport;
+  private volatile Execution.Keeper keeper; // null if nobody keeps executions
 
   ServiceMaker(String systemId, LaunchOptions options, MessageTypes types, Transport transport) {
     this.systemId = systemId;
@@ -59,7 +61,7 @@ final class ServiceMaker {
    * @throws org.u2sa.interfaces.communication.CommunicationException if it cannot connect
    */
   U2SAService make(SystemFile.Entry entry, XmlConfiguration configuration) {
-    return make(context(configuration), made(entry));
+    return make(kept(entry.className(), context(configuration)), made(entry));
   }
 
   /**
@@ -77,7 +79,8 @@ final class ServiceMaker {
    * @throws RuntimeException if the class is no service or its constructor refuses
    */
   U2SAService makeAnew(String className, XmlConfiguration configuration) {
-    return make(builder(configuration).restart(true).build(), made(className));
+    ServiceContext context = builder(configuration).restart(true).build();
+    return make(kept(className, context), made(className));
   }
 
   /**
@@ -99,10 +102,26 @@ final class ServiceMaker {
     return options.makerOf(className).orElse(context -> ServiceFactory.create(className, context));
   }
 
-  private static U2SAService make(
+  /**
+   * The context of a service whose execution is kept, if somebody keeps any. That of a service with
+   * a device of its own could not be repeated.
+   */
+  private ServiceContext kept(String className, ServiceContext context) {
+    Execution.Keeper present = keeper;
+    return present == null || options.makerOf(className).isPresent()
+        ? context
+        : present.keep(className, context).map(context::with).orElse(context);
+  }
+
+  private U2SAService make(
       ServiceContext context, Function<ServiceContext, ? extends U2SAService> constructor) {
     try {
-      return constructor.apply(context);
+      U2SAService service = constructor.apply(context);
+      context.execution().ifPresent(execution -> execution.made(service));
+      if (service instanceof Execution.Keeper) {
+        keeper = (Execution.Keeper) service;
+      }
+      return service;
     } catch (RuntimeException | Error e) {
       context.abandon(); // nobody else knows the half-made service
       throw e;

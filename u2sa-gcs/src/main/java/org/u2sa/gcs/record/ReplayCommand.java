@@ -35,14 +35,20 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa replay FILE}: publishes a recording's messages again. */
+/**
+ * {@code u2sa replay FILE}: publishes a recording's messages again, or executes its services again.
+ */
 @Command(
     name = "replay",
     description = {
-      "Publish the messages of a recording again, at a broker that runs.",
+      "Publish the messages of a recording again, at a broker that runs. With --rerun, execute services again instead.",
       "",
       "Messages are published as they were recorded, timestamps included, under the recorded system's ID unless --system names "
-          + "another. Services that run under that ID will obey recorded commands."
+          + "another. Services that run under that ID will obey recorded commands.",
+      "",
+      "With --rerun no broker is needed: each service is made as it was, given what it was given at the recorded times, and what it "
+          + "publishes is compared with the recording, to the byte. Exit code 1: something differs. Rerun only recordings that you "
+          + "trust: the service classes that they name are executed."
     })
 public final class ReplayCommand implements Callable<Integer> {
   private static final String ENCODING = "cbor";
@@ -78,12 +84,17 @@ public final class ReplayCommand implements Callable<Integer> {
   @Option(names = "--loop", description = "Begin anew at the end, until Ctrl-C.")
   private boolean loop;
 
+  @Mixin private RerunOptions rerun;
+
   private long published;
   private long refused;
 
   @Override
   public Integer call() throws IOException, InterruptedException {
     check();
+    if (rerun.isWanted()) {
+      return rerun.run(file);
+    }
     try (McapReader reader = McapReader.open(file)) {
       String system = recordedSystem(reader);
       MqttTransport transport = remote.transport(system);

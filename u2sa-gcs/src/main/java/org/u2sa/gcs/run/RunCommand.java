@@ -14,6 +14,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.Setting;
 import org.u2sa.gcs.record.RunFacts;
 import org.u2sa.gcs.record.RunRecording;
 import org.u2sa.gcs.remote.BrokerAddress;

@@ -21,7 +21,7 @@ final class ConfigurationValues {
   private final String origin;
   private final boolean typed; // a file states types, which must be right; a program may say 1
   private final Map<String, FileVariable> stated;
-  private final Set<String> overridden = new HashSet<>();
+  private final Set<String> overridden = new LinkedHashSet<>();
   private final Set<String> tolerated = new HashSet<>();
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
   private final List<RecordBinding<?>> records = new ArrayList<>();
@@ -44,6 +44,13 @@ final class ConfigurationValues {
     overridden.add(name);
     stated.put(name, statement);
     values.put(name, statement.value());
+  }
+
+  /** What was overridden, with the values of now. */
+  Map<String, Object> overrides() {
+    Map<String, Object> all = new LinkedHashMap<>();
+    overridden.forEach(name -> all.put(name, values.get(name)));
+    return all;
   }
 
   /** Whether the value is a program's word, not the file's. */

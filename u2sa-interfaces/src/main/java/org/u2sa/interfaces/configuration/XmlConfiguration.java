@@ -87,6 +87,16 @@ public final class XmlConfiguration implements Configurator {
     values.update(all -> all.override(variableName, value));
   }
 
+  /** The variables that were {@linkplain #override overridden}, with their values. */
+  public Map<String, Object> overrides() {
+    return values.get(ConfigurationValues::overrides);
+  }
+
+  /** Where the configuration stands; empty if it has no file. */
+  public Optional<Path> file() {
+    return file;
+  }
+
   /**
    * This configuration, as it is now, for a service of another class that takes the place of the
    * present one: what only the present one declares need not be declared again.

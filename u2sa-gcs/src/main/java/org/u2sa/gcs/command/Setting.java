@@ -1,4 +1,4 @@
-package org.u2sa.gcs.run;
+package org.u2sa.gcs.command;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;

@@ -1,4 +1,4 @@
-package org.u2sa.gcs.run;
+package org.u2sa.gcs.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,0 +1,82 @@
+package org.u2sa.service;
+
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * All that passes between one service's code and the world around it, in the order in which it
+ * passes: readings of the clock, waits, messages that come and go. Whoever keeps it can execute the
+ * service again, and get the same messages from it if the service depends on nothing else.
+ *
+ * <p>Called on the service's own thread, and before its start on the thread that makes it; only
+ * {@link #clock} and {@link #publishes} may be called by others too.
+ */
+public interface Execution {
+  /** The run's clock as the service is to see it. */
+  Clock clock();
+
+  /**
+   * The service has connected, on whichever thread it first did.
+   *
+   * @param instance which connection it is
+   */
+  void connects(String instance);
+
+  /** The service is made; its thread has not been started. */
+  void made(U2SAService service);
+
+  /** The service's thread begins. */
+  void begins();
+
+  /** The service steps. */
+  void steps();
+
+  /**
+   * A message is to be handled, or could be.
+   *
+   * @param waiting the next of the service's inbox; null if none waits
+   * @return what is to be handled in its place; null: nothing
+   */
+  Arrival receives(Arrival waiting);
+
+  /**
+   * A change of the configuration that was written is to be taken, or could be.
+   *
+   * @param isWritten whether one waits to be taken
+   * @return whether it is to be taken now
+   */
+  boolean takesWritten(BooleanSupplier isWritten) throws InterruptedException;
+
+  /**
+   * A message is to be published.
+   *
+   * @param publish does so, and says whether the message was taken
+   * @return whether the message counts as taken
+   */
+  boolean publishes(Channel<?> channel, U2SAData message, BooleanSupplier publish);
+
+  /** The service's loop is over; what it does at its end follows. */
+  void ends();
+
+  /**
+   * A message as it lies before a service.
+   *
+   * @param arrivedMicros when it came, where the service wants to know; otherwise 0 [µs]
+   */
+  record Arrival(Channel<?> channel, U2SAData message, long arrivedMicros) {}
+
+  /** A service that keeps the executions of those that are made after it, such as a recorder. */
+  interface Keeper {
+    /**
+     * A service is going to be made.
+     *
+     * @param className its class
+     * @param context all that it will be given, but for the execution itself
+     * @return empty if it is not kept
+     */
+    Optional<Execution> keep(String className, ServiceContext context);
+  }
+}

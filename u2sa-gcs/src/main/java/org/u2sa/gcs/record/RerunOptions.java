@@ -1,0 +1,124 @@
+package org.u2sa.gcs.record;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.recorder.execution.ExecutionStart;
+import org.u2sa.recorder.execution.Rerun;
+import org.u2sa.recorder.mcap.McapReader;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Which services of a recording are executed again, and how; used as {@code @Mixin}. */
+final class RerunOptions {
+  private static final String ALL = "all";
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  @Option(
+      names = "--rerun",
+      paramLabel = "SERVICE",
+      split = ",",
+      description =
+          "Execute these services again on what they were given in the recording, and compare what they publish; all: those that can be.")
+  private List<String> services = List.of();
+
+  @Option(
+      names = "--against",
+      paramLabel = "CHANGE",
+      description = {
+        "With --rerun: change the service first, and say by how much its messages then differ. CHANGE is "
+            + "SERVICE:VARIABLE=VALUE, SERVICE=CLASS, or a system or configuration file. May be repeated."
+      })
+  private List<String> changes = List.of();
+
+  @Option(names = "--json", description = "With --rerun: print the comparison as JSON.")
+  private boolean json;
+
+  boolean isWanted() {
+    if (services.isEmpty() && !changes.isEmpty()) {
+      throw new ParameterException(
+          command.commandLine(), "--against: expected --rerun as well, which says what is changed");
+    }
+    if (services.isEmpty() && json) {
+      throw new ParameterException(command.commandLine(), "--json: expected --rerun as well");
+    }
+    return !services.isEmpty();
+  }
+
+  int run(Path file) throws IOException, InterruptedException {
+    try (McapReader reader = McapReader.open(file)) {
+      Map<String, ExecutionStart> chosen = chosen(file, ExecutionStart.all(reader));
+      ServiceChanges changed = ServiceChanges.parse(changes, chosen.values());
+      List<Rerun.Outcome> outcomes = new ArrayList<>();
+      for (Map.Entry<String, ExecutionStart> one : chosen.entrySet()) {
+        ExecutionStart start = changed.configurationOf(one.getValue());
+        outcomes.add(
+            new Rerun(reader, one.getKey(), start).run(context -> changed.make(start, context)));
+      }
+      PrintWriter out = command.commandLine().getOut();
+      RerunReport report = new RerunReport(outcomes, !changes.isEmpty());
+      (json ? report.json() : report.lines()).forEach(out::println);
+      return report.isIdentical() || !changes.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  private Map<String, ExecutionStart> chosen(Path file, Map<String, ExecutionStart> all) {
+    if (all.isEmpty()) {
+      throw new BadInputException(
+          file
+              + ": holds no executions of services, only their messages. They are kept when the recorder runs in the services' own"
+              + " process (--record, or a Recorder as the first service of the system file), records messages as they are, and is not"
+              + " of an earlier version");
+    }
+    Map<String, ExecutionStart> chosen = new LinkedHashMap<>();
+    Set<String> known = new LinkedHashSet<>();
+    all.forEach(
+        (name, start) -> {
+          known.add(name);
+          known.add(start.simpleClassName());
+        });
+    for (String wanted : services) {
+      int before = chosen.size();
+      all.forEach(
+          (name, start) -> {
+            boolean is =
+                wanted.equals(ALL)
+                    || wanted.equals(name)
+                    || wanted.equals(start.service())
+                    || wanted.equals(start.simpleClassName());
+            if (is) {
+              chosen.put(name, start);
+            }
+          });
+      boolean found =
+          chosen.size() > before || chosen.values().stream().anyMatch(s -> isNamed(s, wanted));
+      if (!found) {
+        throw new BadInputException(
+            String.format(
+                "%s: holds no execution of \"%s\"; expected one of %s%s. Services with a device, and those of other processes, have none",
+                file,
+                wanted,
+                String.join(", ", all.keySet()),
+                NearestNames.didYouMean(wanted, known)));
+      }
+    }
+    return chosen;
+  }
+
+  private static boolean isNamed(ExecutionStart start, String wanted) {
+    return wanted.equals(start.service()) || wanted.equals(start.simpleClassName());
+  }
+}

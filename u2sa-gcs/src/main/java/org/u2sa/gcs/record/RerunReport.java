@@ -1,0 +1,185 @@
+package org.u2sa.gcs.record;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.u2sa.gcs.terminal.TextTable;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.recorder.execution.ChannelComparison;
+import org.u2sa.recorder.execution.ChannelComparison.NumberDeviation;
+import org.u2sa.recorder.execution.Rerun;
+
+/** Says what came of executing services again. */
+final class RerunReport {
+  private static final int MOST_FIELDS = 12; // of a channel, in the text
+
+  private final List<Rerun.Outcome> outcomes;
+  private final boolean withDeviations;
+
+  RerunReport(List<Rerun.Outcome> outcomes, boolean withDeviations) {
+    this.outcomes = List.copyOf(outcomes);
+    this.withDeviations = withDeviations;
+  }
+
+  boolean isIdentical() {
+    return outcomes.stream().allMatch(Rerun.Outcome::isIdentical);
+  }
+
+  /** For people. */
+  List<String> lines() {
+    TextTable table =
+        new TextTable("SERVICE", "CHANNEL", "RECORDED", "NOW", "SAME", "FIRST DIFFERENCE");
+    for (Rerun.Outcome outcome : outcomes) {
+      for (ChannelComparison channel : outcome.channels()) {
+        table.add(
+            outcome.execution(),
+            channel.name(),
+            Long.toString(channel.recorded()),
+            Long.toString(channel.now()),
+            Long.toString(channel.same()),
+            channel.first().map(RerunReport::text).orElse(""));
+      }
+    }
+    List<String> lines = new ArrayList<>(table.lines());
+    if (withDeviations) {
+      lines.addAll(deviations());
+    }
+    for (Rerun.Outcome outcome : outcomes) {
+      outcome.remarks().forEach(remark -> lines.add(outcome.execution() + ": " + remark));
+    }
+    lines.add(summary());
+    return lines;
+  }
+
+  private static String text(ChannelComparison.Difference difference) {
+    String field = difference.field().field();
+    return String.format(
+        Locale.ROOT,
+        "%.6f s%s: %s recorded, %s now",
+        Clock.seconds(difference.micros()),
+        field.isEmpty() ? "" : ", " + field,
+        shortened(difference.field().recorded()),
+        shortened(difference.field().now()));
+  }
+
+  private static String shortened(String value) {
+    int most = 60;
+    if (value.isEmpty()) {
+      return "nothing";
+    }
+    return value.length() <= most ? value : value.substring(0, most) + "…";
+  }
+
+  private List<String> deviations() {
+    TextTable table = new TextTable("SERVICE", "CHANNEL", "FIELD", "RMS", "LARGEST");
+    boolean any = false;
+    for (Rerun.Outcome outcome : outcomes) {
+      for (ChannelComparison channel : outcome.channels()) {
+        int count = 0;
+        for (Map.Entry<String, NumberDeviation> field : channel.deviations().entrySet()) {
+          any = true;
+          if (count++ < MOST_FIELDS) {
+            table.add(
+                outcome.execution(),
+                channel.name(),
+                field.getKey(),
+                number(field.getValue().rms(channel.pairs())),
+                number(field.getValue().largest()));
+          }
+        }
+        if (count > MOST_FIELDS) {
+          table.add(outcome.execution(), channel.name(), (count - MOST_FIELDS) + " more", "", "");
+        }
+      }
+    }
+    List<String> lines = new ArrayList<>();
+    if (any) {
+      lines.add("");
+      lines.addAll(table.lines());
+      lines.add("");
+    }
+    return lines;
+  }
+
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.6g", value);
+  }
+
+  private String summary() {
+    long recorded = 0;
+    long same = 0;
+    double simS = 0.0;
+    double wallS = 0.0;
+    for (Rerun.Outcome outcome : outcomes) {
+      for (ChannelComparison channel : outcome.channels()) {
+        recorded += channel.recorded();
+        same += channel.same();
+      }
+      simS = Math.max(simS, Clock.seconds(outcome.micros()));
+      wallS += outcome.wallS();
+    }
+    return String.format(
+        Locale.ROOT,
+        "%s: %d of %d messages are the same, health reports left out; %.1f s executed in %.1f s, %.0f times as fast as recorded",
+        isIdentical() ? "Identical" : "Not identical",
+        same,
+        recorded,
+        simS,
+        wallS,
+        wallS == 0.0 ? 0.0 : simS / wallS);
+  }
+
+  /** For programs. */
+  List<String> json() {
+    List<JsonText> services = new ArrayList<>();
+    for (Rerun.Outcome outcome : outcomes) {
+      List<JsonText> channels = outcome.channels().stream().map(this::json).toList();
+      services.add(
+          new JsonText()
+              .put("service", outcome.execution())
+              .put("identical", outcome.isIdentical())
+              .put("simSeconds", Clock.seconds(outcome.micros()))
+              .put("wallSeconds", outcome.wallS())
+              .put("remarks", outcome.remarks())
+              .put("channels", channels));
+    }
+    return List.of(
+        new JsonText().put("identical", isIdentical()).put("services", services).toString());
+  }
+
+  private JsonText json(ChannelComparison channel) {
+    JsonText json =
+        new JsonText()
+            .put("channel", channel.name())
+            .put("recorded", channel.recorded())
+            .put("now", channel.now())
+            .put("same", channel.same());
+    channel
+        .first()
+        .ifPresent(
+            first ->
+                json.put(
+                    "firstDifference",
+                    new JsonText()
+                        .put("timeS", Clock.seconds(first.micros()))
+                        .put("field", first.field().field())
+                        .put("recorded", first.field().recorded())
+                        .put("now", first.field().now())));
+    if (withDeviations) {
+      List<JsonText> fields = new ArrayList<>();
+      channel
+          .deviations()
+          .forEach(
+              (field, deviation) ->
+                  fields.add(
+                      new JsonText()
+                          .put("field", field)
+                          .put("rms", deviation.rms(channel.pairs()))
+                          .put("largest", deviation.largest())));
+      json.put("deviations", fields);
+    }
+    return json;
+  }
+}

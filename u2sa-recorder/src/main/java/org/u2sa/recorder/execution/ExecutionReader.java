@@ -1,0 +1,160 @@
+package org.u2sa.recorder.execution;
+
+import java.io.IOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.recorder.mcap.McapChannel;
+import org.u2sa.recorder.mcap.McapCursor;
+import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.McapReader;
+
+/**
+ * Reads one execution from a recording, entry by entry, and with it the messages that it is about.
+ * Holds some ten thousand messages at a time. Belongs to one thread.
+ */
+final class ExecutionReader {
+  /** A part may come before messages that it refers to, where threads ran side by side. */
+  private static final int AHEAD = 2048;
+
+  private final Map<Integer, McapChannel> channels;
+  private final Map<Integer, RecordedMessage.Track> tracks = new HashMap<>();
+  private final MessageCodec codec;
+  private final String topic;
+  private final McapCursor cursor;
+  private final Map<Long, McapMessage> near = new HashMap<>();
+  private final Deque<Long> nearInOrder = new ArrayDeque<>();
+  private final Deque<McapMessage> parts = new ArrayDeque<>();
+  private PackedReader entries = new PackedReader(new byte[0]);
+  private PackedReader places = new PackedReader(new byte[0]);
+  private long lastMicros;
+  private long nextPart;
+  private Next next; // read ahead; null: not yet
+
+  /**
+   * What comes next.
+   *
+   * @param entry what passed
+   * @param message the message that it is about; null if it is about none
+   */
+  record Next(ExecutionEntry entry, RecordedMessage message) {}
+
+  ExecutionReader(McapReader reader, MessageCodec codec, String execution) {
+    channels = reader.channels();
+    this.codec = codec;
+    topic = ExecutionPart.TOPIC + execution;
+    cursor = reader.messages(Long.MIN_VALUE, this::isWanted);
+  }
+
+  private boolean isWanted(McapChannel channel) {
+    return channel.topic().equals(topic) || channel.messageEncoding().equals("cbor");
+  }
+
+  /**
+   * The next entry, which stays the next one; empty after the last.
+   *
+   * @throws McapException if a part is missing or damaged, or a message that it refers to
+   */
+  Optional<Next> peek() throws IOException {
+    if (next == null && (entries.hasMore() || beginPart())) {
+      ExecutionEntry entry = ExecutionEntry.read(entries, lastMicros);
+      if (entry.kind() == ExecutionEntry.Kind.READING) {
+        lastMicros = entry.micros();
+      }
+      next = entry.kind().isOfMessage() ? withMessage(entry) : new Next(entry, null);
+    }
+    return Optional.ofNullable(next);
+  }
+
+  /** Goes on to the next entry. */
+  void skip() {
+    next = null;
+  }
+
+  private boolean beginPart() throws IOException {
+    while (parts.isEmpty()) {
+      if (!readOne()) {
+        return false;
+      }
+    }
+    PackedReader part = new PackedReader(parts.remove().data());
+    long number = part.number();
+    if (number != nextPart) {
+      throw new McapException(
+          nextPart == 0
+              ? "the recording begins in the middle of the execution; expected its first file"
+              : "part "
+                  + nextPart
+                  + " of the execution is missing: messages came faster than they were recorded");
+    }
+    nextPart++;
+    lastMicros = 0;
+    entries = new PackedReader(part.bytes());
+    places = part;
+    return entries.hasMore() || beginPart();
+  }
+
+  private boolean readOne() throws IOException {
+    Optional<McapMessage> read = cursor.next();
+    if (read.isEmpty()) {
+      return false;
+    }
+    McapMessage message = read.get();
+    if (channel(message.channelId()).topic().equals(topic)) {
+      parts.add(message);
+    } else {
+      long key = key(message.channelId(), message.sequence());
+      near.put(key, message);
+      nearInOrder.add(key);
+      if (nearInOrder.size() > ExecutionPart.REACH + 2 * AHEAD) {
+        near.remove(nearInOrder.remove());
+      }
+    }
+    return true;
+  }
+
+  private McapChannel channel(int id) {
+    return channels.get(id);
+  }
+
+  private static long key(long channelId, long sequence) {
+    return channelId << Integer.SIZE | sequence;
+  }
+
+  private Next withMessage(ExecutionEntry entry) throws IOException {
+    long channelId = places.number();
+    if (channelId == ExecutionPart.HERE) {
+      return new Next(entry, new RecordedMessage(codec, track(places.text()), places.bytes()));
+    }
+    long sequence = places.number();
+    McapMessage found = near.get(key(channelId, sequence));
+    for (int i = 0; found == null && i < AHEAD && readOne(); i++) {
+      found = near.get(key(channelId, sequence));
+    }
+    if (found == null) {
+      throw new McapException(
+          "message " + sequence + " of channel " + channelId + " is missing in the recording");
+    }
+    RecordedMessage.Track track = tracks.get((int) channelId);
+    if (track == null) {
+      track = track(channel((int) channelId).topic());
+      tracks.put((int) channelId, track);
+    }
+    return new Next(entry, new RecordedMessage(codec, track, found.data()));
+  }
+
+  private static RecordedMessage.Track track(String messageTopic) throws McapException {
+    try {
+      Topic parsed = Topic.parse(messageTopic);
+      return new RecordedMessage.Track(parsed, Channels.namedOrNew(parsed.channel()));
+    } catch (IllegalArgumentException e) {
+      throw new McapException("a message on " + messageTopic + ": " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,235 @@
+package org.u2sa.recorder.execution;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.TreeMap;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.recorder.mcap.McapAttachment;
+import org.u2sa.recorder.mcap.McapMetadata;
+import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * What a service was given when it was made, and all the files that it then read: enough to make it
+ * again elsewhere.
+ *
+ * @param texts what it was given, by name
+ * @param files contents by name: {@link #CONFIGURATION}, {@code variables/NAME} of the file that a
+ *     variable names, {@code state/NAME} of what an earlier life has left
+ */
+public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> files) {
+  /** Begins the names of metadata and attachments; the execution's name follows. */
+  public static final String PREFIX = "execution/";
+
+  static final String CONFIGURATION = "configuration.xml";
+  static final String OF_VARIABLE = "variables/";
+  static final String OF_STATE = "state/";
+  static final String OVERRIDE = "override ";
+  static final String CLASS = "class";
+  static final String CONFIGURATION_NAME = "configuration";
+  static final String SERVICE = "service";
+  static final String INSTANCE = "instance";
+  static final String RESTART = "restart";
+  static final String SEED = "seed";
+  static final String SYSTEM = "system";
+
+  private static final long LARGEST_FILE = 16L << 20;
+  private static final long LARGEST_STATE = 1L << 20;
+
+  public ExecutionStart {
+    texts = new LinkedHashMap<>(texts);
+    files = new LinkedHashMap<>(files);
+  }
+
+  /**
+   * What a service is about to be given.
+   *
+   * @throws IOException if a file cannot be read
+   */
+  public static ExecutionStart before(String className, ServiceContext context) throws IOException {
+    Map<String, String> texts = new LinkedHashMap<>();
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    XmlConfiguration configuration = context.configuration();
+    texts.put(CLASS, className);
+    texts.put(SYSTEM, context.systemId());
+    texts.put(SEED, Long.toString(context.seed()));
+    texts.put(RESTART, Boolean.toString(context.isRestart()));
+    texts.put(CONFIGURATION_NAME, configuration.origin());
+    configuration.overrides().forEach((name, value) -> texts.put(OVERRIDE + name, typed(value)));
+    if (configuration.file().isPresent()) {
+      files.put(CONFIGURATION, Files.readAllBytes(configuration.file().get()));
+    }
+    files.putAll(state(context.logDirectory()));
+    return new ExecutionStart(texts, files);
+  }
+
+  /** A value with the letter of its class, as {@link #value} reads it. */
+  static String typed(Object value) {
+    return value.getClass().getSimpleName().charAt(0) + " " + value;
+  }
+
+  /** The value of a {@link #typed} text. */
+  static Object value(String typed) {
+    String text = typed.substring(2);
+    return switch (typed.charAt(0)) {
+      case 'I' -> Integer.valueOf(text);
+      case 'D' -> Double.valueOf(text);
+      case 'B' -> Boolean.valueOf(text);
+      default -> text;
+    };
+  }
+
+  private static Map<String, byte[]> state(Path folder) throws IOException {
+    Map<String, byte[]> found = new TreeMap<>();
+    if (!Files.isDirectory(folder)) {
+      return found;
+    }
+    try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
+      for (Path file : all) {
+        String name = file.getFileName().toString();
+        boolean isState = name.endsWith(".progress") || name.endsWith(".mission");
+        if (isState && Files.isRegularFile(file) && Files.size(file) <= LARGEST_STATE) {
+          found.put(OF_STATE + name, Files.readAllBytes(file));
+        }
+      }
+    }
+    return found;
+  }
+
+  /**
+   * The same with what is known once the service is made: its name, and the files that its
+   * variables name. Passwords and keys are files too and are left out: all but XML is.
+   *
+   * @throws IOException if a file cannot be read
+   */
+  public ExecutionStart after(KeptExecution execution, ServiceContext context) throws IOException {
+    String service = execution.service().getServiceName();
+    Map<String, String> moreTexts = new LinkedHashMap<>(texts);
+    moreTexts.put(SERVICE, service);
+    moreTexts.put(INSTANCE, execution.instance());
+    Map<String, byte[]> moreFiles = new LinkedHashMap<>(files);
+    moreFiles
+        .keySet()
+        .removeIf(name -> name.startsWith(OF_STATE) && !name.startsWith(OF_STATE + service + "."));
+    for (Map.Entry<String, Object> variable : context.configuration().enumerateFields()) {
+      if (variable.getValue() instanceof String && isFile(context, (String) variable.getValue())) {
+        Path file = context.configuration().resolve((String) variable.getValue());
+        moreFiles.put(OF_VARIABLE + variable.getKey(), Files.readAllBytes(file));
+        moreTexts.put(OF_VARIABLE + variable.getKey(), (String) variable.getValue());
+      }
+    }
+    return new ExecutionStart(moreTexts, moreFiles);
+  }
+
+  private static boolean isFile(ServiceContext context, String value) throws IOException {
+    if (!value.endsWith(".xml")) {
+      return false;
+    }
+    try {
+      Path file = context.configuration().resolve(value);
+      return Files.isRegularFile(file) && Files.size(file) <= LARGEST_FILE;
+    } catch (InvalidPathException e) {
+      return false; // a value that only looks like a file's name
+    }
+  }
+
+  /**
+   * Writes it: the texts as metadata, the files as attachments.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void write(McapWriter writer, String execution, long nanos) throws IOException {
+    writer.add(new McapMetadata(PREFIX + execution, texts));
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
+      String name = PREFIX + execution + "/" + file.getKey();
+      writer.add(new McapAttachment(nanos, 0, name, "text/xml", file.getValue()));
+    }
+  }
+
+  /**
+   * Reads all of a recording, by the executions' names.
+   *
+   * @throws IOException if it cannot be read
+   */
+  public static Map<String, ExecutionStart> all(McapReader reader) throws IOException {
+    Map<String, ExecutionStart> all = new LinkedHashMap<>();
+    for (McapMetadata metadata : reader.metadata()) {
+      if (metadata.name().startsWith(PREFIX)) {
+        Map<String, byte[]> files = new LinkedHashMap<>();
+        String prefix = metadata.name() + "/";
+        for (String name : reader.attachmentNames()) {
+          if (name.startsWith(prefix)) {
+            files.put(
+                name.substring(prefix.length()), reader.attachment(name).orElseThrow().data());
+          }
+        }
+        all.put(
+            metadata.name().substring(PREFIX.length()),
+            new ExecutionStart(metadata.entries(), files));
+      }
+    }
+    return all;
+  }
+
+  String text(String name) {
+    return texts.getOrDefault(name, "");
+  }
+
+  /** The service's name. */
+  public String service() {
+    return text(SERVICE);
+  }
+
+  /** Name of the configuration file without its folder; of the configuration if it has none. */
+  public String configurationName() {
+    String origin = text(CONFIGURATION_NAME).replace('\\', '/');
+    return origin.substring(origin.lastIndexOf('/') + 1);
+  }
+
+  /**
+   * The same with another configuration file, and the files that it names. What the run had set
+   * stays set.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if the file is no configuration
+   */
+  public ExecutionStart withConfiguration(Path file) {
+    Map<String, String> otherTexts = new LinkedHashMap<>(texts);
+    Map<String, byte[]> otherFiles = new LinkedHashMap<>(files);
+    try {
+      otherFiles.put(CONFIGURATION, Files.readAllBytes(file));
+      for (XmlElement variable : XmlReader.read(file, "configuration").children("variable")) {
+        String name = variable.attribute("name");
+        String value = variable.optionalAttribute("value").orElse("");
+        Path named = file.toAbsolutePath().resolveSibling(value);
+        boolean isNew = !texts.containsKey(OVERRIDE + name) && value.endsWith(".xml");
+        if (isNew && Files.isRegularFile(named)) {
+          otherTexts.put(OF_VARIABLE + name, value);
+          otherFiles.put(OF_VARIABLE + name, Files.readAllBytes(named));
+        }
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot read " + file + " and the files that it names", e);
+    }
+    return new ExecutionStart(otherTexts, otherFiles);
+  }
+
+  /** Full name of the service's class. */
+  public String className() {
+    return text(CLASS);
+  }
+
+  /** Simple name of the service's class. */
+  public String simpleClassName() {
+    String name = className();
+    return name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf('$')) + 1);
+  }
+}

@@ -1,0 +1,101 @@
+package org.u2sa.recorder.execution;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.FieldValue;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Where two messages differ first.
+ *
+ * @param field path of the field, such as {@code goals[2].x}
+ * @param recorded the value in the recording; empty text if absent
+ * @param now the value of the service that was executed again
+ */
+public record FieldDifference(String field, String recorded, String now) {
+  /** The first difference in the order of the fields; empty if there is none. */
+  static Optional<FieldDifference> between(U2SAData recorded, U2SAData now) {
+    return between("", recorded, now);
+  }
+
+  private static Optional<FieldDifference> between(String path, U2SAData a, U2SAData b) {
+    if (!a.typeChain().equals(b.typeChain())) {
+      return Optional.of(new FieldDifference(path + "type", a.type().name(), b.type().name()));
+    }
+    List<FieldValue> ofA = a.enumerateFields();
+    List<FieldValue> ofB = b.enumerateFields();
+    for (int i = 0; i < Math.max(ofA.size(), ofB.size()); i++) {
+      String name = path + (i < ofA.size() ? ofA.get(i) : ofB.get(i)).name();
+      Object valueOfA = i < ofA.size() ? ofA.get(i).value().orElse("") : "";
+      Object valueOfB = i < ofB.size() ? ofB.get(i).value().orElse("") : "";
+      Optional<FieldDifference> found = between(name, valueOfA, valueOfB);
+      if (found.isPresent()) {
+        return found;
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Optional<FieldDifference> between(String path, Object a, Object b) {
+    if (a.equals(b)) {
+      return Optional.empty();
+    }
+    if (a instanceof U2SAData && b instanceof U2SAData) {
+      return between(path + ".", (U2SAData) a, (U2SAData) b);
+    }
+    if (a instanceof List<?> && b instanceof List<?>) {
+      List<?> ofA = (List<?>) a;
+      List<?> ofB = (List<?>) b;
+      for (int i = 0; i < Math.min(ofA.size(), ofB.size()); i++) {
+        Optional<FieldDifference> found = between(path + "[" + i + "]", ofA.get(i), ofB.get(i));
+        if (found.isPresent()) {
+          return found;
+        }
+      }
+      return Optional.of(
+          new FieldDifference(path, ofA.size() + " elements", ofB.size() + " elements"));
+    }
+    return Optional.of(new FieldDifference(path, a.toString(), b.toString()));
+  }
+
+  /** All numbers of a message by the paths of their fields; the timestamp is left out. */
+  static List<NumberAt> numbers(U2SAData message) {
+    List<NumberAt> all = new ArrayList<>();
+    collect("", message, all);
+    return all;
+  }
+
+  /** A number and where it stands. */
+  record NumberAt(String field, double value) {}
+
+  private static final int MOST_NUMBERS = 256; // of a grid there are many more
+
+  private static void collect(String path, Object value, List<NumberAt> all) {
+    if (all.size() >= MOST_NUMBERS) {
+      return;
+    }
+    if (value instanceof Number) {
+      all.add(new NumberAt(path, ((Number) value).doubleValue()));
+    } else if (value instanceof Point) {
+      Point point = (Point) value;
+      all.add(new NumberAt(path + ".x", point.x()));
+      all.add(new NumberAt(path + ".y", point.y()));
+      all.add(new NumberAt(path + ".z", point.z()));
+    } else if (value instanceof U2SAData) {
+      String prefix = path.isEmpty() ? "" : path + ".";
+      for (FieldValue field : ((U2SAData) value).enumerateFields()) {
+        boolean counts = !field.name().equals("timestamp") && field.value().isPresent();
+        if (counts) {
+          collect(prefix + field.name(), field.value().get(), all);
+        }
+      }
+    } else if (value instanceof List<?>) {
+      int i = 0;
+      for (Object element : (List<?>) value) {
+        collect(path + "[" + i++ + "]", element, all);
+      }
+    }
+  }
+}

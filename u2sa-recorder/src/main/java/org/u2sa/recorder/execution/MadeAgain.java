@@ -1,0 +1,157 @@
+package org.u2sa.recorder.execution;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.nio.file.Paths;
+import java.util.Map;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Lays out in a folder what a service was given, so that it can be made again: nothing outside of
+ * the folder is written, whatever the recording says.
+ */
+final class MadeAgain {
+  /** So many folders up may a configuration look for its files. */
+  private static final String DEPTH = "1/2/3/4/5/6";
+
+  private final ExecutionStart start;
+  private final Path folder;
+
+  MadeAgain(ExecutionStart start, Path folder) {
+    this.start = start;
+    this.folder = folder.toAbsolutePath().normalize();
+  }
+
+  /** The context for the service, without its execution. */
+  ServiceContext context(MessageTypes types) throws IOException {
+    XmlConfiguration configuration = configuration();
+    Path logs = Files.createDirectories(folder.resolve("logs"));
+    for (Map.Entry<String, byte[]> file : start.files().entrySet()) {
+      if (file.getKey().startsWith(ExecutionStart.OF_STATE)) {
+        String name = lastName(file.getKey());
+        Files.write(logs.resolve(name), file.getValue());
+      }
+    }
+    return ServiceContext.of(start.text(ExecutionStart.SYSTEM), configuration)
+        .transport(new Silent(start.text(ExecutionStart.SYSTEM), instance()))
+        .logDirectory(logs)
+        .messageTypes(types)
+        .seed(seed())
+        .restart(Boolean.parseBoolean(start.text(ExecutionStart.RESTART)))
+        .build();
+  }
+
+  private String instance() {
+    return start.text(ExecutionStart.INSTANCE);
+  }
+
+  private long seed() throws McapException {
+    try {
+      return Long.parseLong(start.text(ExecutionStart.SEED));
+    } catch (NumberFormatException e) {
+      throw new McapException("seed of " + start.service() + " is no whole number", e);
+    }
+  }
+
+  private static String lastName(String path) throws McapException {
+    try {
+      Path name = Paths.get(path.replace('\\', '/')).getFileName();
+      if (name != null && !name.toString().equals("..")) {
+        return name.toString();
+      }
+    } catch (InvalidPathException e) {
+      throw new McapException("a file cannot have the name \"" + path + "\"", e);
+    }
+    throw new McapException("a file cannot have the name \"" + path + "\"");
+  }
+
+  private XmlConfiguration configuration() throws IOException {
+    byte[] content = start.files().get(ExecutionStart.CONFIGURATION);
+    String origin = start.text(ExecutionStart.CONFIGURATION_NAME);
+    XmlConfiguration configuration;
+    if (content == null) {
+      configuration = XmlConfiguration.inMemory(origin, Map.of());
+    } else {
+      Path file = Files.createDirectories(folder.resolve(DEPTH)).resolve(lastName(origin));
+      Files.write(file, content);
+      configuration = XmlConfiguration.load(file);
+    }
+    for (Map.Entry<String, String> text : start.texts().entrySet()) {
+      if (text.getKey().startsWith(ExecutionStart.OVERRIDE)) {
+        configuration.override(
+            text.getKey().substring(ExecutionStart.OVERRIDE.length()),
+            ExecutionStart.value(text.getValue()));
+      }
+    }
+    for (Map.Entry<String, byte[]> file : start.files().entrySet()) {
+      if (file.getKey().startsWith(ExecutionStart.OF_VARIABLE)) {
+        layOut(configuration, file.getKey(), file.getValue());
+      }
+    }
+    return configuration;
+  }
+
+  /** Puts a file where its variable says, if that is in the folder; otherwise sets the variable. */
+  private void layOut(XmlConfiguration configuration, String key, byte[] content)
+      throws IOException {
+    String value = start.text(key);
+    Path meant = configuration.resolve(value).toAbsolutePath().normalize();
+    if (configuration.file().isEmpty() || !meant.startsWith(folder)) {
+      String name = key.substring(ExecutionStart.OF_VARIABLE.length());
+      meant = folder.resolve("files").resolve(lastName(name)).resolve(lastName(value));
+      configuration.override(name, meant.toString());
+    }
+    Files.createDirectories(meant.getParent());
+    Files.write(meant, content);
+  }
+
+  /** A transport without anybody else: what goes and comes is the execution's business. */
+  private record Silent(String systemId, String instance) implements Transport {
+    @Override
+    public Connection connect(String serviceName, Receiver receiver) {
+      return new SilentConnection(instance);
+    }
+  }
+
+  private record SilentConnection(String instance) implements Connection {
+    @Override
+    public boolean publish(Channel<?> channel, U2SAData message) {
+      return true;
+    }
+
+    @Override
+    public boolean subscribe(Channel<?> channel) {
+      return true;
+    }
+
+    @Override
+    public boolean unsubscribe(Channel<?> channel) {
+      return true;
+    }
+
+    @Override
+    public long refused() {
+      return 0;
+    }
+
+    @Override
+    public long missed() {
+      return 0;
+    }
+
+    @Override
+    public void close() {
+      // nothing is open
+    }
+  }
+}

@@ -1,0 +1,33 @@
+package org.u2sa.recorder.execution;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Compares what a service publishes with what it published in the recording. Health reports are
+ * left out: they tell how long callbacks took on the machine.
+ */
+final class OutputComparison implements RepeatedExecution.Outputs {
+  private final Map<String, ChannelComparison> channels = new TreeMap<>();
+
+  @Override
+  public void published(long micros, Channel<?> channel, RecordedMessage recorded, U2SAData now)
+      throws IOException {
+    if (!channel.equals(Channels.HEALTH)) {
+      channels
+          .computeIfAbsent(channel.name(), name -> new ChannelComparison(channel))
+          .add(micros, recorded, now);
+    }
+  }
+
+  /** All channels on which anything was published, by name. */
+  List<ChannelComparison> channels() {
+    return new ArrayList<>(channels.values());
+  }
+}

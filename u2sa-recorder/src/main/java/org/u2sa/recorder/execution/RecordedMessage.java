@@ -1,0 +1,55 @@
+package org.u2sa.recorder.execution;
+
+import java.util.Arrays;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapException;
+
+/** A message of a recording, which is decoded only where its fields are wanted. */
+final class RecordedMessage {
+  private final MessageCodec codec;
+  private final Track track;
+  private final byte[] data;
+
+  /** The messages of a topic. */
+  record Track(Topic topic, Channel<?> channel) {}
+
+  RecordedMessage(MessageCodec codec, Track track, byte[] data) {
+    this.codec = codec;
+    this.track = track;
+    this.data = data;
+  }
+
+  Channel<?> channel() {
+    return track.channel;
+  }
+
+  /** Whether a message is this one, to the byte, its type included. */
+  boolean is(U2SAData other) {
+    return Arrays.equals(data, other.serialize())
+        && track.topic.typeChain().equals(other.typeChain());
+  }
+
+  /** Name of the message's type. */
+  String typeName() {
+    return track.topic.typeChain().get(track.topic.typeChain().size() - 1);
+  }
+
+  /**
+   * The message, frozen.
+   *
+   * @throws McapException if its bytes are none
+   */
+  U2SAData decoded() throws McapException {
+    try {
+      U2SAData message = codec.decode(track.topic.typeChain(), data);
+      message.freeze();
+      return message;
+    } catch (MalformedMessageException | IllegalStateException e) {
+      throw new McapException("a message on " + track.topic + ": " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,142 @@
+package org.u2sa.recorder.execution;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.U2SAService;
+
+/** Executes one service of a recording again, and compares what it publishes. */
+public final class Rerun {
+  private static final long HANGS_AFTER_MS = 60_000;
+
+  private final McapReader reader;
+  private final String execution;
+  private final ExecutionStart start;
+  private final MessageTypes types = MessageTypes.discovered();
+
+  /**
+   * What came of it.
+   *
+   * @param execution which
+   * @param channels what was published, channel by channel
+   * @param micros the run's time that was gone through [µs]
+   * @param wallS what that took [s]
+   * @param remarks what keeps the execution from being repeated, or kept it
+   */
+  public record Outcome(
+      String execution,
+      List<ChannelComparison> channels,
+      long micros,
+      double wallS,
+      List<String> remarks) {
+    public Outcome {
+      channels = List.copyOf(channels);
+      remarks = List.copyOf(remarks);
+    }
+
+    /** Whether all that was compared is the same, to the byte, and all could be compared. */
+    public boolean isIdentical() {
+      return remarks.isEmpty() && channels.stream().allMatch(ChannelComparison::isIdentical);
+    }
+  }
+
+  /**
+   * @param reader of the recording
+   * @param execution its name there
+   */
+  public Rerun(McapReader reader, String execution, ExecutionStart start) {
+    this.reader = reader;
+    this.execution = execution;
+    this.start = start;
+  }
+
+  /**
+   * Executes the service, in a folder for temporary files that is deleted.
+   *
+   * @param maker makes it, of the class and with the variables that are to be tried
+   * @throws IOException if the recording cannot be read, or a temporary file not written
+   * @throws RuntimeException if the service refuses its configuration
+   */
+  public Outcome run(Function<ServiceContext, U2SAService> maker)
+      throws IOException, InterruptedException {
+    Path folder = Files.createTempDirectory("u2sa-rerun");
+    try {
+      return run(maker, folder);
+    } finally {
+      delete(folder);
+    }
+  }
+
+  private Outcome run(Function<ServiceContext, U2SAService> maker, Path folder)
+      throws IOException, InterruptedException {
+    Clock machine = new SystemClock();
+    long began = machine.micros();
+    OutputComparison outputs = new OutputComparison();
+    ExecutionReader recorded = new ExecutionReader(reader, new MessageCodec(types), execution);
+    RepeatedExecution repeated = new RepeatedExecution(recorded, outputs, machine);
+    long fromMicros = reader.statistics().startNanos() / 1_000L;
+    ServiceContext context = new MadeAgain(start, folder).context(types).with(repeated);
+    U2SAService service;
+    try {
+      service = maker.apply(context);
+    } catch (RuntimeException | Error e) {
+      context.abandon();
+      throw e;
+    }
+    repeated.made(service);
+    service.start();
+    boolean hangs = !awaitEnd(service, repeated);
+    List<String> remarks = new ArrayList<>();
+    if (hangs) {
+      remarks.add("hangs: it did not go on for " + HANGS_AFTER_MS / 1_000 + " s");
+      service.abandon();
+    } else {
+      repeated.finish();
+    }
+    repeated.failure().ifPresent(e -> remarks.add("only in part: " + e.getMessage()));
+    if (repeated.publishedElsewhere()) {
+      remarks.add("has threads of its own that publish: what they publish cannot be repeated");
+    }
+    if (repeated.hasStrayed()) {
+      remarks.add("read the clock, waited or published in another order than in the recording");
+    }
+    return new Outcome(
+        execution,
+        outputs.channels(),
+        Math.max(0, repeated.micros() - fromMicros),
+        Clock.seconds(machine.micros() - began),
+        remarks);
+  }
+
+  private static boolean awaitEnd(U2SAService service, RepeatedExecution repeated)
+      throws InterruptedException {
+    long passed;
+    do {
+      passed = repeated.passed();
+      service.join(HANGS_AFTER_MS);
+    } while (service.isAlive() && repeated.passed() != passed);
+    return !service.isAlive();
+  }
+
+  private static void delete(Path folder) throws IOException {
+    List<Path> files;
+    try (Stream<Path> all = Files.walk(folder)) {
+      files = all.sorted(Comparator.reverseOrder()).collect(Collectors.toList());
+    }
+    for (Path file : files) {
+      Files.deleteIfExists(file);
+    }
+  }
+}
