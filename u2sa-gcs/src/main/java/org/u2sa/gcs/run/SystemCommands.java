@@ -7,6 +7,11 @@ import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
 import org.u2sa.gcs.describe.DescribeCommand;
+import org.u2sa.gcs.look.EchoCommand;
+import org.u2sa.gcs.look.LogCommand;
+import org.u2sa.gcs.look.MeasureCommand;
+import org.u2sa.gcs.look.PlotCommand;
+import org.u2sa.gcs.look.PublishCommand;
 import org.u2sa.gcs.mission.MissionCommand;
 import org.u2sa.gcs.record.RecordCommand;
 import org.u2sa.gcs.record.RecoverCommand;
@@ -33,6 +38,13 @@ public final class SystemCommands implements CommandProvider {
             new ConfigCommand(),
             new ServicesCommand(),
             new GraphCommand(),
+            new EchoCommand(),
+            new MeasureCommand.Rate(),
+            new MeasureCommand.Delay(),
+            new MeasureCommand.Bandwidth(),
+            new PublishCommand(),
+            new PlotCommand(),
+            new LogCommand(),
             new StopServicesCommand(),
             new LauncherCommand.Restart(),
             new LauncherCommand.Swap(),
