@@ -7,6 +7,7 @@ import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
 import org.u2sa.gcs.describe.DescribeCommand;
+import org.u2sa.gcs.doctor.DoctorCommand;
 import org.u2sa.gcs.look.EchoCommand;
 import org.u2sa.gcs.look.LogCommand;
 import org.u2sa.gcs.look.MeasureCommand;
@@ -55,6 +56,7 @@ public final class SystemCommands implements CommandProvider {
             new OperatorCommand(),
             new MissionCommand(),
             new DescribeCommand(),
+            new DoctorCommand(),
             new DependenciesCommand(),
             new NewCommand(Path.of("")))
         .map(command -> new Contribution(Group.TOP_LEVEL, command))
