@@ -35,7 +35,7 @@ final class ToolChecks {
         tool(
             "FlightGear",
             "fgfs",
-            "needed only by ./u2sa demo fly: scripts/flightgear/install, docs/flightgear.md",
+            "needed only by ./u2sa fly: scripts/flightgear/install, docs/flightgear.md",
             "--version"));
     all.add(screen());
     all.add(

@@ -6,7 +6,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** How long a command listens; used as {@code @Mixin ListeningTime time}. */
-final class ListeningTime {
+public final class ListeningTime {
   private static final long MICROS = 1_000_000L;
 
   @Spec(Spec.Target.MIXEE)
@@ -27,12 +27,12 @@ final class ListeningTime {
   }
 
   /** Whether an end was set. */
-  boolean isBounded() {
+  public boolean isBounded() {
     return forS < Double.POSITIVE_INFINITY;
   }
 
   /** Whether it is over. */
-  boolean isOver(long beganMicros, long nowMicros) {
+  public boolean isOver(long beganMicros, long nowMicros) {
     return nowMicros - beganMicros >= forS * MICROS;
   }
 }

@@ -13,22 +13,23 @@ import org.u2sa.messages.schema.U2SAData;
  * Messages of channels, waiting to be shown: a slow terminal holds nobody up. What finds no room is
  * dropped and counted.
  */
-final class MessageStream {
+public final class MessageStream {
   private static final int ROOM = 4096;
 
   /** A message, where it came from, and when [µs of real time]. */
-  record Heard(Channel<?> channel, U2SAData message, long micros) {}
+  public record Heard(Channel<?> channel, U2SAData message, long micros) {}
 
   private final BlockingQueue<Heard> waiting = new ArrayBlockingQueue<>(ROOM);
   private final AtomicLong dropped = new AtomicLong();
   private final RemoteLink link;
 
-  MessageStream(RemoteLink link) {
+  /** Over that link. */
+  public MessageStream(RemoteLink link) {
     this.link = link;
   }
 
   /** Takes the messages of that channel, too. */
-  MessageStream of(Channel<?> channel) {
+  public MessageStream of(Channel<?> channel) {
     link.listen(
         channel,
         message -> {
@@ -40,12 +41,12 @@ final class MessageStream {
   }
 
   /** The next one; empty if none comes in that time. */
-  Optional<Heard> next(long millis) throws InterruptedException {
+  public Optional<Heard> next(long millis) throws InterruptedException {
     return Optional.ofNullable(waiting.poll(millis, TimeUnit.MILLISECONDS));
   }
 
   /** Messages that found no room. */
-  long dropped() {
+  public long dropped() {
     return dropped.get();
   }
 }

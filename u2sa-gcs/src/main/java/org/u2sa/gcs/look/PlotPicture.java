@@ -18,13 +18,14 @@ import org.u2sa.gcs.command.ReportFile;
 /** Draws series as a PNG, a chart for each unit, one below the other. */
 final class PlotPicture {
   private static final int WIDTH = 1000;
-  private static final int CHART_HEIGHT = 300;
+  private static final int CHART_HEIGHT = 320;
   private static final int LEFT = 90;
-  private static final int RIGHT = 20;
-  private static final int TOP = 40;
+  private static final int RIGHT = 40;
+  private static final int TOP = 64;
   private static final int BOTTOM = 40;
   private static final int MARKS = 6;
   private static final int LEGEND_GAP = 24;
+  private static final int LEGEND_LINE = 16;
   private static final Color GRID = new Color(0xDD, 0xDD, 0xDD);
   private static final List<Color> COLOURS =
       List.of(
@@ -76,11 +77,17 @@ final class PlotPicture {
     Axis values = Axis.around(lowest, highest);
     grid(g, top, unit, times, values);
     int legendX = LEFT;
+    int legendY = top + LEGEND_LINE;
     for (int i = 0; i < series.size(); i++) {
       g.setColor(COLOURS.get(i % COLOURS.size()));
       line(g, top, series.get(i).samples(), times, values);
-      g.drawString(series.get(i).name(), legendX, top + TOP - 14);
-      legendX += g.getFontMetrics().stringWidth(series.get(i).name()) + LEGEND_GAP;
+      int width = g.getFontMetrics().stringWidth(series.get(i).name());
+      if (legendX > LEFT && legendX + width > WIDTH - RIGHT) {
+        legendX = LEFT;
+        legendY += LEGEND_LINE;
+      }
+      g.drawString(series.get(i).name(), legendX, legendY);
+      legendX += width + LEGEND_GAP;
     }
   }
 
@@ -109,10 +116,10 @@ final class PlotPicture {
       g.setColor(Color.DARK_GRAY);
       g.drawString(
           String.format(Locale.ROOT, "%s s", times.label(mark)),
-          at - 10,
+          at - 20,
           top + CHART_HEIGHT - BOTTOM + 18);
     }
-    g.drawString(unit.isEmpty() ? "" : "[" + unit + "]", 8, top + TOP - 14);
+    g.drawString(unit.isEmpty() ? "" : "[" + unit + "]", 8, top + LEGEND_LINE);
   }
 
   private static void line(

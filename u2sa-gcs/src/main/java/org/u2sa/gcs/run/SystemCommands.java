@@ -26,6 +26,7 @@ import org.u2sa.gcs.services.LauncherCommand;
 import org.u2sa.gcs.services.ServicesCommand;
 import org.u2sa.gcs.services.StopServicesCommand;
 import org.u2sa.gcs.template.NewCommand;
+import org.u2sa.gcs.view.ViewCommand;
 
 /** Adds the commands that run systems and operate running ones. */
 public final class SystemCommands implements CommandProvider {
@@ -36,6 +37,7 @@ public final class SystemCommands implements CommandProvider {
             new RecordCommand(),
             new RecoverCommand(),
             new ReplayCommand(),
+            new ViewCommand(),
             new ConfigCommand(),
             new ServicesCommand(),
             new GraphCommand(),
