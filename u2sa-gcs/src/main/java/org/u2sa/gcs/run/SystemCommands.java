@@ -17,6 +17,8 @@ import org.u2sa.gcs.mission.MissionCommand;
 import org.u2sa.gcs.record.RecordCommand;
 import org.u2sa.gcs.record.RecoverCommand;
 import org.u2sa.gcs.record.ReplayCommand;
+import org.u2sa.gcs.report.CompareCommand;
+import org.u2sa.gcs.report.ReportCommand;
 import org.u2sa.gcs.safety.ArmingCommand;
 import org.u2sa.gcs.safety.EmergencyStopCommand;
 import org.u2sa.gcs.safety.OperatorCommand;
@@ -38,6 +40,8 @@ public final class SystemCommands implements CommandProvider {
             new RecoverCommand(),
             new ReplayCommand(),
             new ViewCommand(),
+            new ReportCommand(),
+            new CompareCommand(),
             new ConfigCommand(),
             new ServicesCommand(),
             new GraphCommand(),

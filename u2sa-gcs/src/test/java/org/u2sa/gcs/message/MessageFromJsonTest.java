@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
@@ -49,6 +50,8 @@ class MessageFromJsonTest {
     assertThat(read(GoalList.TYPE, MessageJson.fields(goals).line())).isEqualTo(goals);
     PlannedPath path =
         new PlannedPath()
+            .planner("direct")
+            .status(PathStatus.values()[0])
             .subsystem("VEHICLE")
             .points(List.of(Point.of(1, 2, 3), Point.of(4, 5, 6)));
     assertThat(read(PlannedPath.TYPE, MessageJson.fields(path).line())).isEqualTo(path);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
@@ -185,21 +186,16 @@ class ViewServerTest {
                       + "Sec-WebSocket-Protocol: "
                       + V1
                       + "\r\n\r\n"));
-      byte[] subscribe =
-          bytes("{\"op\":\"subscribe\",\"subscriptions\":[{\"id\":1,\"channelId\":1}]}");
-      byte[] frame = new byte[6 + subscribe.length]; // masked by zeros
-      frame[0] = (byte) 0x81;
-      frame[1] = (byte) (0x80 | subscribe.length);
-      System.arraycopy(subscribe, 0, frame, 6, subscribe.length);
-      asleep.getOutputStream().write(frame);
+      readUntil(asleep, "serverInfo"); // frames before the handshake's end would be lost
+      write(asleep, "{\"op\":\"subscribe\",\"subscriptions\":[{\"id\":1,\"channelId\":1}]}");
+      write(asleep, "{\"op\":\"answer\"}");
+      readUntil(asleep, "not served"); // so the subscription was read
       awake.send("{'op': 'subscribe', 'subscriptions': [{'id': 1, 'channelId': 1}]}");
       byte[] large = new byte[1 << 18];
       int published = 0;
       while (published < 400) { // 100 MiB: no buffer holds them
         server.publish(channel, published++, () -> large);
-        if (server.isWatched()) {
-          awake.data.poll(50, TimeUnit.MILLISECONDS);
-        }
+        awake.data.clear();
       }
       asleep.close();
       String left = remarks.poll(30, TimeUnit.SECONDS);
@@ -213,6 +209,26 @@ class ViewServerTest {
         data = awake.nextData();
       }
       assertThat(data).isNotNull();
+    }
+  }
+
+  /** A text frame of at most 125 bytes, masked by zeros. */
+  private static void write(Socket socket, String text) throws IOException {
+    byte[] payload = bytes(text);
+    byte[] frame = new byte[6 + payload.length];
+    frame[0] = (byte) 0x81;
+    frame[1] = (byte) (0x80 | payload.length);
+    System.arraycopy(payload, 0, frame, 6, payload.length);
+    socket.getOutputStream().write(frame);
+  }
+
+  private static void readUntil(Socket socket, String text) throws IOException {
+    socket.setSoTimeout(30_000);
+    StringBuilder read = new StringBuilder();
+    while (read.indexOf(text) < 0) {
+      int next = socket.getInputStream().read();
+      assertThat(next).as(read.toString()).isNotNegative();
+      read.append((char) next);
     }
   }
 
