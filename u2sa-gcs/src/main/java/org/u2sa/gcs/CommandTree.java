@@ -50,6 +50,7 @@ final class CommandTree {
             .addSubcommand(contribution.command());
       }
     }
+    line.addSubcommand(new CompletionCommand());
     for (CommandLine command : line.getSubcommands().values()) {
       addHelp(command);
     }

@@ -12,12 +12,13 @@ import org.u2sa.messages.schema.U2SAData;
  * The JSON Schema of a message's CBOR map, with units. The keyword {@code unit} is ours; readers of
  * JSON Schema ignore what they do not know.
  */
-final class SchemaText {
+public final class SchemaText {
   private static final String DIALECT = "https://json-schema.org/draft/2020-12/schema";
 
   private SchemaText() {}
 
-  static String of(MessageType<?> type) {
+  /** The schema of that type, on one line. */
+  public static String of(MessageType<?> type) {
     JsonText properties = new JsonText();
     List<String> required = new ArrayList<>();
     addFields(type, properties, required);

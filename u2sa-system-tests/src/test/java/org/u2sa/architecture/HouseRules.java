@@ -96,7 +96,8 @@ final class HouseRules {
     ARROWS.forEach((module, allowed) -> rules.put("arrows of " + module, arrows(module, allowed)));
     rules.put("known packages", knownPackages());
     rules.put("named by subject", namedBySubject());
-    rules.put("Moquette", confined("core.communication", "io.moquette..", "io.netty.."));
+    rules.put("Moquette", confined("core.communication", "io.moquette.."));
+    rules.put("Netty", nettyAtTheEdges());
     rules.put("JmDNS", confined("core.communication", "javax.jmdns.."));
     rules.put("Paho", confined("interfaces.communication", "org.eclipse.paho.."));
     rules.put(
@@ -153,6 +154,15 @@ final class HouseRules {
         .resideOutsideOfPackage(ROOT + home + "..")
         .should()
         .dependOnClassesThat(resideInAnyPackage(library));
+  }
+
+  /** Only brokers and servers of viewers know it. */
+  private static ArchRule nettyAtTheEdges() {
+    return noClasses()
+        .that()
+        .resideOutsideOfPackages(ROOT + "core.communication..", ROOT + "gcs.view..")
+        .should()
+        .dependOnClassesThat(resideInAnyPackage("io.netty.."));
   }
 
   private static ArchRule noCircles() {

@@ -7,10 +7,18 @@ import org.u2sa.gcs.command.CommandProvider;
 import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
 import org.u2sa.gcs.describe.DescribeCommand;
+import org.u2sa.gcs.doctor.DoctorCommand;
+import org.u2sa.gcs.look.EchoCommand;
+import org.u2sa.gcs.look.LogCommand;
+import org.u2sa.gcs.look.MeasureCommand;
+import org.u2sa.gcs.look.PlotCommand;
+import org.u2sa.gcs.look.PublishCommand;
 import org.u2sa.gcs.mission.MissionCommand;
 import org.u2sa.gcs.record.RecordCommand;
 import org.u2sa.gcs.record.RecoverCommand;
 import org.u2sa.gcs.record.ReplayCommand;
+import org.u2sa.gcs.report.CompareCommand;
+import org.u2sa.gcs.report.ReportCommand;
 import org.u2sa.gcs.safety.ArmingCommand;
 import org.u2sa.gcs.safety.EmergencyStopCommand;
 import org.u2sa.gcs.safety.OperatorCommand;
@@ -20,6 +28,7 @@ import org.u2sa.gcs.services.LauncherCommand;
 import org.u2sa.gcs.services.ServicesCommand;
 import org.u2sa.gcs.services.StopServicesCommand;
 import org.u2sa.gcs.template.NewCommand;
+import org.u2sa.gcs.view.ViewCommand;
 
 /** Adds the commands that run systems and operate running ones. */
 public final class SystemCommands implements CommandProvider {
@@ -30,9 +39,19 @@ public final class SystemCommands implements CommandProvider {
             new RecordCommand(),
             new RecoverCommand(),
             new ReplayCommand(),
+            new ViewCommand(),
+            new ReportCommand(),
+            new CompareCommand(),
             new ConfigCommand(),
             new ServicesCommand(),
             new GraphCommand(),
+            new EchoCommand(),
+            new MeasureCommand.Rate(),
+            new MeasureCommand.Delay(),
+            new MeasureCommand.Bandwidth(),
+            new PublishCommand(),
+            new PlotCommand(),
+            new LogCommand(),
             new StopServicesCommand(),
             new LauncherCommand.Restart(),
             new LauncherCommand.Swap(),
@@ -43,6 +62,7 @@ public final class SystemCommands implements CommandProvider {
             new OperatorCommand(),
             new MissionCommand(),
             new DescribeCommand(),
+            new DoctorCommand(),
             new DependenciesCommand(),
             new NewCommand(Path.of("")))
         .map(command -> new Contribution(Group.TOP_LEVEL, command))

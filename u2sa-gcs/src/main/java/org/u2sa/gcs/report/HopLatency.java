@@ -1,0 +1,53 @@
+package org.u2sa.gcs.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.u2sa.interfaces.JsonText;
+
+/**
+ * How old messages were when the recorder heard them, by channel: from the time when what they tell
+ * was measured. In simulated time, which stands still while services work, it is the steps between.
+ */
+final class HopLatency {
+  private static final double MILLIS = 1e3;
+
+  private final Map<String, Trace> byChannel = new TreeMap<>(); // [ms]
+
+  /**
+   * Takes a message.
+   *
+   * @param ageS from its timestamp until it was recorded [s]
+   */
+  void take(String channel, double timeS, double ageS) {
+    byChannel.computeIfAbsent(channel, Trace::new).add(timeS, ageS * MILLIS);
+  }
+
+  /** The way from sensor to actuator. */
+  Chart chart() {
+    List<Trace> lines = new ArrayList<>();
+    for (String channel : List.of("sensed-state", "state", "navigation", "actuation")) {
+      Trace trace = byChannel.get(channel);
+      if (trace != null) {
+        lines.add(trace);
+      }
+    }
+    return new Chart("Age of messages when recorded", "ms", lines, null);
+  }
+
+  List<JsonText> rows(double durationS) {
+    List<JsonText> rows = new ArrayList<>();
+    byChannel.forEach(
+        (channel, trace) ->
+            rows.add(
+                new JsonText()
+                    .put("channel", channel)
+                    .put("messages", trace.size())
+                    .put("rateHz", durationS > 0 ? trace.size() / durationS : 0.0)
+                    .put("p50Ms", Trace.rounded(trace.quantile(0.5)))
+                    .put("p99Ms", Trace.rounded(trace.quantile(0.99)))
+                    .put("maxMs", Trace.rounded(trace.quantile(1.0)))));
+    return rows;
+  }
+}

@@ -1,0 +1,50 @@
+package org.u2sa.gcs.report;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.interfaces.JsonText;
+
+/** Writes the page: a template with style and script in it, and the runs as JSON. */
+final class ReportPage {
+  private static final List<String> PARTS = List.of("report.css", "report.js");
+
+  private ReportPage() {}
+
+  static void write(Path file, String title, List<RunContent> runs) {
+    List<JsonText> all = new ArrayList<>();
+    runs.forEach(run -> all.add(run.json()));
+    String data = inScript(new JsonText().put("title", title).put("runs", all).line());
+    String page = resource("report.html");
+    for (String part : PARTS) {
+      page = page.replace("{{" + part + "}}", resource(part));
+    }
+    String whole = page.replace("{{title}}", inMarkup(title)).replace("{{data}}", data);
+    ReportFile.writeText(file, out -> out.write(whole));
+  }
+
+  /** JSON that ends no script element and begins no comment, whatever texts it holds. */
+  static String inScript(String json) {
+    return json.replace("<", "\\u003c").replace("\u2028", "\\u2028").replace("\u2029", "\\u2029");
+  }
+
+  private static String inMarkup(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  }
+
+  private static String resource(String name) {
+    try (InputStream in = ReportPage.class.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException(name + " is missing: incomplete build");
+      }
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(name, e);
+    }
+  }
+}

@@ -1,0 +1,225 @@
+package org.u2sa.gcs.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.PercentageCommand;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.schema.MalformedMessageException;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapChannel;
+import org.u2sa.recorder.mcap.McapCursor;
+import org.u2sa.recorder.mcap.McapMessage;
+import org.u2sa.recorder.mcap.McapMetadata;
+import org.u2sa.recorder.mcap.McapReader;
+
+/** What a report shows of one recording, read in one pass. */
+final class RunContent {
+  private static final double NANOS = 1e9;
+  private static final double MILLIS = 1e3;
+  private static final double OTHER_CLOCK_S = 86_400.0;
+
+  private final String name;
+  private final RunMap map = new RunMap();
+  private final RunTimeline timeline = new RunTimeline();
+  private final HopLatency latency = new HopLatency();
+  private final Map<String, Trace> callbacks = new LinkedHashMap<>();
+  private final TruthTrack truth; // null: not known
+  private final StateCharts charts;
+  private final long startNanos;
+  private final double durationS;
+  private final List<JsonText> facts = new ArrayList<>();
+  private int goalsSeen;
+  private int goalsReached;
+
+  private RunContent(Path file, McapReader reader, TruthTrack truth) {
+    name = name(file);
+    this.truth = truth;
+    startNanos = reader.statistics().startNanos();
+    durationS = (reader.statistics().endNanos() - startNanos) / NANOS;
+    charts = new StateCharts(map, truth, 0.0);
+  }
+
+  /** A run is called by its folder where the file has its usual name. */
+  private static String name(Path file) {
+    Path folder = file.toAbsolutePath().getParent();
+    String own = file.getFileName().toString().replaceFirst("\\.mcap$", "");
+    return own.equals("recording") && folder != null && folder.getFileName() != null
+        ? folder.getFileName().toString()
+        : own;
+  }
+
+  /**
+   * Reads a recording.
+   *
+   * @param truthFile a demo's track.csv; empty: the one beside the recording, if there is one
+   * @throws BadInputException if it holds no messages as they were published
+   */
+  static RunContent read(Path file, Optional<Path> truthFile) throws IOException {
+    Path beside = file.resolveSibling("track.csv");
+    TruthTrack truth = null;
+    if (truthFile.isPresent()) {
+      truth = TruthTrack.read(truthFile.get());
+    } else if (Files.isRegularFile(beside)) {
+      truth = TruthTrack.read(beside);
+    }
+    try (McapReader reader = McapReader.open(file)) {
+      RunContent content = new RunContent(file, reader, truth);
+      content.read(file, reader);
+      return content;
+    }
+  }
+
+  private void read(Path file, McapReader reader) throws IOException {
+    Map<Integer, Topic> topics = new LinkedHashMap<>();
+    for (McapChannel channel : reader.channels().values()) {
+      if (channel.messageEncoding().equals("cbor")) {
+        topics.put(channel.id(), topic(file, channel));
+      }
+    }
+    if (topics.isEmpty()) {
+      throw new BadInputException(
+          file
+              + ": holds no message as it was published; expected one recorded with --form u2sa or both");
+    }
+    facts(file, reader);
+    MessageCodec codec = new MessageCodec(MessageTypes.discovered());
+    McapCursor cursor =
+        reader.messages(Long.MIN_VALUE, channel -> topics.containsKey(channel.id()));
+    for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
+      Topic topic = topics.get(m.get().channelId());
+      try {
+        take(topic, codec.decode(topic.typeChain(), m.get().data()), m.get().logTimeNanos());
+      } catch (MalformedMessageException e) {
+        throw new BadInputException(file + ": a message on " + topic + ": " + e, e);
+      }
+    }
+  }
+
+  private static Topic topic(Path file, McapChannel channel) {
+    try {
+      return Topic.parse(channel.topic());
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(file + ": " + e.getMessage(), e);
+    }
+  }
+
+  private void facts(Path file, McapReader reader) throws IOException {
+    fact("file", file.toString());
+    fact("messages", String.valueOf(reader.statistics().messages()));
+    for (McapMetadata metadata : reader.metadata()) {
+      metadata.entries().forEach((key, value) -> fact(metadata.name() + " " + key, value));
+    }
+    for (String attachment : reader.attachmentNames()) {
+      if (attachment.endsWith(".log")) {
+        byte[] data = reader.attachment(attachment).orElseThrow().data();
+        long lines =
+            new String(data, StandardCharsets.UTF_8)
+                .lines()
+                .filter(line -> line.contains(" | WARN | ") || line.contains(" | ERROR | "))
+                .count();
+        if (lines > 0) {
+          fact(attachment, lines + " warnings and errors; ./u2sa log " + file + " --level warn");
+        }
+      }
+    }
+  }
+
+  private void fact(String key, String value) {
+    facts.add(new JsonText().put("name", key).put("value", value));
+  }
+
+  private void take(Topic topic, U2SAData message, long logNanos) {
+    double timeS = (logNanos - startNanos) / NANOS;
+    double measuredS =
+        message.timestamp().isPresent()
+            ? (message.timestamp().getAsLong() * MILLIS - startNanos) / NANOS
+            : timeS;
+    if (message.timestamp().isPresent() && Math.abs(timeS - measuredS) < OTHER_CLOCK_S) {
+      latency.take(topic.channel(), timeS, timeS - measuredS);
+    }
+    timeline.take(timeS, message);
+    if (message instanceof StateInformation state
+        && topic.channel().equals(Channels.STATE.name())) {
+      charts.take(measuredS, state);
+    } else if (message instanceof GoalList goals) {
+      charts.take(goals);
+      goalsSeen = goals.goals().size();
+      goalsReached =
+          (int) goals.goals().stream().filter(g -> g.completed() && !g.abandoned()).count();
+    } else if (message instanceof ObjectList objects) {
+      map.take(objects);
+    } else if (message instanceof PercentageCommand command) {
+      charts.take(timeS, command);
+    } else if (message instanceof HealthReport report && report.callbackP99().isPresent()) {
+      callbacks
+          .computeIfAbsent(report.serviceName(), Trace::new)
+          .add(timeS, report.callbackP99().getAsDouble() * MILLIS);
+    }
+  }
+
+  /** All of it, for the page. */
+  JsonText json() {
+    List<JsonText> drawn = new ArrayList<>();
+    List<Chart> all = new ArrayList<>(charts.charts());
+    all.add(latency.chart());
+    all.add(
+        new Chart(
+            "Callback time of services, 99th percentile",
+            "ms",
+            List.copyOf(callbacks.values()),
+            null));
+    all.stream().filter(chart -> !chart.isEmpty()).forEach(chart -> drawn.add(chart.json()));
+    return new JsonText()
+        .put("name", name)
+        .put("durationS", Trace.rounded(durationS))
+        .put("figures", figures())
+        .put("map", map.json(truth, 0.0))
+        .put("charts", drawn)
+        .put("latency", latency.rows(durationS))
+        .put("timeline", timeline.json())
+        .put("facts", facts);
+  }
+
+  /** What runs are compared by: name, value, unit. */
+  private List<JsonText> figures() {
+    List<JsonText> figures = new ArrayList<>();
+    figures.add(figure("duration", Trace.rounded(durationS), "s"));
+    figures.add(figure("goals reached", (double) goalsReached, ""));
+    figures.add(figure("goals", (double) goalsSeen, ""));
+    Trace off = charts.crossTrack();
+    if (off.size() > 0) {
+      figures.add(
+          figure("off the line, root mean square", Trace.rounded(off.rootMeanSquare()), "m"));
+      figures.add(figure("off the line, greatest", Trace.rounded(off.greatestMagnitude()), "m"));
+    }
+    if (charts.positionErrorRms() != null) {
+      figures.add(figure("position error, root mean square", charts.positionErrorRms(), "m"));
+    }
+    figures.add(figure("failsafes", (double) timeline.count("failsafe", true), ""));
+    figures.add(figure("services not alive", (double) timeline.count("condition", true), ""));
+    figures.add(figure("emergency stops", (double) timeline.count("stop", true), ""));
+    figures.add(
+        figure("configuration changes", (double) timeline.count("configuration", false), ""));
+    return figures;
+  }
+
+  private static JsonText figure(String name, double value, String unit) {
+    return new JsonText().put("name", name).put("value", value).put("unit", unit);
+  }
+}

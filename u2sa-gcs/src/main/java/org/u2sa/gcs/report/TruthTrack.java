@@ -1,0 +1,88 @@
+package org.u2sa.gcs.report;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.frame.Geodetic;
+
+/** Where a simulated vehicle really was: a demo's track.csv. */
+final class TruthTrack {
+  private static final List<String> COLUMNS =
+      List.of("time_s", "longitude_deg", "latitude_deg", "altitude_m", "heading_deg");
+  private static final double HALF_TURN_DEG = 180.0;
+  private static final double TURN_DEG = 360.0;
+
+  /** Where it was, and whither it pointed [rad, clockwise from north]. */
+  record Place(Geodetic at, double headingRad) {}
+
+  private final List<double[]> rows = new ArrayList<>(); // in COLUMNS' order, by time
+
+  private TruthTrack() {}
+
+  /**
+   * Reads a file.
+   *
+   * @throws BadInputException if it is not such a one
+   */
+  static TruthTrack read(Path file) throws IOException {
+    List<String> lines = Files.readAllLines(file);
+    List<String> heads = lines.isEmpty() ? List.of() : Arrays.asList(lines.get(0).split(","));
+    if (!heads.containsAll(COLUMNS)) {
+      throw new BadInputException(
+          file + ": expected a demo's track.csv with the columns " + String.join(", ", COLUMNS));
+    }
+    int[] at = COLUMNS.stream().mapToInt(heads::indexOf).toArray();
+    TruthTrack track = new TruthTrack();
+    for (int i = 1; i < lines.size(); i++) {
+      String[] cells = lines.get(i).split(",");
+      double[] row = new double[at.length];
+      try {
+        for (int c = 0; c < at.length; c++) {
+          row[c] = Double.parseDouble(cells[at[c]]);
+        }
+      } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
+        throw new BadInputException(file + ", line " + (i + 1) + ": expected numbers", e);
+      }
+      track.rows.add(row);
+    }
+    return track;
+  }
+
+  /** All places, with their times [s]. */
+  List<double[]> rows() {
+    return rows;
+  }
+
+  /** Where it was at that time [s]; empty before the first and after the last row. */
+  Optional<Place> at(double timeS) {
+    int low = 0;
+    int high = rows.size() - 1;
+    if (high < 0 || timeS < rows.get(0)[0] || timeS > rows.get(high)[0]) {
+      return Optional.empty();
+    }
+    while (high - low > 1) {
+      int middle = (low + high) / 2;
+      if (rows.get(middle)[0] <= timeS) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    double[] a = rows.get(low);
+    double[] b = rows.get(high);
+    double share = b[0] > a[0] ? (timeS - a[0]) / (b[0] - a[0]) : 0.0;
+    double turn = (b[4] - a[4] + HALF_TURN_DEG + TURN_DEG) % TURN_DEG - HALF_TURN_DEG;
+    return Optional.of(
+        new Place(
+            new Geodetic(
+                a[1] + share * (b[1] - a[1]),
+                a[2] + share * (b[2] - a[2]),
+                a[3] + share * (b[3] - a[3])),
+            Math.toRadians(a[4] + share * turn)));
+  }
+}

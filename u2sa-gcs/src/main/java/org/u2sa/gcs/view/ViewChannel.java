@@ -1,0 +1,36 @@
+package org.u2sa.gcs.view;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import org.u2sa.interfaces.JsonText;
+
+/**
+ * A channel as viewers see it.
+ *
+ * @param id unique in the server
+ * @param topic its name
+ * @param encoding of the messages: json or protobuf
+ * @param schemaName name of their type
+ * @param schema of the type: JSON Schema, or a FileDescriptorSet; not copied, not to be changed
+ * @param latched whether a viewer that comes late is sent the last message
+ */
+record ViewChannel(
+    int id, String topic, String encoding, String schemaName, byte[] schema, boolean latched) {
+  static final String JSON = "json";
+  static final String PROTOBUF = "protobuf";
+
+  JsonText advertisement() {
+    boolean json = encoding.equals(JSON);
+    return new JsonText()
+        .put("id", id)
+        .put("topic", topic)
+        .put("encoding", encoding)
+        .put("schemaName", schemaName)
+        .put(
+            "schema",
+            json
+                ? new String(schema, StandardCharsets.UTF_8)
+                : Base64.getEncoder().encodeToString(schema))
+        .put("schemaEncoding", json ? "jsonschema" : PROTOBUF);
+  }
+}

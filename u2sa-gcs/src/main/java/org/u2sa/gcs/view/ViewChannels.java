@@ -1,0 +1,47 @@
+package org.u2sa.gcs.view;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** All channels that were announced so far, by topic, and the last message of those that latch. */
+final class ViewChannels {
+  /** A message that was sent last [ns]. */
+  record Last(long nanos, byte[] data) {}
+
+  private final Map<String, ViewChannel> byTopic = new LinkedHashMap<>(); // guarded by this
+  private final Map<Integer, ViewChannel> byId = new LinkedHashMap<>(); // guarded by this
+  private final Map<Integer, Last> last = new LinkedHashMap<>(); // guarded by this
+
+  synchronized Optional<ViewChannel> of(String topic) {
+    return Optional.ofNullable(byTopic.get(topic));
+  }
+
+  synchronized boolean has(long id) {
+    return id == (int) id && byId.containsKey((int) id);
+  }
+
+  /** Adds a channel with the next number. */
+  synchronized ViewChannel add(
+      String topic, String encoding, String schemaName, byte[] schema, boolean latched) {
+    ViewChannel channel =
+        new ViewChannel(byTopic.size() + 1, topic, encoding, schemaName, schema, latched);
+    byTopic.put(topic, channel);
+    byId.put(channel.id(), channel);
+    return channel;
+  }
+
+  synchronized List<ViewChannel> all() {
+    return new ArrayList<>(byTopic.values());
+  }
+
+  synchronized void keep(ViewChannel channel, long nanos, byte[] data) {
+    last.put(channel.id(), new Last(nanos, data));
+  }
+
+  synchronized Optional<Last> last(int id) {
+    return Optional.ofNullable(last.get(id));
+  }
+}

@@ -1,0 +1,73 @@
+package org.u2sa.gcs.view;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Set;
+import org.u2sa.gcs.message.MessageJson;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.SchemaText;
+import org.u2sa.recorder.foxglove.FoxgloveMessages;
+
+/**
+ * Turns messages into what viewers get: each message as JSON on its topic, and its views in
+ * protobuf, on the topics and with the schemas that a recording has. Belongs to one thread.
+ */
+final class ViewFeed {
+  private static final Set<String> LATCHED_VIEWS = Set.of("grid", "objects", "plan");
+
+  private final ViewServer server;
+  private final String systemId;
+  private final FoxgloveMessages views;
+  private final boolean makesViews;
+
+  /**
+   * @param makesViews false if views come otherwise, as from a recording that holds them
+   */
+  ViewFeed(ViewServer server, String systemId, boolean makesViews) {
+    this.server = server;
+    this.systemId = systemId;
+    this.makesViews = makesViews;
+    views = new FoxgloveMessages(systemId);
+  }
+
+  /**
+   * Takes a message.
+   *
+   * @param nanos when it was received [ns]
+   */
+  void take(Channel<?> channel, U2SAData message, long nanos) {
+    Topic topic = Topic.of(systemId, channel, message);
+    ViewChannel own =
+        server.channel(
+            topic.toString(),
+            ViewChannel.JSON,
+            MessageJson.typeName(message),
+            () -> SchemaText.of(message.type()).getBytes(StandardCharsets.UTF_8),
+            channel.isRetained());
+    server.publish(
+        own, nanos, () -> MessageJson.fields(message).line().getBytes(StandardCharsets.UTF_8));
+    if (!makesViews) {
+      return;
+    }
+    try {
+      views.write(channel, message, nanos, view -> take(view, nanos));
+    } catch (IOException e) {
+      throw new UncheckedIOException("views are made in memory", e);
+    }
+  }
+
+  private void take(FoxgloveMessages.View view, long nanos) {
+    String name = view.topic().substring(view.topic().lastIndexOf('/') + 1);
+    ViewChannel channel =
+        server.channel(
+            view.topic(),
+            ViewChannel.PROTOBUF,
+            view.schemaName(),
+            view::schemaData,
+            LATCHED_VIEWS.contains(name));
+    server.publish(channel, nanos, view::data);
+  }
+}
