@@ -581,5 +581,10 @@ class LentTurnsTest {
     assertThat(takers.get(3)).isSameAs(again);
     assertThat(List.of(takers.get(1), takers.get(4))).doesNotContain(again);
     assertThat(events).hasSize(11);
+    for (Lender lender : lenders) {
+      lender.turns.set(() -> Clock.Turns.OVER);
+      lender.waiter.close();
+    }
+    takers.get(4).join(); // without end if it is left behind
   }
 }
