@@ -57,7 +57,7 @@ final class TurnCarriers {
 
     private Carrier(String name) {
       super(name);
-      setDaemon(true);
+      setDaemon(false); // nor are the threads that a turn starts, whoever happened to make this one
       wait.begin();
     }
 

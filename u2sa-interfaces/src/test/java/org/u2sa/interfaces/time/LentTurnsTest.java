@@ -110,6 +110,27 @@ class LentTurnsTest {
   }
 
   @Test
+  void lend_turnStartsAThread_itIsNoDaemon() throws InterruptedException {
+    List<Thread> started = Collections.synchronizedList(new ArrayList<>());
+    lender(
+        "a",
+        () -> {
+          Thread thread = new Thread(() -> events.add("started"));
+          thread.start();
+          started.add(thread);
+          return clock.micros() + 10;
+        });
+
+    clock.advance(10);
+
+    assertThat(started.get(1).isDaemon()).isFalse(); // though the lender, which made it, is one
+    for (Thread thread : started) {
+      thread.join();
+    }
+    assertThat(events).containsExactly("started", "started");
+  }
+
+  @Test
   void lend_threadsEndOneByOne_theCarrierEndsWithTheLast() throws InterruptedException {
     Lender a = periodic("a", 20);
     Lender b = periodic("b", 30);
@@ -436,7 +457,8 @@ class LentTurnsTest {
                 if (waitsInside) {
                   a[0].waiter.await(Clock.NEVER); // it is closed: no wait
                 }
-                return Clock.Turns.OVER;
+                a[0].turns.set(() -> Clock.Turns.OVER); // for the lender itself
+                return clock.micros() + 10;
               }
               return 10;
             });
@@ -463,6 +485,7 @@ class LentTurnsTest {
     ends.countDown();
     a[0].join();
     assertThat(a[0].thrown).isNull();
+    assertThat(a[0].takers).endsWith(a[0]);
   }
 
   @Test
@@ -558,5 +581,10 @@ class LentTurnsTest {
     assertThat(takers.get(3)).isSameAs(again);
     assertThat(List.of(takers.get(1), takers.get(4))).doesNotContain(again);
     assertThat(events).hasSize(11);
+    for (Lender lender : lenders) {
+      lender.turns.set(() -> Clock.Turns.OVER);
+      lender.waiter.close();
+    }
+    takers.get(4).join(); // without end if it is left behind
   }
 }
