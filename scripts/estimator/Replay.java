@@ -30,7 +30,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * </pre>
  */
 final class Replay {
-  private static final long OUTPUT_MICROS = 10_000;
+  private static final long OUTPUT_MICROS = 50_000;
 
   private final ErrorStateFilter filter;
   private final MeasurementReader reader = new MeasurementReader(UsualSigmas.ORDINARY);
@@ -120,36 +120,9 @@ final class Replay {
   }
 
   private void landmark(String source, long micros, double[] n) {
-    Estimate e = filter.at(micros);
-    if (!e.hasHeading()) {
-      return;
-    }
-    double towards = Math.PI / 2.0 - e.psi() + n[6]; // counter-clockwise from east
-    // The bearing tells the heading as far as the position is known, and the range the position as far as the heading is.
-    double apartE = n[3] - e.localM(1);
-    double apartN = n[4] - e.localM(0);
-    double apart = Math.hypot(apartE, apartN);
-    double sigmaM = Math.hypot(e.positionSigmaM(0), e.positionSigmaM(1));
-    double psi = Math.atan2(apartN, apartE) - n[6];
-    add(
-        new StateInformation()
-            .referenceFrame(ReferenceFrame.LOCAL_ENU)
-            .psi(psi)
-            .psiSigma(Math.hypot(n[8], sigmaM / Math.max(0.1, apart))),
-        source + " bearing",
-        micros);
-    double across = n[5] * Math.hypot(n[8], e.attitudeSigma(2));
-    double c = Math.cos(towards);
-    double s = Math.sin(towards);
-    add(
-        new StateInformation()
-            .referenceFrame(ReferenceFrame.LOCAL_ENU)
-            .x(n[3] - n[5] * c)
-            .y(n[4] - n[5] * s)
-            .xSigma(Math.hypot(n[7] * c, across * s))
-            .ySigma(Math.hypot(n[7] * s, across * c)),
-        source,
-        micros);
+    double bearing = -n[6]; // counter-clockwise in the recording
+    measurement.begin(source, micros).sighting(n[5], bearing, n[7], n[8]).ofLocal(n[4], n[3]);
+    filter.add(measurement);
   }
 
   private static String text(Estimate e) {

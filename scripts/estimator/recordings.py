@@ -17,6 +17,8 @@ import tempfile
 
 import numpy as np
 
+ODOMETRY_S = 0.1
+
 
 def replay(java, domain, lines, work, name, needs_position=True):
     source, answer = work / (name + ".txt"), work / (name + ".out")
@@ -163,10 +165,12 @@ def mrclam_lines(folder, robot):
     first = truth[np.searchsorted(truth[:, 0], start)]
     micros = lambda t: int(round(t * 1e6))  # noqa: E731
     events = [(start, 0, "S %d Start LOCAL_ENU x=%.5f y=%.5f psi=%.5f xSigma=0.05 ySigma=0.05 psiSigma=0.05" % (micros(start), *first[1:4]))]
-    for t, v, w in odometry:
-        if start <= t <= end:
-            events.append((t, 1, "S %d Odometry BODY_FLU xDot=%.4f psiDot=%.4f xDotSigma=%.3f psiDotSigma=%.3f" % (
-                micros(t), v, w, 0.05 + 0.3 * abs(v), 0.2 + abs(w))))  # commands rather than measurements: errors persist
+    # Commands, held for a second and more, rather than measurements: a hundred equal ones a second are no hundred opinions.
+    driven = odometry[(odometry[:, 0] >= start) & (odometry[:, 0] <= end)]
+    for interval in np.split(driven, np.flatnonzero(np.diff(np.floor(driven[:, 0] / ODOMETRY_S))) + 1):
+        t, v, w = interval[-1, 0], *interval[:, 1:].mean(axis=0)
+        events.append((t, 1, "S %d Odometry BODY_FLU xDot=%.4f psiDot=%.4f xDotSigma=%.3f psiDotSigma=%.3f" % (
+            micros(t), v, w, 0.05 + 0.3 * abs(v), 0.2 + abs(w))))
     for t, code, distance, bearing in seen:
         subject = subjects.get(int(code))
         if subject in landmarks and start <= t <= end:

@@ -80,6 +80,7 @@ final class FilterState {
   long fluidMicros;
   long constraintMicros;
   long movingMicros; // since when the direction of motion is good enough to stand for a heading
+  long accusedMicros; // when an inertial source was found to lie; 0: never
   long resets;
   final int[] persistentSource = PersistentErrors.nobody(); // by slot
 
@@ -115,6 +116,7 @@ final class FilterState {
     fluidMicros = o.fluidMicros;
     constraintMicros = o.constraintMicros;
     movingMicros = o.movingMicros;
+    accusedMicros = o.accusedMicros;
     resets = o.resets;
     System.arraycopy(o.persistentSource, 0, persistentSource, 0, PersistentErrors.SLOTS);
   }

@@ -16,6 +16,7 @@ final class Fuser {
   private final FilterTuning tuning;
   private final SourceTrust trust;
   private final ProcessModel process;
+  private final InertialVote vote;
   private final InertialInput inertial;
   private final SourceJudge judge;
   private final QuantityStart starts;
@@ -28,6 +29,7 @@ final class Fuser {
     this.tuning = tuning;
     this.trust = trust;
     this.process = process;
+    vote = new InertialVote(tuning, trust);
     inertial = new InertialInput(tuning);
     judge = new SourceJudge(tuning, trust);
     starts = new QuantityStart(tuning);
@@ -51,13 +53,22 @@ final class Fuser {
       Alignment.start(s, m.micros(), tuning);
     }
     trust.heard(s, m, source);
-    boolean drives = m.isWhole(SensedQuantity.BODY_RATES) && inertial.isMain(s, source, m.micros());
-    if (drives && !judge.isStuck(s, source)) {
+    boolean isWhole = m.isWhole(SensedQuantity.BODY_RATES);
+    if (isWhole) {
+      vote.heard(s, m, source);
+    }
+    boolean drives =
+        isWhole
+            && inertial.isMain(s, source, m.micros())
+            && !vote.isLeftOut(s, source)
+            && !judge.isStuck(s, source)
+            && vote.isBelieved(s, m, source, judge.isContradicted(s, source));
+    if (drives) {
       inertial.take(s, m, source, process);
       count(s, trust.of(s, source, SensedQuantity.BODY_RATES), SourceTrust.USED);
     } else {
       process.predict(s, m.micros());
-      if (!m.isWhole(SensedQuantity.BODY_RATES)) {
+      if (!isWhole) {
         vector(s, m, source, SensedQuantity.BODY_RATES);
       }
     }
@@ -150,6 +161,7 @@ final class Fuser {
     switch (quantity) {
       case PLACE:
       case LOCAL_PLACE:
+      case LANDMARK:
         s.positionMicros = s.micros;
         break;
       case VELOCITY:

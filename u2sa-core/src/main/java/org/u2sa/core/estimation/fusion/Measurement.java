@@ -14,6 +14,8 @@ public final class Measurement {
   private final double[] values = new double[SIZE];
   private final double[] sigmas = new double[SIZE];
   private final byte[] present = new byte[SensedQuantity.count()];
+  private final double[] landmark = new double[2];
+  private boolean isLandmarkOnEarth;
   private String source = "";
   private long micros;
 
@@ -33,6 +35,8 @@ public final class Measurement {
     System.arraycopy(other.values, 0, values, 0, values.length);
     System.arraycopy(other.sigmas, 0, sigmas, 0, sigmas.length);
     System.arraycopy(other.present, 0, present, 0, present.length);
+    System.arraycopy(other.landmark, 0, landmark, 0, landmark.length);
+    isLandmarkOnEarth = other.isLandmarkOnEarth;
   }
 
   void set(SensedQuantity quantity, int component, double value, double sigma) {
@@ -87,6 +91,43 @@ public final class Measurement {
   public Measurement forwardThroughFluid(double mps, double sigma) {
     set(SensedQuantity.FLUID_VELOCITY, 0, mps, sigma);
     return this;
+  }
+
+  /**
+   * Something of known place, seen from the vehicle.
+   *
+   * @param range to it on the map [m]
+   * @param bearing to it [rad], clockwise from the vehicle's nose
+   */
+  public Measurement sighting(double range, double bearing, double rangeSigma, double sigma) {
+    set(SensedQuantity.LANDMARK, 0, range, rangeSigma);
+    set(SensedQuantity.LANDMARK, 1, bearing, sigma);
+    return this;
+  }
+
+  /** Where that is, in the local frame: north and east [m]. */
+  public Measurement ofLocal(double north, double east) {
+    landmark[0] = north;
+    landmark[1] = east;
+    isLandmarkOnEarth = false;
+    return this;
+  }
+
+  /** Where that is, on WGS-84 [deg]. */
+  public Measurement ofPlace(double latitudeDeg, double longitudeDeg) {
+    landmark[0] = Math.toRadians(latitudeDeg);
+    landmark[1] = Math.toRadians(longitudeDeg);
+    isLandmarkOnEarth = true;
+    return this;
+  }
+
+  /** Latitude and longitude [rad], or north and east [m]. */
+  double landmark(int component) {
+    return landmark[component];
+  }
+
+  boolean isLandmarkOnEarth() {
+    return isLandmarkOnEarth;
   }
 
   /** Heading [rad], clockwise from true north. */
@@ -172,6 +213,13 @@ public final class Measurement {
       }
     }
     return true;
+  }
+
+  /** A rate (0, 1, 2) or force (3, 4, 5) of the numbers that {@link #keep} kept. */
+  static double inertial(double[] kept, int from, int axis) {
+    SensedQuantity quantity =
+        axis < WIDTH ? SensedQuantity.BODY_RATES : SensedQuantity.SPECIFIC_FORCE;
+    return kept[from + quantity.ordinal() * WIDTH + axis % WIDTH];
   }
 
   int keep(double[] to, int from) {

@@ -10,6 +10,7 @@ import org.ejml.data.DMatrixRMaj;
 final class MeasurementModel {
   private static final int N = FilterState.N;
   private static final double FULL_TURN = 2.0 * Math.PI;
+  private static final double NEAREST_M = 0.1; // of a landmark
   private static final double STEEP = 0.02; // cos θ below which roll and heading are not told apart
 
   /** Jacobian: the first {@link #rows} rows count. */
@@ -65,6 +66,8 @@ final class MeasurementModel {
       case SPECIFIC_FORCE:
         gravity(s, m);
         return s.hasTilt;
+      case LANDMARK:
+        return s.hasHeading && m.isWhole(quantity) && landmark(s, m);
       default:
         return false;
     }
@@ -326,6 +329,44 @@ final class MeasurementModel {
             m.sigma(SensedQuantity.SPECIFIC_FORCE, axis));
       }
     }
+  }
+
+  /**
+   * Range and bearing of a known place. Near it both bend: what the curvature may hide is added to
+   * the variances (second-order terms, Jazwinski 1970, section 9.3).
+   */
+  private boolean landmark(FilterState s, Measurement m) {
+    boolean isOnEarth = m.isLandmarkOnEarth();
+    if (isOnEarth ? !s.hasPlace : !(s.hasLocal || s.hasPlace)) {
+      return false;
+    }
+    double north = m.landmark(0) - s.x[isOnEarth ? FilterState.LATITUDE : FilterState.NORTH];
+    double east = m.landmark(1) - s.x[isOnEarth ? FilterState.LONGITUDE : FilterState.NORTH + 1];
+    if (isOnEarth) {
+      north *= s.northRadiusM();
+      east = Math.IEEEremainder(east, FULL_TURN) * s.axisDistanceM();
+    }
+    double range = Math.max(NEAREST_M, Math.sqrt(north * north + east * east));
+    double range2 = range * range;
+    double spread = s.variance(FilterState.POSITION) + s.variance(FilterState.POSITION + 1);
+    set(FilterState.POSITION, -north / range);
+    set(FilterState.POSITION + 1, -east / range);
+    row(m.value(SensedQuantity.LANDMARK, 0), range, m.sigma(SensedQuantity.LANDMARK, 0));
+    variance[0] += spread * spread / (2.0 * range2);
+    if (!headingRow(s.hasTilt)) {
+      return true; // the nose points up: what is left is the range
+    }
+    for (int i = 0; i < 3; i++) {
+      h.data[N + FilterState.ATTITUDE + i] *= -1.0;
+    }
+    set(FilterState.POSITION, east / range2);
+    set(FilterState.POSITION + 1, -north / range2);
+    double bearing = StrictMath.atan2(east, north) - Quaternions.psi(r);
+    double measured = m.value(SensedQuantity.LANDMARK, 1);
+    double apart = Math.IEEEremainder(measured - bearing, FULL_TURN);
+    row(bearing + apart, bearing, m.sigma(SensedQuantity.LANDMARK, 1));
+    variance[1] += spread * spread / (2.0 * range2 * range2);
+    return true;
   }
 
   /** Standard deviations of roll, pitch and heading [rad] in a state. */

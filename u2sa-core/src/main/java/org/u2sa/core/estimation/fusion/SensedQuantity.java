@@ -28,7 +28,9 @@ enum SensedQuantity {
   /** Rates of roll, pitch and heading [rad/s]. */
   EULER_RATES("turn rates", 3),
   /** Through the fluid along BODY_FRD [m/s]. */
-  FLUID_VELOCITY("speed through the fluid", 3);
+  FLUID_VELOCITY("speed through the fluid", 3),
+  /** Range [m] and bearing [rad, clockwise from the nose] of something whose place is known. */
+  LANDMARK("landmark", 2);
 
   private static final SensedQuantity[] ALL = values();
 
@@ -67,6 +69,7 @@ enum SensedQuantity {
     switch (quantity) {
       case PLACE:
       case LOCAL_PLACE:
+      case LANDMARK:
         return -1;
       case ALTITUDE:
       case LOCAL_DOWN:

@@ -116,7 +116,8 @@ final class SourceJudge {
     return streak >= RESET_AFTER && since >= tuning.resetAfterS() && isAlone;
   }
 
-  private boolean isContradicted(FilterState s, int source) {
+  /** Whether what another source measures is refused, time after time. */
+  boolean isContradicted(FilterState s, int source) {
     for (int other = 0; other < trust.sources(); other++) {
       for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
         SensedQuantity quantity = SensedQuantity.at(q);

@@ -21,7 +21,8 @@ final class SourceTrust {
   static final int MESSAGES = 2;
   static final int RUN = 3; // messages with the same values as the one before
   static final int IS_FROZEN = 4;
-  private static final int KEPT = 5; // the values themselves
+  static final int INERTIAL = 5; // rates and forces that it measures: 0, 3 or 6
+  static final int KEPT = 6; // the values themselves
   private static final int SOURCE_SIZE = KEPT + Measurement.SIZE;
 
   // Of a quantity of a source.

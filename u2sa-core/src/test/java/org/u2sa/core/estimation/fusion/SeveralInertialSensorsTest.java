@@ -1,0 +1,171 @@
+package org.u2sa.core.estimation.fusion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.u2sa.core.estimation.fusion.SourceReports.Standing;
+
+/** Two and three inertial sensors on one vehicle: the one that lies is left out and named. */
+class SeveralInertialSensorsTest {
+  private static final int SECONDS = 60;
+  private static final int LIES_FROM = 2000; // steps: biases are known by then
+  private static final int STEPS = 100 * SECONDS;
+
+  /** What becomes of an inertial measurement. */
+  enum Lie {
+    FROZEN {
+      @Override
+      double rate(double rate, double last, int steps) {
+        return last;
+      }
+    },
+    WRONG_SIGN {
+      @Override
+      double rate(double rate, double last, int steps) {
+        return -rate;
+      }
+    },
+    SCALED {
+      @Override
+      double rate(double rate, double last, int steps) {
+        return 2.0 * rate;
+      }
+    },
+    JUMPED {
+      @Override
+      double rate(double rate, double last, int steps) {
+        return rate + 0.3;
+      }
+    },
+    DRIFTING {
+      @Override
+      double rate(double rate, double last, int steps) {
+        return rate + 0.0005 * steps;
+      }
+    };
+
+    abstract double rate(double rate, double last, int steps);
+  }
+
+  /** One flight. */
+  private static final class Flight {
+    final SimulatedMotion truth;
+    final ErrorStateFilter filter =
+        new ErrorStateFilter(Tunings.withoutConstraint(MotionDomain.AIR));
+    private final Measurement m = new Measurement();
+    private final double[] last = new double[3];
+    private double squares;
+    private int samples;
+
+    Flight(long seed) {
+      truth = new SimulatedMotion(seed);
+    }
+
+    /**
+     * Flies with that many inertial sensors.
+     *
+     * @param liar which of them lies from LIES_FROM on; -1: none
+     */
+    Flight fly(int sensors, int liar, Lie lie) {
+      double[][] bias = new double[3][];
+      for (int i = 0; i < 3; i++) {
+        bias[i] = truth.biases(0.01, 0.1);
+      }
+      for (int i = 1; i <= STEPS; i++) {
+        truth.fly(i < 200 ? 0.0 : 1.0, i < 200 ? 0.0 : 0.3);
+        for (int k = 0; k < 3; k++) {
+          truth.imu(m, "IMU " + k, bias[k], 0.02, 0.2); // drawn always: one motion for all
+          if (k == liar && i >= LIES_FROM) {
+            falsify(lie, i - LIES_FROM);
+          } else if (k == liar) {
+            keep();
+          }
+          if (k < sensors) {
+            filter.add(m);
+          }
+        }
+        if (i % 20 == 0) {
+          filter.add(truth.fix(m, "GPS", 0.5, 0.2, 1.0));
+        }
+        if (i % 10 == 0) {
+          filter.add(truth.compass(m, "Compass", 0.03));
+        }
+        if (i > LIES_FROM + 1000 && i % 10 == 0) { // ten seconds to see through it
+          look();
+        }
+      }
+      return this;
+    }
+
+    private void keep() {
+      for (int axis = 0; axis < 3; axis++) {
+        last[axis] = m.value(SensedQuantity.BODY_RATES, axis);
+      }
+    }
+
+    private void falsify(Lie lie, int steps) {
+      for (int axis = 0; axis < 3; axis++) {
+        double rate = lie.rate(m.value(SensedQuantity.BODY_RATES, axis), last[axis], steps);
+        m.set(SensedQuantity.BODY_RATES, axis, rate, 0.02);
+      }
+    }
+
+    private void look() {
+      Estimate e = filter.at(truth.micros);
+      double[] errors = truth.errors(e);
+      double tilt = e.phi() - Quaternions.phi(truth.r);
+      double pitch = e.theta() - Quaternions.theta(truth.r);
+      squares += errors[4] * errors[4] + tilt * tilt + pitch * pitch;
+      samples++;
+    }
+
+    /** RMS error of the attitude [rad]. */
+    double attitudeRms() {
+      return Math.sqrt(squares / samples);
+    }
+
+    Standing standing(int sensor) {
+      return filter.sources().at(truth.micros).stream()
+          .filter(each -> each.source().equals("IMU " + sensor))
+          .findFirst()
+          .orElseThrow()
+          .standing();
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Lie.class)
+  void add_oneOfThreeLies_isOutvotedAndNamed(Lie lie) {
+    Flight alone = new Flight(3).fly(1, -1, lie);
+    for (int liar = 0; liar < 3; liar++) {
+      Flight lied = new Flight(3).fly(3, liar, lie);
+      assertThat(lied.attitudeRms()).isLessThan(3.0 * alone.attitudeRms());
+      for (int sensor = 0; sensor < 3; sensor++) {
+        assertThat(lied.standing(sensor))
+            .as("sensor %d, liar %d", sensor, liar)
+            .isEqualTo(sensor == liar ? Standing.BIASED : Standing.USED);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Lie.class)
+  void add_secondOfTwoLies_isLeftOutAndNamed(Lie lie) {
+    Flight alone = new Flight(3).fly(1, -1, lie);
+    Flight lied = new Flight(3).fly(2, 1, lie);
+    assertThat(lied.attitudeRms()).isLessThan(1.1 * alone.attitudeRms());
+    assertThat(lied.standing(1)).isEqualTo(Standing.BIASED);
+    assertThat(lied.standing(0)).isEqualTo(Standing.USED);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Lie.class)
+  void add_firstOfTwoLies_theSecondTakesItsPlace(Lie lie) {
+    Flight alone = new Flight(3).fly(1, -1, lie);
+    Flight lied = new Flight(3).fly(2, 0, lie);
+    assertThat(lied.attitudeRms()).isLessThan(3.0 * alone.attitudeRms());
+    assertThat(lied.standing(1)).isEqualTo(Standing.USED);
+    assertThat(lied.standing(0)).isEqualTo(Standing.BIASED);
+  }
+}
