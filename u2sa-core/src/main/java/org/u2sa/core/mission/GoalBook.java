@@ -101,6 +101,18 @@ final class GoalBook {
     present.put(uid, now);
   }
 
+  /** Takes times of arrival from another process's clock to that of this run [µs later]. */
+  void shiftArrivals(long micros) {
+    for (Map.Entry<String, GoalInformation> each : present.entrySet()) {
+      GoalInformation goal = each.getValue();
+      if (goal.arrivedAt().isPresent()) {
+        GoalInformation shifted = goal.copy().arrivedAt(goal.arrivedAt().getAsLong() + micros);
+        shifted.freeze();
+        each.setValue(shifted);
+      }
+    }
+  }
+
   private static Optional<Long> optional(GoalInformation report) {
     return report.timestamp().isPresent()
         ? Optional.of(report.timestamp().getAsLong())

@@ -151,7 +151,11 @@ final class MissionOrders {
         order.uid().map(name -> known(mission, name)).orElseGet(() -> onlyCurrent(mission));
     if (!mission.followers().reachable(mission.currentNames()).contains(after)) {
       throw new BadInputException(
-          "goal \"" + after + "\" is not to be pursued any more; current: " + currentOf(mission));
+          "goal \""
+              + after
+              + "\" does not follow what is pursued, so nothing after it would be reached; current: "
+              + currentOf(mission)
+              + "; expected one of what follows, or insertion now");
     }
     insertion.after(after);
     return "inserted " + insertion.names() + " after \"" + after + "\"";

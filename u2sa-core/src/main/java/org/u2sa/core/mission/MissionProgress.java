@@ -30,6 +30,7 @@ final class MissionProgress {
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
   private OptionalLong beganMicros = OptionalLong.empty();
+  private OptionalLong beganElsewhere = OptionalLong.empty(); // by another process's clock
   private long elapsedMicros; // of the mission, failsafes left out
   private boolean limitPassed;
   private boolean paused;
@@ -64,6 +65,7 @@ final class MissionProgress {
     abandoned.clear();
     before = Optional.empty();
     beganMicros = OptionalLong.empty();
+    beganElsewhere = OptionalLong.empty();
     elapsedMicros = 0;
     limitPassed = false;
   }
@@ -137,7 +139,10 @@ final class MissionProgress {
   /** Takes note that another while has passed, until now [µs]; while paused, it does not count. */
   void pursuedFor(long micros, long nowMicros) {
     if (beganMicros.isEmpty() && micros > 0) {
-      beganMicros = OptionalLong.of(nowMicros - micros);
+      long began = Math.max(0, nowMicros - micros - elapsedMicros);
+      beganMicros = OptionalLong.of(began);
+      beganElsewhere.ifPresent(then -> mission().book().shiftArrivals(began - then));
+      beganElsewhere = OptionalLong.empty();
     }
     if (isHeld()) {
       return;
@@ -266,6 +271,7 @@ final class MissionProgress {
     pursued = mission();
     left = null;
     pursuedFor = FailsafeAction.CONTINUE;
-    beganMicros = OptionalLong.empty(); // by another clock
+    beganElsewhere = beganMicros;
+    beganMicros = OptionalLong.empty();
   }
 }

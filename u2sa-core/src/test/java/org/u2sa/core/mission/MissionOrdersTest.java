@@ -197,7 +197,7 @@ class MissionOrdersTest extends ThreeWaypoints {
     complete("1");
     refused(
         goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>").uid("1"),
-        "goal \"1\" is not to be pursued any more; current: 2");
+        "goal \"1\" does not follow what is pursued, so nothing after it would be reached; current: 2; expected one of what follows, or insertion now");
   }
 
   @Test

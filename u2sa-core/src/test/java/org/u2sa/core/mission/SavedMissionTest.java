@@ -53,6 +53,37 @@ class SavedMissionTest extends ThreeWaypoints {
     assertThat(logged("mission is over: completed [1, 2, 3]")).isTrue();
   }
 
+  private MissionReport report() {
+    kit.publish(Channels.MISSION, new MissionRequest().requestId("r"));
+    return (MissionReport) kit.latest(Channels.MISSION).orElseThrow();
+  }
+
+  private long arrivedAfterMicros() {
+    MissionReport report = report();
+    return report.goals().get(0).arrivedAt().orElseThrow() - report.began().orElseThrow();
+  }
+
+  @Test
+  void always_anotherProcessLater_arrivalsAreAsLongAfterTheBeginning() {
+    kit.with("RESUME", "ALWAYS");
+    MissionManager before = kit.start(MissionManager::new);
+    kit.advance(30.0);
+    complete("1");
+    long arrived = arrivedAfterMicros();
+    kit.advance(20.0);
+    complete("2");
+    double elapsed = report().elapsed();
+    kit.advance(200.0);
+    nextProcess(before);
+    kit.advance(5.0);
+
+    assertThat(arrived).isBetween(29_000_000L, 30_000_000L);
+    assertThat(arrivedAfterMicros()).isEqualTo(arrived);
+    assertThat(report().elapsed()).isBetween(elapsed + 4.0, elapsed + 5.5);
+    complete("3");
+    assertThat(kit.latest(Channels.GOALS).orElseThrow().goals()).isEmpty();
+  }
+
   @Test
   void ordered_anotherProcess_beginsAnewAndResumesOnOrder() {
     kit.with("RESUME", "ORDERED");
