@@ -46,6 +46,11 @@ final class Avoidance {
   /** What cannot stand gives up when it could have gone its longest route so many times. */
   private static final double MOST_ROUTES = 4.0;
 
+  /** Without a way, it looks to one side after the other, each for so long. */
+  private static final double LOOK_STEP_RAD = Math.toRadians(60.0);
+
+  private static final long LOOKS_MICROS = 5 * Clock.MICROS_PER_SECOND / 2;
+
   /** Progress by less than this many cells is none. */
   private static final double PROGRESS_CELLS = 2.0;
 
@@ -73,6 +78,9 @@ final class Avoidance {
   private long nearestMicros;
   private int recoveries;
   private long recoversUntil;
+  private long overlooksUntil = Long.MIN_VALUE;
+  private long lookedMicros = Long.MIN_VALUE; // when it turned to look for a way
+  private double lookHeadingRad;
   private PathStatus status = PathStatus.FOLLOWED;
   private RouteTrack announced;
   private String announcedReason = "";
@@ -150,6 +158,7 @@ final class Avoidance {
     searches = false;
     recoveries = 0;
     recoversUntil = Long.MIN_VALUE;
+    overlooksUntil = Long.MIN_VALUE;
     status = PathStatus.FOLLOWED;
   }
 
@@ -175,6 +184,7 @@ final class Avoidance {
     Point toGoal = vehicle.nedOf(wanted.target());
     goalNorthM = at.x() + toGoal.x();
     goalEastM = at.y() + toGoal.y();
+    overlook(now, micros);
     world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
     // What flies goes where the wind takes it, not where it points.
     double ahead = now.stops() ? vehicle.headingRad() : vehicle.courseRad();
@@ -202,6 +212,19 @@ final class Avoidance {
         now.stops() ? choice.speedMps() : wantedMps(wanted, now),
         choice.backwards(),
         givenUp);
+  }
+
+  /** Without any way for a while, what is only guessed gives way: a gap closed in error, say. */
+  private void overlook(AvoidanceSettings now, long micros) {
+    boolean isStuck = begun && track.isEmpty() && micros >= recoversUntil;
+    if (now.overlookAfter() > 0.0 && isStuck && micros - routelessSince > now.overlookMicros()) {
+      if (micros >= overlooksUntil) {
+        say.accept("no way: passes through what is only guessed", false);
+        triedRevision = -1;
+      }
+      overlooksUntil = micros + now.overlookMicros();
+    }
+    world.overlook(micros < overlooksUntil);
   }
 
   /** Of the vehicle itself: through the air, for what flies [m/s]. */
@@ -333,7 +356,21 @@ final class Avoidance {
     if (micros < recoversUntil) {
       return arcs.backOut(1.5 * now.body().circleM());
     }
-    return track.isPresent() ? arcs.along(track.get()) : arcs.withoutRoute();
+    if (track.isPresent()) {
+      lookedMicros = Long.MIN_VALUE;
+      return arcs.along(track.get());
+    }
+    boolean looks = now.overlookAfter() > 0.0 && micros - routelessSince > 2 * now.overlookMicros();
+    return looks ? arcs.lookTo(lookHeading(pose, micros)) : arcs.withoutRoute();
+  }
+
+  /** Where to look for a way: to one side after the other. */
+  private double lookHeading(Pose pose, long micros) {
+    if (lookedMicros == Long.MIN_VALUE || micros - lookedMicros > LOOKS_MICROS) {
+      lookedMicros = micros;
+      lookHeadingRad = Pose.wrapped(pose.headingRad() + LOOK_STEP_RAD);
+    }
+    return lookHeadingRad;
   }
 
   /** Looks whether the vehicle gets on; frees it if not; answers why it gives up. */

@@ -186,7 +186,14 @@ record AvoidanceSettings(
             minExcluded = true,
             ifAbsent = 20,
             text = "Time without any route to a goal after which it is given up.")
-        double giveUpAfter) {
+        double giveUpAfter,
+    @Variable(
+            unit = "s",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "Time without any route after which obstacles of a confidence below 0.6 are passed through, until a route has led on for as long; 0: never.")
+        double overlookAfter) {
   /** Distances nearer than this to an obstacle are a collision, to rounding [share of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
 
@@ -234,6 +241,10 @@ record AvoidanceSettings(
 
   long stuckMicros() {
     return Clock.micros(stuckAfter);
+  }
+
+  long overlookMicros() {
+    return Clock.micros(overlookAfter);
   }
 
   long giveUpMicros() {

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -25,6 +26,10 @@ final class LineBeads {
   private static final double MOST_HITS = 15.0;
   private static final double DOUBT = 0.4; // of a sighting
   private static final double TOO_NEAR_M = 1.3; // the camera looks over what is nearer
+  private static final double TWICE_M = 1.0; // two lines nearer to each other are one, seen twice
+  private static final double VIEW_M = 0.25; // from one place of looking to the next
+  private static final double REFUTED = 0.5; // of a sighting, by the same line seen elsewhere
+  private static final long ANOTHER_TIME = 2 * Clock.MICROS_PER_SECOND;
 
   /** A place on a line. */
   static final class Bead {
@@ -34,13 +39,20 @@ final class LineBeads {
     double dy;
     double variance; // across [m²]
     double hits = 1.0;
+    int views = 1; // places from which it was seen
     long seenMicros;
+    private double viewX; // the last of them
+    private double viewY;
+    private long refutedMicros = Long.MIN_VALUE;
     private long cell;
   }
 
   private final List<Bead> all = new ArrayList<>();
   private final Map<Long, List<Bead>> cells = new HashMap<>();
   private long micros;
+  private double fromX; // the vehicle's place
+  private double fromY;
+  private double wanderPerS; // by which the vehicle's place wanders [m²/s]
 
   void clear() {
     all.clear();
@@ -51,9 +63,21 @@ final class LineBeads {
     return all.size();
   }
 
-  /** The next sightings are of that time [µs]. */
-  void begin(long nowMicros) {
+  /**
+   * The next sightings are of that time.
+   *
+   * @param wander by which the vehicle's place wanders against the ground [m²/s]: a line that was
+   *     not seen for a while may be seen elsewhere
+   */
+  void begin(long nowMicros, double wander) {
     micros = nowMicros;
+    wanderPerS = wander;
+  }
+
+  /** The next sightings are from there [m]. */
+  void from(double vehicleX, double vehicleY) {
+    fromX = vehicleX;
+    fromY = vehicleY;
   }
 
   /** Enters a straight part of a line that was seen. */
@@ -80,14 +104,21 @@ final class LineBeads {
   private void enter(double x, double y, double dx, double dy, double sigmaM, double gateM) {
     Bead nearest = null;
     double least = Double.POSITIVE_INFINITY;
-    for (Bead bead : near(x, y, gateM + STEP_M)) {
+    for (Bead bead : near(x, y, Math.max(TWICE_M, 2.0 * gateM) + STEP_M)) {
       double along = Math.abs((x - bead.x) * bead.dx + (y - bead.y) * bead.dy);
       double across = Math.abs((x - bead.x) * bead.dy - (y - bead.y) * bead.dx);
       boolean parallel = Math.abs(dx * bead.dx + dy * bead.dy) > PARALLEL;
-      double cost = along / ALONG_M + across / gateM;
-      if (parallel && along <= ALONG_M && across <= gateM && cost < least) {
+      if (!parallel || along > ALONG_M) {
+        continue;
+      }
+      double gate = gateM + Math.min(gateM, Math.sqrt(wandered(bead)));
+      double cost = along / ALONG_M + across / gate;
+      if (across <= gate && cost < least) {
         nearest = bead;
         least = cost;
+      }
+      if (across > gate && across < TWICE_M && micros - bead.seenMicros > ANOTHER_TIME) {
+        bead.refutedMicros = micros;
       }
     }
     if (nearest == null) {
@@ -95,6 +126,11 @@ final class LineBeads {
     } else {
       correct(nearest, x, y, dx, dy, sigmaM);
     }
+  }
+
+  /** Variance that a bead has gained since it was seen [m²]. */
+  private double wandered(Bead bead) {
+    return wanderPerS * Clock.seconds(Math.max(0L, micros - bead.seenMicros));
   }
 
   private void add(double x, double y, double dx, double dy, double sigmaM) {
@@ -105,13 +141,16 @@ final class LineBeads {
     bead.dy = dy;
     bead.variance = sigmaM * sigmaM;
     bead.seenMicros = micros;
+    bead.viewX = fromX;
+    bead.viewY = fromY;
     bead.cell = cell(x, y);
     all.add(bead);
     cells.computeIfAbsent(bead.cell, key -> new ArrayList<>()).add(bead);
   }
 
   private void correct(Bead bead, double x, double y, double dx, double dy, double sigmaM) {
-    double gain = bead.variance / (bead.variance + sigmaM * sigmaM);
+    double variance = bead.variance + wandered(bead);
+    double gain = variance / (variance + sigmaM * sigmaM);
     double across = (x - bead.x) * -bead.dy + (y - bead.y) * bead.dx;
     bead.x += gain * across * -bead.dy;
     bead.y += gain * across * bead.dx;
@@ -121,10 +160,15 @@ final class LineBeads {
     double length = Math.hypot(turnedX, turnedY);
     bead.dx = turnedX / length;
     bead.dy = turnedY / length;
-    bead.variance = Math.max(LEAST_SIGMA_M * LEAST_SIGMA_M, (1.0 - gain) * bead.variance);
+    bead.variance = Math.max(LEAST_SIGMA_M * LEAST_SIGMA_M, (1.0 - gain) * variance);
     if (bead.seenMicros != micros) {
       bead.hits = Math.min(MOST_HITS, bead.hits + 1.0); // once a picture
       bead.seenMicros = micros;
+      if (Math.hypot(fromX - bead.viewX, fromY - bead.viewY) >= VIEW_M) {
+        bead.views++;
+        bead.viewX = fromX;
+        bead.viewY = fromY;
+      }
     }
     long now = cell(bead.x, bead.y);
     if (now != bead.cell) {
@@ -155,7 +199,10 @@ final class LineBeads {
     return (long) column << 32 | row & 0xFFFFFFFFL;
   }
 
-  /** Counts against what lies in a sector and was not seen in the last picture. */
+  /**
+   * Counts against what lies in a sector and was not seen in the last picture, and against what was
+   * seen beside its place there: the same line, as long as the picture does not show both.
+   */
   void doubt(double x, double y, double headingRad, double reachM, double halfRad) {
     for (Bead bead : near(x, y, reachM)) {
       double away = Math.hypot(bead.x - x, bead.y - y);
@@ -164,6 +211,11 @@ final class LineBeads {
       boolean looked = away > TOO_NEAR_M && away < reachM && Math.abs(off) < halfRad;
       if (looked && bead.seenMicros != micros) {
         bead.hits -= DOUBT;
+      }
+    }
+    for (Bead bead : all) {
+      if (bead.refutedMicros == micros && bead.seenMicros != micros) {
+        bead.hits -= REFUTED;
       }
     }
   }

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import org.u2sa.messages.frame.Point;
 
 /** Beads strung to lines, and what is missing between their ends. Metres from the map's anchor. */
@@ -15,18 +17,33 @@ final class LineChains {
   private static final double TANGENT_M = 0.8; // of an end: over which its direction is measured
   private static final double FACING = Math.cos(Math.toRadians(50.0));
   private static final double CURVE_STEP_M = 0.3;
+  private static final double VIEWS = 2.5; // places on average from which a sure line was seen
+  private static final double BESIDE_STEP_M = 0.1;
+  private static final double SQUARE = 0.9; // sine of the least angle between lane and its width
   private static final double BESIDE_M = 0.4; // an end so near to a longer line is a part of that
 
   private final List<List<Point>> lines;
+  private final Set<List<Point>> sure;
   private final double laneWidthM;
 
   /** An end of a line, and where it points to. */
   private record End(List<Point> line, Point at, Point before, double dx, double dy) {}
 
+  /**
+   * How far what is not seen is taken to go.
+   *
+   * @param gapM longest gap between two ends [m]
+   * @param aloneM beyond an end [m]
+   * @param besideM beyond an end, beside the other line of its lane [m]
+   * @param widestM such a lane [m]
+   */
+  record Reach(double gapM, double aloneM, double besideM, double widestM) {}
+
   private record Join(End one, End other, double cost) {}
 
-  private LineChains(List<List<Point>> lines, double laneWidthM) {
+  private LineChains(List<List<Point>> lines, Set<List<Point>> sure, double laneWidthM) {
     this.lines = lines;
+    this.sure = sure;
     this.laneWidthM = laneWidthM;
   }
 
@@ -38,29 +55,36 @@ final class LineChains {
     }
     boolean[] strung = new boolean[next.length];
     List<List<Point>> lines = new ArrayList<>();
+    Set<List<Point>> sure = Collections.newSetFromMap(new IdentityHashMap<>());
     for (int i = 0; i < next.length; i++) {
       if (!strung[i]) {
-        List<Point> line = string(i, beads, next, strung);
+        List<LineBeads.Bead> string = string(i, beads, next, strung);
+        List<Point> line = new ArrayList<>(string.size());
+        string.forEach(bead -> line.add(Point.of(bead.x, bead.y, 0.0)));
         if (lengthM(line) >= SHORTEST_M) {
           lines.add(line);
+          double views = string.stream().mapToInt(bead -> bead.views).average().orElse(0.0);
+          if (views >= VIEWS) {
+            sure.add(line);
+          }
         }
       }
     }
-    return new LineChains(lines, laneWidthM);
+    return new LineChains(lines, sure, laneWidthM);
   }
 
   /** From a bead to both sides as far as beads name each other. */
-  private static List<Point> string(
+  private static List<LineBeads.Bead> string(
       int from, List<LineBeads.Bead> beads, int[][] next, boolean[] strung) {
-    List<Point> line = new ArrayList<>();
+    List<LineBeads.Bead> line = new ArrayList<>();
     strung[from] = true;
-    line.add(place(beads.get(from)));
+    line.add(beads.get(from));
     for (int way = 0; way < 2; way++) {
       int before = from;
       int at = next[from][way];
       while (at >= 0 && !strung[at] && (next[at][0] == before || next[at][1] == before)) {
         strung[at] = true;
-        line.add(place(beads.get(at)));
+        line.add(beads.get(at));
         int on = next[at][0] == before ? next[at][1] : next[at][0];
         before = at;
         at = on;
@@ -68,10 +92,6 @@ final class LineChains {
       Collections.reverse(line);
     }
     return line;
-  }
-
-  private static Point place(LineBeads.Bead bead) {
-    return Point.of(bead.x, bead.y, 0.0);
   }
 
   private static double lengthM(List<Point> line) {
@@ -91,8 +111,13 @@ final class LineChains {
     return lines;
   }
 
+  /** Whether a line was seen from several places. */
+  boolean isSure(List<Point> line) {
+    return sure.contains(line);
+  }
+
   /** What closes gaps between ends that face each other, and what goes on beyond other ends. */
-  List<List<Point>> gaps(double longestM, double extensionM) {
+  List<List<Point>> gaps(Reach reach) {
     List<End> ends = new ArrayList<>();
     for (List<Point> line : lines) {
       for (End end : List.of(end(line, false), end(line, true))) {
@@ -105,7 +130,7 @@ final class LineChains {
     for (int i = 0; i < ends.size(); i++) {
       for (int k = i + 1; k < ends.size(); k++) {
         if (ends.get(i).line() != ends.get(k).line()) {
-          join(ends.get(i), ends.get(k), longestM, joins);
+          join(ends.get(i), ends.get(k), reach.gapM(), joins);
         }
       }
     }
@@ -119,7 +144,10 @@ final class LineChains {
       }
     }
     for (End end : ends) {
-      List<Point> extension = extension(end, extensionM);
+      List<Point> extension = beside(end, reach);
+      if (extension.size() < 2 || lengthM(extension) < reach.aloneM()) {
+        extension = extension(end, reach.aloneM());
+      }
       if (extension.size() > 1) {
         gaps.add(extension);
       }
@@ -200,12 +228,78 @@ final class LineChains {
       double step = Math.min(CURVE_STEP_M, lengthM - gone);
       heading += bend * step;
       at = Point.of(at.x() + step * Math.cos(heading), at.y() + step * Math.sin(heading), 0.0);
-      if (isNearOther(at, end.line())) {
+      if (isNear(at, end.line(), end.line())) {
         break;
       }
       points.add(at);
     }
     return points;
+  }
+
+  /**
+   * On beside the other line of the lane, as far away as at the end: a lane keeps its width. Of two
+   * lines, to the left and to the right, the one that leads farther.
+   */
+  private List<Point> beside(End end, Reach reach) {
+    List<Point> longest = List.of();
+    if (reach.besideM() > reach.aloneM()) {
+      for (List<Point> other : lines) {
+        if (other != end.line()) {
+          List<Point> found = beside(end, other, reach);
+          longest = lengthM(found) > lengthM(longest) ? found : longest;
+        }
+      }
+    }
+    return longest;
+  }
+
+  private List<Point> beside(End end, List<Point> other, Reach reach) {
+    int nearest = 0;
+    for (int i = 1; i < other.size(); i++) {
+      nearest = metres(end.at(), other.get(i)) < metres(end.at(), other.get(nearest)) ? i : nearest;
+    }
+    double wide = metres(end.at(), other.get(nearest));
+    double[] way = way(other, nearest);
+    double sense = way[0] * end.dx() + way[1] * end.dy();
+    double aside = way[0] * (end.at().y() - other.get(nearest).y());
+    aside -= way[1] * (end.at().x() - other.get(nearest).x());
+    boolean isLane =
+        wide >= laneWidthM
+            && wide <= reach.widestM()
+            && Math.abs(sense) > FACING
+            && Math.abs(aside) > SQUARE * wide;
+    List<Point> points = new ArrayList<>();
+    if (!isLane) {
+      return points;
+    }
+    points.add(end.at());
+    int step = sense > 0.0 ? 1 : -1;
+    double left = Math.copySign(wide, aside);
+    double gone = 0.0;
+    for (int i = nearest + step; i >= 0 && i < other.size() && gone < reach.besideM(); i += step) {
+      double[] on = way(other, i);
+      Point at = Point.of(other.get(i).x() - left * on[1], other.get(i).y() + left * on[0], 0.0);
+      Point last = points.get(points.size() - 1);
+      double ahead = (at.x() - last.x()) * on[0] + (at.y() - last.y()) * on[1];
+      if (step * ahead < BESIDE_STEP_M) {
+        continue; // in the inside of a bend, or not yet beyond the end
+      }
+      if (isNear(at, end.line(), other)) {
+        break;
+      }
+      gone += metres(last, at);
+      points.add(at);
+    }
+    return points;
+  }
+
+  /** Which way a line runs at one of its points, as a unit vector. */
+  private static double[] way(List<Point> line, int at) {
+    int span = (int) Math.round(TANGENT_M / LineBeads.STEP_M);
+    Point from = line.get(Math.max(0, at - span));
+    Point to = line.get(Math.min(line.size() - 1, at + span));
+    double length = Math.max(1.0e-9, metres(from, to));
+    return new double[] {(to.x() - from.x()) / length, (to.y() - from.y()) / length};
   }
 
   /** Curvature at an end [1/m], anticlockwise positive on the way out; bounded. */
@@ -228,9 +322,10 @@ final class LineChains {
     return Math.max(-most, Math.min(most, turned / Math.max(0.1, way)));
   }
 
-  private boolean isNearOther(Point at, List<Point> own) {
+  /** Whether a place is nearer to a line than a lane is wide, other than to these two. */
+  private boolean isNear(Point at, List<Point> own, List<Point> partner) {
     for (List<Point> line : lines) {
-      for (int i = 0; line != own && i < line.size(); i++) {
+      for (int i = 0; line != own && line != partner && i < line.size(); i++) {
         if (metres(at, line.get(i)) < laneWidthM) {
           return true;
         }

@@ -12,6 +12,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
@@ -19,7 +20,7 @@ import org.u2sa.messages.shape.PolyLine;
 /**
  * Keeps painted lines (thesis 4.1.1.2): puts together what a camera sees of them piece by piece,
  * and closes the gaps of dashed and worn paint, so that a lane is a lane for the planner. Publishes
- * PolyLines; those that close a gap have a confidence of 0.5.
+ * PolyLines; those that close a gap, or were seen from one place only, have a confidence of 0.5.
  */
 final class LineModeller implements Modeller {
   private static final double GAP_CONFIDENCE = 0.5;
@@ -62,6 +63,29 @@ final class LineModeller implements Modeller {
               unit = "m",
               min = 0,
               max = 100,
+              ifAbsent = 0,
+              text =
+                  "LINES: how far a line is taken to go on beside the other line of its lane, beyond the end that was seen; 0: as LINE EXTENSION.")
+          double laneExtension,
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 6.1,
+              text = "LINES: greatest width of a lane, for LANE EXTENSION.")
+          double widestLane,
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 10,
+              ifAbsent = 0,
+              text =
+                  "LINES: how far the vehicle's place wanders against the ground in a second; in other times it grows with their root. Lines that were not seen for a while are looked for so much farther away.")
+          double lineWander,
+      @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
               ifAbsent = 1.5,
               text =
                   "LINES: how near to other lines such an extension comes at most: the least width of a lane.")
@@ -97,6 +121,14 @@ final class LineModeller implements Modeller {
                   "LINES: nothing that closes a gap comes nearer to the vehicle's reference point, as it would not stand there: about half its width.")
           double clearOfVehicle,
       @Variable(
+              unit = "m",
+              min = 0,
+              max = 1000,
+              ifAbsent = 0,
+              text =
+                  "LINES: how far behind what a scanner sees a camera does not see the ground: what looks like a line there is part of what stands before it.")
+          double hiddenBehind,
+      @Variable(
               unit = "rad/s",
               min = 0,
               max = 100,
@@ -116,6 +148,7 @@ final class LineModeller implements Modeller {
 
   private final Settings<Tuning> settings;
   private final LineBeads beads = new LineBeads();
+  private final HiddenGround hidden = new HiddenGround();
   private final Set<String> sensors = new HashSet<>();
   private MapFrame frame = MapFrame.BODY;
   private long sightings;
@@ -136,7 +169,10 @@ final class LineModeller implements Modeller {
     if (Math.abs(turning) > tuning.steadyTurn()) {
       return;
     }
-    beads.begin(sighting.micros());
+    beads.begin(sighting.micros(), tuning.lineWander() * tuning.lineWander());
+    Point at = sighting.frame().vehicle(sighting.vehicle());
+    beads.from(at.x(), at.y());
+    hidden.lookFrom(at.x(), at.y(), sighting.micros());
     boolean looked = false;
     for (ObjectDescription object : seen) {
       if (object instanceof Line line && types.contains(object.objectType())) {
@@ -150,13 +186,26 @@ final class LineModeller implements Modeller {
     }
   }
 
+  @Override
+  public void scan(RangeScan scan, ScanPoses poses) {
+    if (settings.get().hiddenBehind() > 0.0) {
+      hidden.scan(scan, poses.at(scan, 0.5), poses.first().micros());
+    }
+  }
+
   private void enter(Line line) {
     Point sigma = line.motion().sigma().orElse(Point.of(0.1, 0.1, 0.0));
     double across = Math.sqrt(0.5 * (sigma.x() * sigma.x() + sigma.y() * sigma.y()));
     double gate = settings.get().lineGate();
     List<Point> points = line.points().stream().map(frame::metres).collect(Collectors.toList());
     for (int i = 1; i < points.size(); i++) {
-      beads.enter(points.get(i - 1), points.get(i), across, gate);
+      Point from = points.get(i - 1);
+      Point to = points.get(i);
+      double x = 0.5 * (from.x() + to.x());
+      double y = 0.5 * (from.y() + to.y());
+      if (!hidden.hides(x, y, settings.get().hiddenBehind())) {
+        beads.enter(from, to, across, gate);
+      }
     }
     sightings++;
   }
@@ -195,23 +244,40 @@ final class LineModeller implements Modeller {
         LineChains.of(beads.certain(at.x(), at.y(), tuning.lineReach(), hits), tuning.laneWidth());
     List<ObjectDescription> lines = new ArrayList<>();
     String type = tuning.types().iterator().next();
-    chains.lines().forEach(line -> pieces(line, type, 1.0, lines));
+    for (List<Point> line : chains.lines()) {
+      pieces(line, type, chains.isSure(line) ? 1.0 : GAP_CONFIDENCE, lines);
+    }
     if (tuning.joinGap() > 0.0 || tuning.lineExtension() > 0.0) {
-      chains.gaps(tuning.joinGap(), tuning.lineExtension()).stream()
-          .filter(gap -> clearM(gap, at) >= tuning.clearOfVehicle())
-          .forEach(gap -> pieces(gap, type, GAP_CONFIDENCE, lines));
+      LineChains.Reach reach =
+          new LineChains.Reach(
+              tuning.joinGap(),
+              tuning.lineExtension(),
+              Math.max(tuning.laneExtension(), tuning.lineExtension()),
+              tuning.widestLane());
+      for (List<Point> gap : chains.gaps(reach)) {
+        clear(gap, at, tuning.clearOfVehicle())
+            .forEach(part -> pieces(part, type, GAP_CONFIDENCE, lines));
+      }
     }
     published = lines.size();
     return lines;
   }
 
-  /** Distance of a line from a place [m]. */
-  private static double clearM(List<Point> line, Point from) {
-    double least = Double.POSITIVE_INFINITY;
+  /** The parts of a line that are so far from a place. */
+  private static List<List<Point>> clear(List<Point> line, Point from, double leastM) {
+    List<List<Point>> parts = new ArrayList<>();
+    List<Point> part = new ArrayList<>();
     for (Point point : line) {
-      least = Math.min(least, Math.hypot(point.x() - from.x(), point.y() - from.y()));
+      if (Math.hypot(point.x() - from.x(), point.y() - from.y()) >= leastM) {
+        part.add(point);
+      } else if (!part.isEmpty()) {
+        parts.add(part);
+        part = new ArrayList<>();
+      }
     }
-    return least;
+    parts.add(part);
+    parts.removeIf(each -> each.size() < 2);
+    return parts;
   }
 
   private void pieces(

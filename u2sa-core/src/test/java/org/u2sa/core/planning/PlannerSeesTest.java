@@ -103,6 +103,46 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(path().status()).isEqualTo(PathStatus.GIVEN_UP);
   }
 
+  /** A rock on the goal, believed in that much, until the planner has waited for 3 s. */
+  private PathStatus rockOfConfidence(double confidence, double overlookAfterS) {
+    kit.with("PLANNER", "GRID").with("GIVE UP AFTER", 20.0);
+    kit.with("OVERLOOK AFTER", overlookAfterS).start(PathPlanner::new);
+    goals(waypoint("1", 10, 0));
+    Circle rock = disc("rock", 10, 0, 4.0);
+    rock.confidence(confidence);
+    see(rock);
+    drive(30, 0, 0, 0);
+    return path().status();
+  }
+
+  @Test
+  void state_noWayButThroughAGuess_goesThroughItAfterAWhile() {
+    assertThat(rockOfConfidence(0.5, 2.0)).isEqualTo(PathStatus.FOLLOWED);
+    assertThat(path().cost().orElseThrow()).isBetween(9.0, 11.0);
+  }
+
+  @Test
+  void state_noWayButThroughAGuess_waitsFirst() {
+    assertThat(rockOfConfidence(0.5, 4.0)).isEqualTo(PathStatus.WAITING);
+  }
+
+  @Test
+  void state_noWayButThroughWhatWasSeen_doesNotGoThroughIt() {
+    assertThat(rockOfConfidence(0.6, 2.0)).isEqualTo(PathStatus.WAITING);
+  }
+
+  @Test
+  void state_noWayButThroughAGuess_waitsForEverUnlessConfigured() {
+    assertThat(rockOfConfidence(0.5, 0.0)).isEqualTo(PathStatus.WAITING);
+  }
+
+  @Test
+  void state_noWayForLong_looksToTheSide() {
+    rockOfConfidence(0.9, 1.0);
+    assertThat(Math.atan2(point().y(), point().x()))
+        .isCloseTo(Math.toRadians(-60.0), within(Math.toRadians(1.0))); // BODY: to the right
+  }
+
   @Test
   void missionOver_goalWasGivenUp_holdsWhereItIsInsteadOfGoingThroughWhatStandsInTheWay() {
     kit.with("PLANNER", "GRID").with("GIVE UP AFTER", 2.0).with("AT END", "HOLD");

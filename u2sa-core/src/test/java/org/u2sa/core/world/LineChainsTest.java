@@ -10,12 +10,14 @@ import org.u2sa.messages.frame.Point;
 /** Beads of painted lines: how they are seen, strung, doubted, and how gaps are closed. */
 class LineChainsTest {
   private static final double LANE_M = 2.0;
+  private static final double WIDEST_M = 6.1;
+  private static final double WANDER = 0.0025; // 5 cm in a second
 
   private final LineBeads beads = new LineBeads();
   private long micros;
 
   private void look(double... ends) {
-    beads.begin(micros += 100_000);
+    beads.begin(micros += 100_000, WANDER);
     for (int i = 0; i < ends.length; i += 4) {
       beads.enter(
           Point.of(ends[i], ends[i + 1], 0.0), Point.of(ends[i + 2], ends[i + 3], 0.0), 0.05, 0.35);
@@ -30,6 +32,14 @@ class LineChainsTest {
 
   private LineChains chains() {
     return LineChains.of(beads.certain(0.0, 0.0, 50.0, 3), LANE_M);
+  }
+
+  private List<List<Point>> gaps(double longest, double alone) {
+    return chains().gaps(new LineChains.Reach(longest, alone, alone, WIDEST_M));
+  }
+
+  private List<List<Point>> lane(double alone, double beside) {
+    return chains().gaps(new LineChains.Reach(0.0, alone, beside, WIDEST_M));
   }
 
   private static double length(List<Point> line) {
@@ -95,7 +105,7 @@ class LineChainsTest {
   @Test
   void gaps_dashesInLine_areJoined() {
     lookThrice(0.0, 1.0, 3.0, 1.0, 7.0, 1.0, 10.0, 1.0);
-    assertThat(chains().gaps(5.0, 0.0))
+    assertThat(gaps(5.0, 0.0))
         .singleElement()
         .satisfies(gap -> assertThat(length(gap)).isBetween(4.0, 4.3));
   }
@@ -103,19 +113,19 @@ class LineChainsTest {
   @Test
   void gaps_longerThanAllowed_stayOpen() {
     lookThrice(0.0, 1.0, 3.0, 1.0, 8.5, 1.0, 10.0, 1.0);
-    assertThat(chains().gaps(5.0, 0.0)).isEmpty();
+    assertThat(gaps(5.0, 0.0)).isEmpty();
   }
 
   @Test
   void gaps_bothSidesOfALaneThatEnds_stayOpen() {
     lookThrice(0.0, 1.6, 3.0, 1.6, 0.0, -1.6, 3.0, -1.6);
-    assertThat(chains().gaps(5.0, 0.0)).isEmpty();
+    assertThat(gaps(5.0, 0.0)).isEmpty();
   }
 
   @Test
   void gaps_endBetweenTwoOthers_isJoinedToTheOneInLine() {
     lookThrice(0.0, 0.0, 3.0, 0.0, 7.0, 0.1, 10.0, 0.1, 7.0, 2.0, 10.0, 2.0);
-    assertThat(chains().gaps(5.0, 0.0))
+    assertThat(gaps(5.0, 0.0))
         .singleElement()
         .satisfies(gap -> assertThat(gap).allSatisfy(p -> assertThat(p.y()).isBetween(-0.1, 0.2)));
   }
@@ -132,7 +142,7 @@ class LineChainsTest {
       arc[4 * i + 3] = 5.0 * Math.sin(to);
     }
     lookThrice(arc);
-    assertThat(chains().gaps(5.0, 0.0))
+    assertThat(gaps(5.0, 0.0))
         .singleElement()
         .satisfies(
             gap ->
@@ -146,7 +156,7 @@ class LineChainsTest {
     // The short one is a part of the long one, seen while the vehicle turned.
     lookThrice(0.0, 0.0, 6.0, 0.0, 2.0, 0.38, 4.0, 0.38, 7.0, 1.5, 8.0, 2.0);
     assertThat(chains().lines()).hasSize(3);
-    assertThat(chains().gaps(5.0, 0.0)).noneMatch(gap -> touches(gap, 4.0, 0.38));
+    assertThat(gaps(5.0, 0.0)).noneMatch(gap -> touches(gap, 4.0, 0.38));
   }
 
   private static boolean touches(List<Point> line, double x, double y) {
@@ -156,7 +166,7 @@ class LineChainsTest {
   @Test
   void gaps_openEnds_goOnForTheExtension() {
     lookThrice(0.0, 0.0, 3.0, 0.0);
-    assertThat(chains().gaps(5.0, 1.2))
+    assertThat(gaps(5.0, 1.2))
         .hasSize(2)
         .allSatisfy(gap -> assertThat(length(gap)).isCloseTo(1.2, offset(1.0e-6)));
   }
@@ -164,7 +174,7 @@ class LineChainsTest {
   @Test
   void gaps_extensionTowardsAnotherLine_leavesALane() {
     lookThrice(0.0, 0.0, 3.0, 0.0, 5.5, -2.0, 5.5, 2.0);
-    assertThat(chains().gaps(0.0, 4.0))
+    assertThat(gaps(0.0, 4.0))
         .filteredOn(gap -> Math.abs(gap.get(0).y()) < 0.5 && gap.get(0).x() > 2.0)
         .allSatisfy(
             gap -> assertThat(gap).allSatisfy(p -> assertThat(p.x()).isLessThan(5.5 - LANE_M)));
@@ -174,7 +184,7 @@ class LineChainsTest {
   void doubt_lineAheadNotSeenAnyMore_goes() {
     lookThrice(1.5, 0.0, 2.4, 0.0);
     for (int i = 0; i < 8; i++) {
-      beads.begin(micros += 100_000);
+      beads.begin(micros += 100_000, 0.0);
       beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5);
       beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
     }
@@ -186,7 +196,7 @@ class LineChainsTest {
     lookThrice(0.0, 2.0, 2.0, 2.0);
     int before = beads.count();
     for (int i = 0; i < 8; i++) {
-      beads.begin(micros += 100_000);
+      beads.begin(micros += 100_000, 0.0);
       beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5);
       beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
     }
@@ -199,5 +209,112 @@ class LineChainsTest {
     lookThrice(20.0, 0.0, 21.0, 0.0);
     beads.forget(0.0, 0.0, 10.0, micros, 3);
     assertThat(beads.count()).isZero();
+  }
+
+  private static List<Point> from(List<List<Point>> gaps, double x, double y) {
+    return gaps.stream()
+        .filter(gap -> Math.hypot(gap.get(0).x() - x, gap.get(0).y() - y) < 0.2)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void gaps_endBesideTheOtherLineOfItsLane_goesOnAsFarAsThatIsKnown() {
+    lookThrice(0.0, 2.0, 3.0, 2.0, 0.0, -2.0, 8.0, -2.0);
+    List<Point> gap = from(lane(1.2, 6.0), 3.0, 2.0);
+    assertThat(length(gap)).isBetween(4.6, 5.2);
+    assertThat(gap).allSatisfy(p -> assertThat(p.y()).isCloseTo(2.0, offset(0.05)));
+  }
+
+  @Test
+  void gaps_besideALongLine_goOnNoFartherThanAllowed() {
+    lookThrice(0.0, 2.0, 3.0, 2.0, 0.0, -2.0, 20.0, -2.0);
+    assertThat(length(from(lane(1.2, 6.0), 3.0, 2.0))).isBetween(5.8, 6.3);
+  }
+
+  @Test
+  void gaps_besideALineTooFarAway_goOnAlone() {
+    lookThrice(0.0, 4.5, 3.0, 4.5, 0.0, -2.0, 8.0, -2.0);
+    assertThat(length(from(lane(1.2, 6.0), 3.0, 4.5))).isCloseTo(1.2, offset(1.0e-6));
+  }
+
+  @Test
+  void gaps_besideALineTooNear_goOnAlone() {
+    lookThrice(0.0, -0.2, 3.0, -0.2, 0.0, -2.0, 8.0, -2.0);
+    assertThat(lane(0.3, 6.0)).allSatisfy(gap -> assertThat(length(gap)).isLessThan(0.31));
+  }
+
+  @Test
+  void gaps_besideABend_keepTheLanesWidth() {
+    double[] ends = new double[4 * 21];
+    for (int i = 0; i < 20; i++) { // half a circle of 2 m around the origin: the inner line
+      double from = i * Math.PI / 20.0 - 0.5 * Math.PI;
+      double to = from + Math.PI / 20.0;
+      ends[4 * i] = 2.0 * Math.cos(from);
+      ends[4 * i + 1] = 2.0 * Math.sin(from);
+      ends[4 * i + 2] = 2.0 * Math.cos(to);
+      ends[4 * i + 3] = 2.0 * Math.sin(to);
+    }
+    ends[80] = -1.0; // the outer one ends where the bend begins
+    ends[81] = -5.5;
+    ends[82] = 0.0;
+    ends[83] = -5.5;
+    lookThrice(ends);
+    List<Point> gap = from(lane(1.2, 6.0), 0.0, -5.5);
+    assertThat(length(gap)).isGreaterThan(4.0);
+    assertThat(gap)
+        .allSatisfy(p -> assertThat(Math.hypot(p.x(), p.y())).isCloseTo(5.5, offset(0.3)));
+  }
+
+  @Test
+  void enter_notSeenForAMinute_isLookedForFartherAway() {
+    lookThrice(0.0, 1.0, 4.0, 1.0);
+    micros += 60_000_000;
+    look(0.0, 1.5, 4.0, 1.5);
+    assertThat(beads.certain(0.0, 0.0, 50.0, 1))
+        .allSatisfy(bead -> assertThat(bead.y).isBetween(1.4, 1.5));
+  }
+
+  @Test
+  void doubt_sameLineSeenBesideItsPlaceAgainAndAgain_goes() {
+    lookThrice(0.0, 1.0, 4.0, 1.0);
+    micros += 5_000_000;
+    for (int i = 0; i < 8; i++) {
+      look(0.0, 1.9, 4.0, 1.9);
+      beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1); // looks the other way
+      beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
+    }
+    assertThat(beads.certain(0.0, 0.0, 50.0, 3))
+        .isNotEmpty()
+        .allSatisfy(bead -> assertThat(bead.y).isGreaterThan(1.5));
+  }
+
+  @Test
+  void doubt_twoLinesSeenInOnePicture_bothStay() {
+    lookThrice(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
+    micros += 5_000_000;
+    for (int i = 0; i < 8; i++) {
+      look(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
+      beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1);
+      beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
+    }
+    assertThat(chains().lines()).hasSize(2);
+  }
+
+  @Test
+  void isSure_seenFromOnePlaceOnly_isNot() {
+    lookThrice(0.0, 1.0, 4.0, 1.0);
+    LineChains chains = chains();
+    assertThat(chains.isSure(chains.lines().get(0))).isFalse();
+  }
+
+  @Test
+  void isSure_seenFromThreePlaces_is() {
+    for (int i = 0; i < 3; i++) {
+      beads.from(0.3 * i, 0.0);
+      look(0.0, 1.0, 4.0, 1.0);
+    }
+    LineChains chains = chains();
+    assertThat(chains.isSure(chains.lines().get(0))).isTrue();
   }
 }

@@ -63,4 +63,17 @@ final class Centreline {
   int along(int from, double metres) {
     return Math.min(points.size() - 1, from + (int) Math.ceil(metres / STEP_M));
   }
+
+  /** The same along the lane's edge: side 1 left, −1 right. In a bend it is another length. */
+  int alongEdge(int from, int side, double metres) {
+    int at = from;
+    double gone = 0.0;
+    while (gone < metres && at < points.size() - 1) {
+      Point here = beside(at, side * 0.5 * widths.get(at));
+      at++;
+      Point next = beside(at, side * 0.5 * widths.get(at));
+      gone += Math.hypot(next.x() - here.x(), next.y() - here.y());
+    }
+    return at;
+  }
 }

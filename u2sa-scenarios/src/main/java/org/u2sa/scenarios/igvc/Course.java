@@ -13,14 +13,16 @@ import org.u2sa.messages.shape.PolyLine;
 /**
  * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Types say what
  * they are: those that {@link org.u2sa.sim.camera.Scenery} draws, and what nobody sees: {@code lane
- * boundary} (PolyLine: where the judge calls a crossing, gaps in the paint included), {@code
- * waypoint} (Circle with its radius, in the order of the course), {@code start} (Line: from the
- * vehicle's place to somewhere ahead).
+ * boundary} (PolyLine: where the judge calls a crossing, gaps in the paint included), {@code course
+ * end} (PolyLine: behind the start and beyond the finish, where nobody passes), {@code waypoint}
+ * (Circle with its radius, in the order of the course), {@code start} (Line: from the vehicle's
+ * place to somewhere ahead).
  *
  * @param origin file or seed, for messages
  */
 record Course(String origin, List<ObjectDescription> objects) {
   static final String BOUNDARY = "lane boundary";
+  static final String END = "course end";
   static final String WAYPOINT = "waypoint";
   static final String START = "start";
 
@@ -101,6 +103,14 @@ record Course(String origin, List<ObjectDescription> objects) {
     return of(BOUNDARY).stream()
         .filter(PolyLine.class::isInstance)
         .map(PolyLine.class::cast)
+        .toList();
+  }
+
+  /** What the judge calls crossings of: boundaries and ends. */
+  List<ObjectDescription> limits() {
+    return objects.stream()
+        .filter(PolyLine.class::isInstance)
+        .filter(o -> o.objectType().equals(BOUNDARY) || o.objectType().equals(END))
         .toList();
   }
 

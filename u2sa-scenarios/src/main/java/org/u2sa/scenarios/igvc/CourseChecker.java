@@ -169,8 +169,6 @@ final class CourseChecker {
       }
     }
     Course.Start start = course.start();
-    closeBehind(start, closed, bounds, columns, rows);
-    closeFinish(closed, bounds, columns, rows);
     double x = start.eastM();
     double y = start.northM();
     for (Course.Goal goal : course.goals()) {
@@ -230,35 +228,6 @@ final class CourseChecker {
           closed[row * columns + column] |= away < radius;
         }
       }
-    }
-  }
-
-  /** Nobody gets on by leaving the start backwards. */
-  private static void closeBehind(
-      Course.Start start, boolean[] closed, double[] bounds, int columns, int rows) {
-    double ahead = StrictMath.sin(start.headingRad());
-    double north = StrictMath.cos(start.headingRad());
-    for (int row = 0; row < rows; row++) {
-      for (int column = 0; column < columns; column++) {
-        double x = bounds[0] + column * CELL_M - start.eastM();
-        double y = bounds[1] + row * CELL_M - start.northM();
-        double along = x * ahead + y * north;
-        double across = Math.abs(x * north - y * ahead);
-        closed[row * columns + column] |= along < -0.5 && along > -0.7 && across < MOST_LANE_M;
-      }
-    }
-  }
-
-  /** Nobody gets to the finish from behind: what joins the ends of the last lane is closed. */
-  private void closeFinish(boolean[] closed, double[] bounds, int columns, int rows) {
-    List<PolyLine> lines = course.boundaries();
-    if (lines.size() >= 2) {
-      List<Point> one = lines.get(lines.size() - 2).points();
-      List<Point> other = lines.get(lines.size() - 1).points();
-      PolyLine across = new PolyLine();
-      across.x(0.0).y(0.0);
-      across.points(List.of(one.get(one.size() - 1), other.get(other.size() - 1))).width(0.1);
-      close(across, closed, bounds, columns, rows);
     }
   }
 

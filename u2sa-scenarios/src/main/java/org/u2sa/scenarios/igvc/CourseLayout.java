@@ -21,8 +21,12 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
   private static final double INNER_RADIUS_M = 1.6; // 5 ft are the least
   private static final double STRAIGHT_M = 15.0; // at the start: 44 ft are timed
 
-  /** One of countless ways. */
-  static CourseLayout random(Random random) {
+  /**
+   * One of countless ways.
+   *
+   * @param calm share of its sway that a lane keeps, 0…1
+   */
+  static CourseLayout random(Random random, double calm) {
     double pitch = 7.2 + 1.3 * random.nextDouble();
     double turn = 0.5 * pitch;
     double mostInTurn = Math.min(MOST_WIDTH_M, pitch - 2.0 * INNER_RADIUS_M);
@@ -35,7 +39,7 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
     Width width = new Width(random);
     for (int row = 0; row < ROWS; row++) {
       int before = line.count();
-      row(line, row, left, right, pitch, mostInTurn, width, random);
+      row(line, row, left, right, pitch, mostInTurn, width, calm, random);
       if (row == open) {
         lanesEnd = Math.min(before + 10, line.count() - 1);
         lanesBegin = line.count() - 11;
@@ -55,11 +59,12 @@ record CourseLayout(Centreline line, int lanesEnd, int lanesBegin) {
       double pitch,
       double mostInTurn,
       Width width,
+      double calm,
       Random random) {
     double length = right - left;
     double waves = 1.0 + random.nextDouble();
     double room = 0.5 * (pitch - mostInTurn - BETWEEN_LANES_M);
-    double sway = Math.max(0.0, Math.min(room, 1.1)) * (0.3 + 0.7 * random.nextDouble());
+    double sway = calm * Math.max(0.0, Math.min(room, 1.1)) * (0.3 + 0.7 * random.nextDouble());
     double sign = random.nextBoolean() ? 1.0 : -1.0;
     boolean forth = row % 2 == 0;
     double y0 = 0.5 * (WIDTH_M - (ROWS - 1) * pitch) + row * pitch;

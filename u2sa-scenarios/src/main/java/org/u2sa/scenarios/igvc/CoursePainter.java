@@ -83,7 +83,7 @@ final class CoursePainter {
     switch (object.objectType()) {
       case Scenery.LINE -> stroke(graphics, ((Line) object).points(), Color.WHITE, 0.1);
       case Scenery.WORN_LINE -> stroke(graphics, ((Line) object).points(), WORN, 0.1);
-      case Course.BOUNDARY, Course.START -> {
+      case Course.BOUNDARY, Course.END, Course.START -> {
         // seen by nobody
       }
       case Course.WAYPOINT -> {

@@ -2,6 +2,7 @@ package org.u2sa.scenarios.igvc;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.DoubleConsumer;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -17,8 +18,13 @@ final class CourseScorer implements TruthObserver.Scorer {
   private final Judge judge;
   private final RunFilm film;
   private final Path directory;
+  private final DoubleConsumer time;
 
-  CourseScorer(Judge judge, RunFilm film, Path directory) {
+  /**
+   * @param time hears what time it is in the run [s]
+   */
+  CourseScorer(Judge judge, RunFilm film, Path directory, DoubleConsumer time) {
+    this.time = time;
     this.judge = judge;
     this.film = film;
     this.directory = directory;
@@ -26,6 +32,7 @@ final class CourseScorer implements TruthObserver.Scorer {
 
   @Override
   public void see(VehicleTruth truth) {
+    time.accept(truth.timeS());
     judge.see(truth);
     film.see(truth);
   }

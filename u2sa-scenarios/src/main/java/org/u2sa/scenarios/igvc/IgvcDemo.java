@@ -42,6 +42,18 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       description = "World XML file of a course, as each run writes one (course.xml).")
   private Path courseFile; // null: of the seed
 
+  @Option(
+      names = "--camera-dies",
+      paramLabel = "S",
+      description = "Pull the camera out that many seconds after the start.")
+  private double cameraDiesS = Double.POSITIVE_INFINITY;
+
+  @Option(
+      names = "--lidar-dies",
+      paramLabel = "S",
+      description = "Pull the laser out that many seconds after the start.")
+  private double lidarDiesS = Double.POSITIVE_INFINITY;
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     return frame.run(this);
@@ -66,13 +78,15 @@ final class IgvcDemo implements Callable<Integer>, Demo {
             ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
             : given;
     Path known = CourseMission.writeStartBox(course, ORIGIN, directory.resolve("known.xml"));
-    IgvcWorld world = new IgvcWorld(course, ORIGIN, seed);
+    IgvcWorld world = new IgvcWorld(course, ORIGIN, seed, cameraDiesS, lidarDiesS);
     RunFilm film = new RunFilm(course, ORIGIN, directory);
     Judge judge = new Judge(course, IgvcWorld.FRONT_M, IgvcWorld.REAR_M, IgvcWorld.WIDTH_M);
     return new Trial(
         mission,
         TruthObserver.of(
-            world::truth, world.world().plane(), new CourseScorer(judge, film, directory)),
+            world::truth,
+            world.world().plane(),
+            new CourseScorer(judge, film, directory, world::time)),
         launch -> {
           launch
               .override("SafetyManager", "ARM AT START", true) // the demo is its own operator

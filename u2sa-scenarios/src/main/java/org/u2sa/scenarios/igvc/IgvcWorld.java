@@ -69,11 +69,19 @@ final class IgvcWorld {
   private final IoioInProcess cable;
   private final IoioFirmware board;
   private final long seed;
+  private final double cameraDiesS;
+  private final double lidarDiesS;
+  private volatile SimulatedLaser laser; // null: not yet asked for
+  private volatile SimulatedColourCamera camera;
 
   /**
    * @param origin of the course on the earth
+   * @param cameraDiesS when the camera is pulled out [s]; infinite: never
+   * @param lidarDiesS the same of the laser
    */
-  IgvcWorld(Course course, Geodetic origin, long seed) {
+  IgvcWorld(Course course, Geodetic origin, long seed, double cameraDiesS, double lidarDiesS) {
+    this.cameraDiesS = cameraDiesS;
+    this.lidarDiesS = lidarDiesS;
     this.course = course;
     this.seed = seed;
     world = World.at(origin).with(solids(course));
@@ -151,10 +159,23 @@ final class IgvcWorld {
   }
 
   LaserScanner laser() {
-    return new SimulatedLaser(
-        LASER,
-        new NoiseStreams(seed),
-        new LaserOnVehicle(world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
+    laser =
+        new SimulatedLaser(
+            LASER,
+            new NoiseStreams(seed),
+            new LaserOnVehicle(world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
+    time(0.0);
+    return laser;
+  }
+
+  /** Pulls out what dies at that time of the run [s]. */
+  void time(double nowS) {
+    if (camera != null && nowS >= cameraDiesS) {
+      camera.plug(false);
+    }
+    if (laser != null && nowS >= lidarDiesS) {
+      laser.plug(false);
+    }
   }
 
   /** A camera on the day of the seed. */
@@ -162,7 +183,9 @@ final class IgvcWorld {
     NoiseStreams streams = new NoiseStreams(seed);
     Light light = Light.random(streams.of("light"));
     Scenery scenery = new Scenery(course.objects(), light, seed);
-    return new SimulatedColourCamera(
-        ColourLens.mast().rate(CAMERA_HZ), scenery, streams, this::truth);
+    camera =
+        new SimulatedColourCamera(ColourLens.mast().rate(CAMERA_HZ), scenery, streams, this::truth);
+    time(0.0);
+    return camera;
   }
 }

@@ -17,8 +17,9 @@ import org.u2sa.sim.world.World;
 
 /**
  * Judges a run by the competition's rules and the truth: no part of the vehicle on a line, gaps in
- * its paint included, nor on an obstacle; more than 1 mph on average over the first 44 ft, never
- * more than 5 mph; not more than a minute at rest; six minutes in all. A touch that lasts is one.
+ * its paint and the ends of the course included, nor on an obstacle; more than 1 mph on average
+ * over the first 44 ft, never more than 5 mph; not more than a minute at rest; six minutes in all.
+ * A touch that lasts is one.
  */
 final class Judge {
   static final double SLOWEST_MPS = 0.44704; // 1 mph
@@ -55,7 +56,7 @@ final class Judge {
    */
   Judge(Course course, double frontM, double rearM, double widthM) {
     World lawn = World.at(new Geodetic(0.0, 0.0, 0.0));
-    lines = lawn.with(course.boundaries());
+    lines = lawn.with(course.limits());
     obstacles =
         lawn.with(
             course.objects().stream()

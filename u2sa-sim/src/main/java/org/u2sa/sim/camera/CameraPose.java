@@ -7,7 +7,6 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** Where a camera is at one moment, and how its axes lie in the world: east, north, up. Reused. */
 final class CameraPose {
-  private final ColourLens lens;
   private final Point ahead; // the camera's axes in those of the vehicle: forward, right, down
   private final Point down;
   private final Point mounted;
@@ -19,7 +18,6 @@ final class CameraPose {
   final float[] axis = new float[3];
 
   CameraPose(ColourLens lens) {
-    this.lens = lens;
     double sin = StrictMath.sin(lens.downRad());
     double cos = StrictMath.cos(lens.downRad());
     ahead = Point.of(cos, 0.0, sin);
@@ -50,10 +48,5 @@ final class CameraPose {
     into[0] = (float) ned.y();
     into[1] = (float) ned.x();
     into[2] = (float) -ned.z();
-  }
-
-  /** When a row is exposed, after the first [s]. */
-  double rowS(int row) {
-    return lens.readoutS() * row / (lens.height() - 1);
   }
 }

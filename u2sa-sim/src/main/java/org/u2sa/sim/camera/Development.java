@@ -4,7 +4,9 @@ import java.util.Random;
 
 /**
  * What lens and sensor make of light: blur, vignette, exposure that follows the mean brightness a
- * frame late, white balance that is not quite right, gamma, clipping and noise. For one thread.
+ * frame late, white balance that is not quite right, gamma, clipping and noise. The noise of a row
+ * depends on the picture's number and the row only, so that rows may be developed in any order, and
+ * by several threads.
  */
 final class Development {
   private static final int TONES = 4096;
@@ -15,26 +17,107 @@ final class Development {
   private static final double VIGNETTE = 0.25; // light lost in the corners
 
   private final ColourLens lens;
-  private final float[] row;
   private final float[] vignette;
   private final float[] tone = new float[TONES + 1];
   private final float[] noise = new float[NOISES];
   private final float[] balance;
-  private int state;
+  private final float side; // share of the light of each neighbour
+  private final int seed;
+  private int pictures;
   private float gain; // 0: no frame yet
+  private int smear; // pixels to each side, by the turn while a row is exposed
+
+  /** Rows on their way from light to picture; one for each thread. */
+  final class Bath {
+    private final int stride = 3 * lens.width();
+    private final float[] raw = new float[stride];
+    private float[] above = new float[stride];
+    private float[] here = new float[stride];
+    private float[] below = new float[stride];
+
+    /** Develops rows of a picture. */
+    void develop(float[] light, byte[] picture, int from, int to) {
+      int last = lens.height() - 1;
+      across(light, Math.max(0, from - 1), above);
+      across(light, from, here);
+      for (int row = from; row < to; row++) {
+        across(light, Math.min(last, row + 1), below);
+        boolean isRim = row == 0 || row == last;
+        fix(row, isRim ? 0.0f : side, picture);
+        float[] free = above;
+        above = here;
+        here = below;
+        below = free;
+      }
+    }
+
+    /** A row blurred along itself. */
+    private void across(float[] light, int row, float[] into) {
+      int at = row * stride;
+      System.arraycopy(light, at, raw, 0, stride);
+      if (smear > 0) {
+        smear();
+      }
+      float middle = 1.0f - 2.0f * side;
+      System.arraycopy(raw, 0, into, 0, 3);
+      System.arraycopy(raw, stride - 3, into, stride - 3, 3);
+      for (int i = 3; i < stride - 3; i++) {
+        into[i] = middle * raw[i] + side * (raw[i - 3] + raw[i + 3]);
+      }
+    }
+
+    private void smear() {
+      float[] sharp = below; // is filled only afterwards
+      System.arraycopy(raw, 0, sharp, 0, stride);
+      int count = lens.width();
+      float by = 1.0f / (2 * smear + 1);
+      for (int channel = 0; channel < 3; channel++) {
+        float sum = 0.0f;
+        for (int k = -smear; k <= smear; k++) {
+          sum += sharp[3 * Math.max(0, k) + channel];
+        }
+        for (int x = 0; x < count; x++) {
+          raw[3 * x + channel] = sum * by;
+          sum += sharp[3 * Math.min(count - 1, x + smear + 1) + channel];
+          sum -= sharp[3 * Math.max(0, x - smear) + channel];
+        }
+      }
+    }
+
+    /** Light to pixels. */
+    private void fix(int row, float upDown, byte[] picture) {
+      float middle = 1.0f - 2.0f * upDown;
+      for (int i = 0; i < stride; i++) {
+        raw[i] = middle * here[i] + upDown * (above[i] + below[i]);
+      }
+      int random = ValueNoise.mix(seed + pictures * lens.height() + row) | 1;
+      int at = row * stride;
+      int pixel = row * lens.width();
+      for (int i = 0; i < stride; i += 3) {
+        random ^= random << 13; // Marsaglia's xorshift (2003)
+        random ^= random >>> 17;
+        random ^= random << 5;
+        float scale = gain * vignette[pixel++];
+        picture[at + i] = tone(raw[i] * scale * balance[0], random);
+        picture[at + i + 1] = tone(raw[i + 1] * scale, random >>> 10);
+        picture[at + i + 2] = tone(raw[i + 2] * scale * balance[2], random >>> 20);
+      }
+    }
+  }
 
   Development(ColourLens lens, Light light, Random random) {
     this.lens = lens;
-    row = new float[3 * Math.max(lens.width(), lens.height())];
+    side = 0.25f * (float) Math.min(1.0, lens.blurPixels());
     for (int i = 0; i <= TONES; i++) {
-      tone[i] = (float) (255.0 * StrictMath.pow((double) i / TONES, GAMMA));
+      tone[i] =
+          (float) (255.0 * StrictMath.pow((double) i / TONES, GAMMA)) + 0.5f; // to the nearest
     }
     for (int i = 0; i < NOISES; i++) {
       noise[i] = (float) (255.0 * lens.sigma() * random.nextGaussian());
     }
     double warm = 0.15 * light.warmth();
     balance = new float[] {(float) (1.0 + warm), 1.0f, (float) (1.0 - warm)};
-    state = random.nextInt() | 1;
+    seed = random.nextInt();
     vignette = new float[lens.width() * lens.height()];
     double corner = 0.25 * (lens.width() * lens.width() + lens.height() * lens.height());
     for (int i = 0; i < vignette.length; i++) {
@@ -44,33 +127,26 @@ final class Development {
     }
   }
 
+  Bath bath() {
+    return new Bath();
+  }
+
   /**
-   * @param light red, green, blue of each pixel, linear; used up
+   * Before the rows of the next picture are developed.
+   *
+   * @param light red, green, blue of each pixel, linear
    * @param turnRad by which the camera yaws while it exposes [rad]
    */
-  byte[] develop(float[] light, double turnRad) {
-    int smear = (int) Math.round(0.5 * Math.abs(turnRad) * lens.intrinsics().focalX());
-    blur(light, smear);
+  void begin(float[] light, double turnRad) {
+    smear = (int) Math.round(0.5 * Math.abs(turnRad) * lens.intrinsics().focalX());
+    pictures++;
     expose(light);
-    byte[] picture = new byte[light.length];
-    int random = state;
-    for (int i = 0; i < vignette.length; i++) {
-      random ^= random << 13; // Marsaglia's xorshift (2003)
-      random ^= random >>> 17;
-      random ^= random << 5;
-      float scale = gain * vignette[i];
-      picture[3 * i] = tone(light[3 * i] * scale * balance[0], random);
-      picture[3 * i + 1] = tone(light[3 * i + 1] * scale, random >>> 10);
-      picture[3 * i + 2] = tone(light[3 * i + 2] * scale * balance[2], random >>> 20);
-    }
-    state = random;
-    return picture;
   }
 
   private byte tone(float value, int random) {
     float clipped = value >= 1.0f ? 1.0f : value;
     float bright = tone[(int) (clipped * TONES)] + noise[random & NOISES - 1];
-    return (byte) (bright <= 0.0f ? 0 : bright >= 255.0f ? 255 : (int) (bright + 0.5f));
+    return (byte) (bright <= 0.0f ? 0 : bright >= 255.0f ? 255 : (int) bright);
   }
 
   private void expose(float[] light) {
@@ -83,63 +159,5 @@ final class Development {
     }
     float wanted = TARGET / Math.max(1.0e-4f, (float) (sum / count));
     gain = gain == 0.0f ? wanted : gain + LAG * (wanted - gain);
-  }
-
-  private void blur(float[] light, int smear) {
-    float side = 0.25f * (float) Math.min(1.0, lens.blurPixels());
-    int width = lens.width();
-    int height = lens.height();
-    for (int y = 0; y < height; y++) {
-      int at = 3 * y * width;
-      if (smear > 0) {
-        smear(light, at, width, smear);
-      }
-      if (side > 0.0f) {
-        soften(light, at, width, 3, side);
-      }
-    }
-    if (side > 0.0f) {
-      columns(light, width, height, side);
-    }
-  }
-
-  private void soften(float[] light, int at, int count, int stride, float side) {
-    float middle = 1.0f - 2.0f * side;
-    System.arraycopy(light, at, row, 0, 3 * count);
-    for (int i = stride; i < 3 * (count - 1); i++) {
-      light[at + i] = middle * row[i] + side * (row[i - stride] + row[i + stride]);
-    }
-  }
-
-  /** The same down the columns, row by row for the memory's sake. */
-  private void columns(float[] light, int width, int height, float side) {
-    float middle = 1.0f - 2.0f * side;
-    int stride = 3 * width;
-    float[] above = new float[stride];
-    System.arraycopy(light, 0, above, 0, stride);
-    for (int y = 1; y < height - 1; y++) {
-      int at = y * stride;
-      for (int i = 0; i < stride; i++) {
-        float here = light[at + i];
-        light[at + i] = middle * here + side * (above[i] + light[at + stride + i]);
-        above[i] = here;
-      }
-    }
-  }
-
-  private void smear(float[] light, int at, int count, int reach) {
-    System.arraycopy(light, at, row, 0, 3 * count);
-    float by = 1.0f / (2 * reach + 1);
-    for (int channel = 0; channel < 3; channel++) {
-      float sum = 0.0f;
-      for (int k = -reach; k <= reach; k++) {
-        sum += row[3 * Math.max(0, k) + channel];
-      }
-      for (int x = 0; x < count; x++) {
-        light[at + 3 * x + channel] = sum * by;
-        sum += row[3 * Math.min(count - 1, x + reach + 1) + channel];
-        sum -= row[3 * Math.max(0, x - reach) + channel];
-      }
-    }
   }
 }

@@ -1,23 +1,25 @@
 package org.u2sa.sim.camera;
 
-/** Looks up the lawn where a pixel sees it, over all that the pixel covers. For one thread. */
+/** Looks up the lawn where a pixel sees it, over all that the pixel covers. Immutable. */
 final class Ground {
-  private static final int MOST_SAMPLES = 4;
-  private static final float FULL = 255.0f;
-  private static final float MIDDLE = 128.0f;
+  private static final float FULL = 255.0f * 256.0f; // of a channel
+  private static final float MIDDLE = 128.0f * 256.0f;
+  private static final float STEEPEST =
+      0.02f; // of a ray's fall, below which it sees to the horizon
+  private static final long CHANNEL = 0xFFFFL;
+  private static final long HALVES = 0x7FFF_7FFF_7FFF_7FFFL;
+  private static final long QUARTERS = 0x3FFF_3FFF_3FFF_3FFFL;
 
   private final Lawn lawn;
-  private final float focal;
+  private final float perFocal;
   private final float perCell;
   private final float perBlade;
   private final float sky;
   private final float sun;
-  private final float[] sum = new float[4];
-  private final float[] blades = new float[4];
 
   Ground(Scenery scenery, float focal) {
     lawn = scenery.lawn;
-    this.focal = focal;
+    perFocal = 1.0f / focal;
     perCell = (float) (1.0 / lawn.cellM());
     perBlade = (float) (1.0 / lawn.bladeM());
     sky = (float) scenery.light.sky();
@@ -29,29 +31,40 @@ final class Ground {
    * @param into takes red, green and blue from an index on
    */
   void look(float x, float y, float t, float dx, float dy, float dz, float[] into, int at) {
-    float across = t / focal;
-    float along = across / Math.max(0.02f, -dz); // a pixel's reach along the ground
+    float across = t * perFocal;
+    float along = across / Math.max(STEEPEST, -dz); // a pixel's reach along the ground
     int level = MipMap.level(across * perCell);
     int bladeLevel = MipMap.level(0.5f * (across + along) * perBlade);
+    float east = x + t * dx;
+    float north = y + t * dy;
+    float column = (east - (float) lawn.westM()) * perCell;
+    float row = (north - (float) lawn.southM()) * perCell;
+    long seen = seen(level, column, row, along * dx * perCell, along * dy * perCell, along);
+    float grass = lawn.blades().at(bladeLevel, east * perBlade, north * perBlade) & CHANNEL;
+    float lit = sky + sun * (seen >>> 48) / FULL;
+    float bright = lit * grass / (MIDDLE * FULL);
+    into[at] = bright * (seen >>> 16 & CHANNEL);
+    into[at + 1] = bright * (seen >>> 32 & CHANNEL);
+    into[at + 2] = bright * (seen & CHANNEL);
+  }
+
+  /** The mean of one, two or four places in a row, as far apart as the level's cells. */
+  private long seen(int level, float column, float row, float dx, float dy, float along) {
     float cells = along * perCell / (1 << level);
-    int samples = Math.max(1, Math.min(MOST_SAMPLES, (int) cells));
-    float weight = 1.0f / samples;
-    float step = t / focal / Math.max(0.02f, -dz) * weight;
-    float from = t - 0.5f * (samples - 1) * step;
-    sum[0] = 0.0f;
-    sum[1] = 0.0f;
-    sum[2] = 0.0f;
-    sum[3] = 0.0f;
-    for (int k = 0; k < samples; k++) {
-      float east = x + (from + k * step) * dx - (float) lawn.westM();
-      float north = y + (from + k * step) * dy - (float) lawn.southM();
-      lawn.map().add(level, east * perCell, north * perCell, weight, sum);
+    MipMap map = lawn.map();
+    if (cells < 2.0f) {
+      return map.at(level, column, row);
     }
-    blades[0] = 0.0f;
-    lawn.blades().add(bladeLevel, (x + t * dx) * perBlade, (y + t * dy) * perBlade, 1.0f, blades);
-    float bright = (sky + sun * sum[3] / FULL) * blades[0] / MIDDLE / FULL;
-    into[at] = bright * sum[2];
-    into[at + 1] = bright * sum[1];
-    into[at + 2] = bright * sum[0];
+    if (cells < 4.0f) {
+      long one = map.at(level, column - 0.25f * dx, row - 0.25f * dy);
+      long other = map.at(level, column + 0.25f * dx, row + 0.25f * dy);
+      return (one >>> 1 & HALVES) + (other >>> 1 & HALVES);
+    }
+    long sum = 0L;
+    for (int k = 0; k < 4; k++) {
+      float share = (k - 1.5f) / 4.0f;
+      sum += map.at(level, column + share * dx, row + share * dy) >>> 2 & QUARTERS;
+    }
+    return sum;
   }
 }

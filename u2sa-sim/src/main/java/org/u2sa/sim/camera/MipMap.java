@@ -3,6 +3,7 @@ package org.u2sa.sim.camera;
 /** A picture of the ground in four channels of 8 bits, and the same at halved sizes. Immutable. */
 final class MipMap {
   private static final int LEVELS = 6;
+  private static final int ONE = 256; // weight of a cell hit in its middle
 
   private final int[][] pixels = new int[LEVELS][];
   private final int[] widths = new int[LEVELS];
@@ -61,54 +62,39 @@ final class MipMap {
   }
 
   /**
-   * Adds what is at a place, between the four nearest cells.
+   * What is at a place, between the four nearest cells: four channels of 16 bits, each 0…255 times
+   * 256. From the lowest bits up: lowest eight bits of a cell, its third, its second, its highest.
    *
    * @param x in cells of the finest level, from the middle of the first
-   * @param sum its four channels, lowest bits first, each 0…255 times the weight
    */
-  void add(int level, float x, float y, float weight, float[] sum) {
-    int width = widths[level];
-    int height = heights[level];
+  long at(int level, float x, float y) {
     float scale = 1.0f / (1 << level);
     float u = (x + 0.5f) * scale - 0.5f;
     float v = (y + 0.5f) * scale - 0.5f;
     int column = floor(u);
     int row = floor(v);
-    float right = u - column;
-    float down = v - row;
-    int x0;
-    int x1;
-    int y0;
-    int y1;
-    if (tiled) {
-      x0 = column & width - 1;
-      x1 = column + 1 & width - 1;
-      y0 = row & height - 1;
-      y1 = row + 1 & height - 1;
-    } else {
-      x0 = Math.max(0, Math.min(width - 1, column));
-      x1 = Math.max(0, Math.min(width - 1, column + 1));
-      y0 = Math.max(0, Math.min(height - 1, row));
-      y1 = Math.max(0, Math.min(height - 1, row + 1));
-    }
+    int right = (int) ((u - column) * ONE);
+    int down = (int) ((v - row) * ONE);
+    int width = widths[level];
+    int height = heights[level];
+    int x0 = column(column, width);
+    int x1 = column(column + 1, width);
+    int above = column(row, height) * width;
+    int below = column(row + 1, height) * width;
     int[] cells = pixels[level];
-    int a = cells[y0 * width + x0];
-    int b = cells[y0 * width + x1];
-    int c = cells[y1 * width + x0];
-    int d = cells[y1 * width + x1];
-    float wb = right * (1.0f - down) * weight;
-    float wc = (1.0f - right) * down * weight;
-    float wd = right * down * weight;
-    float wa = weight - wb - wc - wd;
-    sum[0] += wa * (a & 0xFF) + wb * (b & 0xFF) + wc * (c & 0xFF) + wd * (d & 0xFF);
-    sum[1] +=
-        wa * (a >> 8 & 0xFF) + wb * (b >> 8 & 0xFF) + wc * (c >> 8 & 0xFF) + wd * (d >> 8 & 0xFF);
-    sum[2] +=
-        wa * (a >> 16 & 0xFF)
-            + wb * (b >> 16 & 0xFF)
-            + wc * (c >> 16 & 0xFF)
-            + wd * (d >> 16 & 0xFF);
-    sum[3] += wa * (a >>> 24) + wb * (b >>> 24) + wc * (c >>> 24) + wd * (d >>> 24);
+    int both = right * down >> 8;
+    return (ONE - right - down + both) * spread(cells[above + x0])
+        + (right - both) * spread(cells[above + x1])
+        + (down - both) * spread(cells[below + x0])
+        + both * spread(cells[below + x1]);
+  }
+
+  private int column(int column, int width) {
+    return tiled ? column & width - 1 : Math.max(0, Math.min(width - 1, column));
+  }
+
+  private static long spread(int cell) {
+    return cell & 0xFF00FFL | (cell >>> 8 & 0xFF00FFL) << 32;
   }
 
   private static int floor(float value) {

@@ -1,36 +1,47 @@
 package org.u2sa.sim.camera;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * Renders what a camera on a vehicle sees, a ray a pixel, each row at its own moment; then lens and
- * sensor do their harm ({@link Development}). Buffers are reused; for one thread.
+ * sensor do their harm ({@link Development}). Bands of rows are shared out to all cores, each with
+ * memory of its own: the picture is the same on any number of them. Buffers are reused; pictures
+ * are for one thread to ask for.
  */
 public final class Renderer {
   private static final float TREES = 0.2f; // higher above the horizon there are none
   private static final float GLARE = 2.2f;
+  private static final int BANDS = 8;
 
   private final ColourLens lens;
   private final Scenery scenery;
-  private final CameraPose pose;
   private final RayTable rays;
   private final float[] light; // red, green, blue of each pixel, linear
   private final float[] depth;
+  private final CameraPose[] poses; // of each row
+  private final CameraPose middle;
+  private final int[] boxes; // left, top, right, bottom of each solid in the picture
   private final Ground ground;
   private final Development development;
-  private final Solid.Touch touch = new Solid.Touch();
+  private final Development.Bath[] baths = new Development.Bath[BANDS];
 
   /** Takes the stream {@code camera}. */
   public Renderer(ColourLens lens, Scenery scenery, NoiseStreams streams) {
     this.lens = lens;
     this.scenery = scenery;
-    pose = new CameraPose(lens);
     rays = new RayTable(lens);
     light = new float[3 * lens.width() * lens.height()];
     depth = new float[lens.width() * lens.height()];
+    poses = new CameraPose[lens.height()];
+    Arrays.setAll(poses, row -> new CameraPose(lens));
+    middle = new CameraPose(lens);
+    boxes = new int[4 * scenery.solids.size()];
     ground = new Ground(scenery, (float) lens.intrinsics().focalX());
     development = new Development(lens, scenery.light, streams.of("camera"));
+    Arrays.setAll(baths, band -> development.bath());
   }
 
   /**
@@ -39,18 +50,49 @@ public final class Renderer {
    * @return width × height × 3 bytes, red, green and blue, row by row; new for each picture
    */
   public byte[] picture(VehicleTruth truth) {
-    for (int row = 0; row < lens.height(); row++) {
-      pose.at(truth, pose.rowS(row));
-      background(row);
+    middle.at(truth, 0.5 * lens.readoutS());
+    for (int i = 0; i < scenery.solids.size(); i++) {
+      box(scenery.solids.get(i), truth, 4 * i);
     }
-    for (Solid solid : scenery.solids) {
-      draw(solid, truth);
-    }
-    return development.develop(light, lens.exposureS() * truth.rates().z());
+    bands((from, to, band) -> expose(truth, from, to));
+    development.begin(light, lens.exposureS() * truth.rates().z());
+    byte[] picture = new byte[light.length];
+    bands((from, to, band) -> baths[band].develop(light, picture, from, to));
+    return picture;
   }
 
-  private void background(int row) {
+  private interface Band {
+    void work(int from, int to, int band);
+  }
+
+  private void bands(Band each) {
+    int rows = lens.height();
+    IntStream.range(0, BANDS)
+        .parallel()
+        .forEach(band -> each.work(band * rows / BANDS, (band + 1) * rows / BANDS, band));
+  }
+
+  private void expose(VehicleTruth truth, int from, int to) {
+    for (int row = from; row < to; row++) {
+      poses[row].at(truth, lens.readoutS() * row / (lens.height() - 1));
+      background(row, poses[row]);
+    }
+    Solid.Touch touch = new Solid.Touch();
+    for (int k = 0; k < scenery.solids.size(); k++) {
+      Solid solid = scenery.solids.get(k);
+      int bottom = Math.min(to - 1, boxes[4 * k + 3]);
+      for (int row = Math.max(from, boxes[4 * k + 1]); row <= bottom; row++) {
+        int last = row * lens.width() + boxes[4 * k + 2];
+        for (int i = row * lens.width() + boxes[4 * k]; i <= last; i++) {
+          trace(solid, i, poses[row], touch);
+        }
+      }
+    }
+  }
+
+  private void background(int row, CameraPose pose) {
     int at = row * lens.width();
+    boolean glares = scenery.light.glare() > 0.0;
     for (int i = at; i < at + lens.width(); i++) {
       float u = rays.right[i];
       float v = rays.down[i];
@@ -65,7 +107,7 @@ public final class Renderer {
         depth[i] = Float.POSITIVE_INFINITY;
         sky(dx, dy, dz, 3 * i);
       }
-      if (scenery.light.glare() > 0.0) {
+      if (glares) {
         veil(dx, dy, dz, 3 * i);
       }
     }
@@ -73,16 +115,12 @@ public final class Renderer {
 
   private void sky(float dx, float dy, float dz, int to) {
     float up = dz / (float) Math.sqrt(dx * dx + dy * dy);
-    if (up < TREES) {
-      double azimuth = Math.atan2(dx, dy) + Math.PI;
-      int place = (int) (azimuth / (2.0 * Math.PI) * scenery.skyline.length);
-      if (up < scenery.skyline[Math.min(scenery.skyline.length - 1, place)]) {
-        float bright = (float) (scenery.light.sky() + 0.3 * scenery.light.sun());
-        light[to] = 0.03f * bright;
-        light[to + 1] = 0.05f * bright;
-        light[to + 2] = 0.025f * bright;
-        return;
-      }
+    if (up < TREES && up < scenery.treesUp(dx, dy)) {
+      float bright = (float) (scenery.light.sky() + 0.3 * scenery.light.sun());
+      light[to] = 0.03f * bright;
+      light[to + 1] = 0.05f * bright;
+      light[to + 2] = 0.025f * bright;
+      return;
     }
     float high = Math.min(1.0f, up);
     float bright = 0.35f + 0.25f * (float) (scenery.light.sky() + scenery.light.sun());
@@ -108,27 +146,24 @@ public final class Renderer {
     }
   }
 
-  private void draw(Solid solid, VehicleTruth truth) {
+  /** Which part of the picture a solid is in; none if it is behind the camera. */
+  private void box(Solid solid, VehicleTruth truth, int into) {
     float[] ball = solid.ball();
-    pose.at(truth, 0.5 * lens.readoutS());
-    float x = ball[0] - pose.x;
-    float y = ball[1] - pose.y;
-    float z = ball[2] - pose.z;
-    float ahead = x * pose.axis[0] + y * pose.axis[1] + z * pose.axis[2];
+    float x = ball[0] - middle.x;
+    float y = ball[1] - middle.y;
+    float z = ball[2] - middle.z;
+    float ahead = x * middle.axis[0] + y * middle.axis[1] + z * middle.axis[2];
     float radius = 1.1f * ball[3] + 0.02f;
-    if (ahead < -radius) {
-      return;
-    }
     int top = 0;
-    int bottom = lens.height() - 1;
+    int bottom = ahead < -radius ? -1 : lens.height() - 1;
     int left = 0;
     int right = lens.width() - 1;
     boolean distorted = lens.k1() != 0.0 || lens.k2() != 0.0;
     float near = ahead - radius;
     if (near > 0.2f && !distorted) {
       float focal = (float) lens.intrinsics().focalX();
-      float aside = x * pose.right[0] + y * pose.right[1] + z * pose.right[2];
-      float below = x * pose.below[0] + y * pose.below[1] + z * pose.below[2];
+      float aside = x * middle.right[0] + y * middle.right[1] + z * middle.right[2];
+      float below = x * middle.below[0] + y * middle.below[1] + z * middle.below[2];
       float slack = 4.0f + (float) Math.abs(truth.rates().z() * lens.readoutS()) * focal;
       float centreX = (float) lens.intrinsics().centreX();
       float centreY = (float) lens.intrinsics().centreY();
@@ -139,12 +174,10 @@ public final class Renderer {
       bottom =
           Math.min(bottom, (int) (centreY + focal * -least(-below - radius, near, ahead) + slack));
     }
-    for (int row = top; row <= bottom; row++) {
-      pose.at(truth, pose.rowS(row));
-      for (int i = row * lens.width() + left; i <= row * lens.width() + right; i++) {
-        trace(solid, i);
-      }
-    }
+    boxes[into] = left;
+    boxes[into + 1] = top;
+    boxes[into + 2] = right;
+    boxes[into + 3] = bottom;
   }
 
   /** The least that a side of a ball may be seen at, by its nearest or middle distance. */
@@ -152,7 +185,7 @@ public final class Renderer {
     return Math.min(side / near, side / (2.0f * ahead - near));
   }
 
-  private void trace(Solid solid, int i) {
+  private void trace(Solid solid, int i, CameraPose pose, Solid.Touch touch) {
     float u = rays.right[i];
     float v = rays.down[i];
     float dx = u * pose.right[0] + v * pose.below[0] + pose.axis[0];

@@ -38,12 +38,14 @@ public final class Scenery {
   public static final String BLUE_FLAG = "blue flag";
 
   private static final double LEG_M = 0.03;
+  private static final int SKYLINE = 1024;
+  private static final float FULL_TURN = 4.0f;
 
   final Lawn lawn;
   final List<Solid> solids;
   final Light light;
   final float[] sun; // unit vector towards it, east, north, up
-  final double[] skyline; // height of the trees around [rad], by azimuth
+  private final float[] skyline; // slope to the top of the trees around, by {@link #turn}
 
   /**
    * @param objects in LOCAL_ENU
@@ -77,14 +79,37 @@ public final class Scenery {
     skyline = skyline(new ValueNoise(seed + 1));
   }
 
-  private static double[] skyline(ValueNoise noise) {
-    double[] heights = new double[720];
-    for (int i = 0; i < heights.length; i++) {
-      double turn = 2.0 * Math.PI * i / heights.length;
-      double rough = noise.fractal(9.0 * StrictMath.cos(turn), 9.0 * StrictMath.sin(turn), 4);
-      heights[i] = Math.max(0.005, 0.06 + 0.09 * rough);
+  private static float[] skyline(ValueNoise noise) {
+    float[] slopes = new float[SKYLINE];
+    for (int i = 0; i < slopes.length; i++) {
+      double[] way = way((i + 0.5) * FULL_TURN / slopes.length);
+      double rough = noise.fractal(9.0 * way[0], 9.0 * way[1], 4);
+      slopes[i] = (float) Math.max(0.005, 0.06 + 0.09 * rough);
     }
-    return heights;
+    return slopes;
+  }
+
+  /** The unit vector of a turn. */
+  private static double[] way(double turn) {
+    double x = Math.abs(turn - 2.0) - 1.0;
+    double y = (turn < 2.0 ? 1.0 : -1.0) * (1.0 - Math.abs(x));
+    double length = Math.sqrt(x * x + y * y);
+    return new double[] {x / length, y / length};
+  }
+
+  /**
+   * Which way a vector points, by its place on a diamond: 0 to 4, grows as its angle does and costs
+   * less.
+   */
+  private static float turn(float x, float y) {
+    float part = x / (Math.abs(x) + Math.abs(y));
+    return y >= 0.0f ? 1.0f - part : 3.0f + part;
+  }
+
+  /** How high the trees stand in a direction: slope of the way to their tops. */
+  float treesUp(float east, float north) {
+    int place = (int) (turn(east, north) * (SKYLINE / FULL_TURN));
+    return skyline[Math.max(0, Math.min(SKYLINE - 1, place))];
   }
 
   private static boolean isLine(ObjectDescription object) {

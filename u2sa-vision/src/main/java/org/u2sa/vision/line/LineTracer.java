@@ -270,16 +270,21 @@ final class LineTracer {
 
   private void cut(
       List<double[]> chain, double support, TopView top, GroundView view, List<PaintedLine> lines) {
-    List<Point> points = smooth(chain, top, view);
-    int pieces = Math.max(1, (int) Math.ceil((chain.size() - 1) * STEP_M / settings.pieceM()));
-    for (int piece = 0; piece < pieces; piece++) {
-      int from = piece * (points.size() - 1) / pieces;
-      int to = (piece + 1) * (points.size() - 1) / pieces;
-      List<Point> own = new ArrayList<>(points.subList(from, to + 1));
-      if (own.get(0).distance() > own.get(own.size() - 1).distance()) {
-        Collections.reverse(own); // from near to far
+    for (List<Point> points : UprightThings.cutOut(smooth(chain, top, view), view.camera())) {
+      double length = (points.size() - 1) * STEP_M;
+      if (length < settings.shortestM()) {
+        continue;
       }
-      lines.add(new PaintedLine(List.copyOf(own), support));
+      int pieces = Math.max(1, (int) Math.ceil(length / settings.pieceM()));
+      for (int piece = 0; piece < pieces; piece++) {
+        int from = piece * (points.size() - 1) / pieces;
+        int to = (piece + 1) * (points.size() - 1) / pieces;
+        List<Point> own = new ArrayList<>(points.subList(from, to + 1));
+        if (own.get(0).distance() > own.get(own.size() - 1).distance()) {
+          Collections.reverse(own); // from near to far
+        }
+        lines.add(new PaintedLine(List.copyOf(own), support));
+      }
     }
   }
 

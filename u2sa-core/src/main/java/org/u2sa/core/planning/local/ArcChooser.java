@@ -16,6 +16,7 @@ public final class ArcChooser {
   private static final int FAN = 10; // arcs to each side
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double CREEPS_MPS = 0.15;
+  private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
@@ -139,6 +140,27 @@ public final class ArcChooser {
     ArcChoice stand = stand(ArcChoice.Kind.WAIT);
     boolean waits = limits.stops() && forecast.standing().meetsS() >= limits.horizonS();
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
+  }
+
+  /** To turn on the spot towards a heading, or to make room for that. */
+  public ArcChoice lookTo(double headingRad) {
+    if (!limits.turnsOnTheSpot() || forecast.standing().meetsS() < limits.horizonS()) {
+      return withoutRoute();
+    }
+    if (!canTurnHere()) {
+      return Math.abs(speedMps) > CREEPS_MPS
+          ? stand(ArcChoice.Kind.WAIT)
+          : backOut(2.0 * body.circleM());
+    }
+    double off = Math.abs(Pose.wrapped(headingRad - pose.headingRad()));
+    return off < LOOKS_RAD
+        ? stand(ArcChoice.Kind.WAIT)
+        : new ArcChoice(
+            pose.northM() + limits.lookAheadM() * Math.cos(headingRad),
+            pose.eastM() + limits.lookAheadM() * Math.sin(headingRad),
+            limits.speedMps(),
+            false,
+            ArcChoice.Kind.EVADE);
   }
 
   /** The longest free way backwards or, if need be, forwards, to get out of a corner. */

@@ -25,6 +25,8 @@ public final class SeenWorld {
   /** The window moves when the vehicle is nearer to its edge than this share of its span. */
   private static final double EDGE_SHARE = 0.2;
 
+  private static final double SURE = 0.6; // confidence of what was seen, and is not guessed
+
   /**
    * How the surroundings are read.
    *
@@ -61,10 +63,17 @@ public final class SeenWorld {
   private Reading costsRead;
   private GridLayer layer; // as drawn last
   private int revision;
+  private boolean overlooks;
 
   /** An empty world. */
   public SeenWorld(Supplier<Reading> reading) {
     this.reading = reading;
+  }
+
+  /** Whether objects that are rather guessed than seen do not stand in the way. */
+  public void overlook(boolean guesses) {
+    changed |= guesses != overlooks;
+    overlooks = guesses;
   }
 
   /** Takes new objects. */
@@ -229,7 +238,8 @@ public final class SeenWorld {
     for (ObjectDescription object : all) {
       boolean passable =
           now.ignoredTypes().contains(object.objectType())
-              || object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent();
+              || object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent()
+              || overlooks && object.confidence().orElse(1.0) < SURE;
       if (passable) {
         continue;
       }

@@ -74,6 +74,36 @@ class ArcChooserTest {
   }
 
   @Test
+  void lookTo_roomToTurn_turnsThereOnTheSpot() {
+    ArcChoice choice = arcs(rover(), 0.0).lookTo(Math.toRadians(60.0));
+
+    assertThat(Math.atan2(choice.eastM(), choice.northM()))
+        .isCloseTo(Math.toRadians(60.0), within(1e-9));
+    assertThat(choice.speedMps()).isPositive();
+  }
+
+  @Test
+  void lookTo_looksThereAlready_stands() {
+    assertThat(arcs(rover(), 0.0).lookTo(Math.toRadians(11.0)).speedMps()).isZero();
+  }
+
+  @Test
+  void lookTo_wallBeside_backsOutFirst() {
+    wall(-0.2, 2.0, 0.35, 0.6);
+    ArcChoice choice = arcs(rover(), 0.0).lookTo(Math.toRadians(60.0));
+
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.northM()).isNegative();
+  }
+
+  @Test
+  void lookTo_vehicleThatCannotTurnOnTheSpot_goesOnAsWithoutRoute() {
+    ArcChoice choice = arcs(aeroplane(), 1.0).lookTo(Math.toRadians(60.0));
+
+    assertThat(choice).isEqualTo(arcs(aeroplane(), 1.0).withoutRoute());
+  }
+
+  @Test
   void along_wallAhead_isSlowEnoughToStopBeforeIt() {
     wall(1.3, 1.5, -3.0, 3.0);
     ArcChoice choice = arcs(rover(), 0.2).along(north());

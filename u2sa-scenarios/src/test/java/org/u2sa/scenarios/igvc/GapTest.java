@@ -1,0 +1,119 @@
+package org.u2sa.scenarios.igvc;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Rows of barrels, seen by the laser alone: a vehicle 0.92 m wide threads a gap of 5 ft, and leaves
+ * one of 1.1 m alone for a wider one aside. The row's angle, the gap's place and all noise follow
+ * from the seed.
+ */
+class GapTest {
+  private static final double PASSAGE_M = 1.524;
+  private static final double DECOY_M = 1.1;
+  private static final double WIDE_M = 2.2;
+  private static final double ASIDE_M = 4.2; // from the decoy to the wide gap
+  private static final double ROW_M = 8.0; // to each side: farther than the way through
+  private static final double SPACING_M = 0.9;
+  private static final double MOST_ANGLE = Math.toRadians(25.0);
+
+  /** As long as no camera is needed. */
+  private static final String[] LASER_ALONE = {
+    "--camera-dies", "0", "--set", "HealthMonitor:CourseCamera POLICY=ALERT"
+  };
+
+  @TempDir private Path directory;
+
+  /** A row of barrels, with gaps at these places along it. */
+  private static Course row(long seed, double[] middles, double[] widths) {
+    SplittableRandom random = new SplittableRandom(seed);
+    double angle = MOST_ANGLE * (2.0 * random.nextDouble() - 1.0);
+    double ahead = 5.0 + random.nextDouble();
+    double shift = 2.0 * random.nextDouble() - 1.0;
+    CourseBuilder builder =
+        new CourseBuilder(Point.ORIGIN, 2.0 * Math.PI * random.nextDouble(), random.nextBoolean());
+    builder.start(Point.ORIGIN, Point.of(1.0, 0.0, 0.0));
+    builder.waypoint(Point.of(ahead + 6.0, shift, 0.0));
+    double place = -ROW_M;
+    for (int i = 0; i <= middles.length; i++) {
+      boolean isLast = i == middles.length;
+      double end = isLast ? ROW_M : middles[i] - 0.5 * widths[i] - CourseBuilder.BARREL_RADIUS_M;
+      int steps = (int) Math.ceil((end - place) / SPACING_M);
+      for (int k = 0; k <= steps; k++) {
+        builder.barrel(on(place + (end - place) * k / steps + shift, ahead, angle));
+      }
+      place = isLast ? end : middles[i] + 0.5 * widths[i] + CourseBuilder.BARREL_RADIUS_M;
+      if (!isLast && widths[i] == DECOY_M) { // the judge calls who goes in there
+        builder.line(
+            Course.BOUNDARY,
+            List.of(on(end + shift, ahead, angle), on(place + shift, ahead, angle)));
+      }
+    }
+    return builder.course("row " + seed);
+  }
+
+  private static Point on(double along, double ahead, double angle) {
+    return Point.of(ahead - along * Math.sin(angle), along * Math.cos(angle), 0.0);
+  }
+
+  private IgvcRun drive(Course course, long seed) {
+    return IgvcRun.of(directory.resolve("run " + seed), course, seed, LASER_ALONE);
+  }
+
+  private static void requireClean(IgvcRun run) {
+    assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
+    assertThat(run.figure("touches")).as(run.said()).isZero();
+    assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
+  }
+
+  private void thread(long seed) {
+    IgvcRun run = drive(row(seed, new double[] {0.0}, new double[] {PASSAGE_M}), seed);
+    requireClean(run);
+    assertThat(run.summary().path("distanceM").asDouble())
+        .as("the way around the row is 20 m")
+        .isLessThan(15.0);
+  }
+
+  private void refuse(long seed) {
+    double aside = seed % 2 == 0 ? ASIDE_M : -ASIDE_M;
+    double[] middles = {Math.min(0.0, aside), Math.max(0.0, aside)};
+    double[] widths = {aside < 0.0 ? WIDE_M : DECOY_M, aside < 0.0 ? DECOY_M : WIDE_M};
+    requireClean(drive(row(seed, middles, widths), seed));
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = 1)
+  void demo_gapOfFiveFeet_isThreaded(long seed) {
+    thread(seed);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = 2)
+  void demo_gapTooNarrow_isLeftAlone(long seed) {
+    refuse(seed);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(
+      longs = {21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40})
+  void demo_twentyGapsOfFiveFeet_areThreaded(long seed) {
+    thread(seed);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(
+      longs = {41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60})
+  void demo_twentyGapsTooNarrow_areLeftAlone(long seed) {
+    refuse(seed);
+  }
+}

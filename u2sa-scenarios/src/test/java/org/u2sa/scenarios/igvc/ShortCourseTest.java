@@ -1,0 +1,68 @@
+package org.u2sa.scenarios.igvc;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.camera.Scenery;
+
+/** A lane of 11 m that turns aside, with a barrel: by camera and laser, judged by truth. */
+class ShortCourseTest {
+  private static final double HALF_M = 1.8;
+
+  @TempDir private Path directory;
+
+  /** The straight way to the waypoint leads over the line: whoever does not see it crosses it. */
+  private static Course course() {
+    CourseBuilder builder = new CourseBuilder(Point.ORIGIN, 0.7, false);
+    builder.start(Point.ORIGIN, Point.of(1.0, 0.0, 0.0));
+    for (int side = -1; side <= 1; side += 2) {
+      double y = side * HALF_M;
+      double bend = 5.0 - 0.7 * y;
+      List<Point> edge =
+          List.of(
+              Point.of(-2.0, y, 0.0), Point.of(bend, y, 0.0), Point.of(bend + 5.0, y + 5.0, 0.0));
+      builder.line(Scenery.LINE, edge);
+      builder.line(Course.BOUNDARY, edge);
+    }
+    builder.barrel(Point.of(4.0, -1.1, 0.0));
+    builder.waypoint(Point.of(8.6, 3.6, 0.0));
+    return builder.course("a short lane");
+  }
+
+  @Test
+  void demo_laneThatTurnsAside_isDrivenBetweenItsLines() {
+    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1);
+    assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
+    assertThat(run.figure("touches")).as(run.said()).isZero();
+    assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
+  }
+
+  @Test
+  void demo_withoutCamera_doesNotMove() {
+    IgvcRun run =
+        IgvcRun.of(
+            directory.resolve("run"),
+            course(),
+            1,
+            "--camera-dies",
+            "0",
+            "--set",
+            "PathPlanner:GIVE UP AFTER=5");
+    assertThat(run.figure("waypointsCaptured")).as(run.said()).isZero();
+    assertThat(run.summary().path("distanceM").asDouble()).as(run.said()).isLessThan(4.0);
+  }
+
+  @Tag("long")
+  @Test
+  void demo_ofTheSameSeed_isTheSameToTheByte() {
+    IgvcRun one = IgvcRun.of(directory.resolve("one"), course(), 3);
+    IgvcRun other = IgvcRun.of(directory.resolve("other"), course(), 3);
+    assertThat(one.file("track.csv")).isEqualTo(other.file("track.csv"));
+    assertThat(one.file("judge.log")).isEqualTo(other.file("judge.log"));
+  }
+}
