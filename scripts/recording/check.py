@@ -20,7 +20,7 @@ for path in sys.argv[1:]:
             counts[channel.topic] += 1
             if channel.message_encoding == "cbor":
                 cbor2.loads(message.data)
-            else:
+            elif channel.message_encoding == "protobuf":
                 protobuf.decoder_for(channel.message_encoding, schema)(message.data)
         attachments = [attachment.name for attachment in reader.iter_attachments()]
         metadata = {record.name: record.metadata for record in reader.iter_metadata()}

@@ -19,6 +19,13 @@ public interface Execution {
   Clock clock();
 
   /**
+   * Which thread the service is to take itself for.
+   *
+   * @param own its own
+   */
+  int threadId(int own);
+
+  /**
    * The service has connected, on whichever thread it first did.
    *
    * @param instance which connection it is

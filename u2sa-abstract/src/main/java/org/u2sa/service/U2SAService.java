@@ -70,7 +70,8 @@ public abstract class U2SAService extends Thread
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
     this.context = context;
     this.role = role;
-    threadID = (int) getId();
+    int own = (int) getId();
+    threadID = context.execution().map(execution -> execution.threadId(own)).orElse(own);
     configuration = new ServiceConfiguration(context, serviceName);
     setName(configuration.name());
     wiring = new ServiceWiring(context, getName(), new ServiceReceiver(this));

@@ -12,6 +12,7 @@ import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.sli
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaCodeUnitAccess;
 import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.lang.ArchRule;
@@ -24,6 +25,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ForkJoinPool;
+import java.util.stream.BaseStream;
 import java.util.stream.Stream;
 
 /**
@@ -89,6 +94,23 @@ final class HouseRules {
           "java.util.Calendar", Set.of("getInstance"),
           "java.util.Date", Set.of("<init>"));
 
+  /** Packages of services whose executions can be repeated. */
+  private static final String[] REPEATABLE =
+      Stream.of("estimation", "mission", "planning", "control", "safety", "world", "health")
+          .map(name -> ROOT + "core." + name + "..")
+          .toArray(String[]::new);
+
+  /** Calls whose result is another one in each process: chance, and orders that have a salt. */
+  private static final Map<String, Set<String>> CHANCE =
+      Map.of(
+          "java.lang.Math", Set.of("random"),
+          "java.lang.System", Set.of("identityHashCode"),
+          "java.util.UUID", Set.of("randomUUID"),
+          "java.util.Map", Set.of("of", "ofEntries", "copyOf"),
+          "java.util.Set", Set.of("of", "copyOf"),
+          "java.util.IdentityHashMap", Set.of("<init>"),
+          "java.util.concurrent.ThreadLocalRandom", Set.of("current"));
+
   private HouseRules() {}
 
   static Map<String, ArchRule> all() {
@@ -114,6 +136,7 @@ final class HouseRules {
     rules.put("charts", confined("scenarios.report", "org.jfree.."));
     rules.put("no circles between packages", noCircles());
     rules.put("one clock", oneClock());
+    rules.put("services repeat", servicesRepeat());
     rules.put("no static mutable state", noStaticMutableState());
     rules.put("no Java serialization", noJavaSerialization());
     rules.put("no objects from data", noObjectsFromData());
@@ -182,6 +205,53 @@ final class HouseRules {
         .doNotHaveFullyQualifiedName(SYSTEM_CLOCK)
         .should()
         .accessTargetWhere(readsTheTime);
+  }
+
+  /** A service that is executed again on the same messages and times is to do the same. */
+  private static ArchRule servicesRepeat() {
+    DescribedPredicate<JavaAccess<?>> differs =
+        describe(
+            "differs from one process to the next",
+            access ->
+                !access.getOrigin().getName().equals("<clinit>") // constants, to look things up in
+                    && (isChance(access) || isThread(access)));
+    return noClasses().that().resideInAnyPackage(REPEATABLE).should().accessTargetWhere(differs);
+  }
+
+  private static boolean isChance(JavaAccess<?> access) {
+    String owner = access.getTargetOwner().getName();
+    boolean unseeded = owner.equals("java.util.Random") && access.getName().equals("<init>");
+    if (unseeded) {
+      return hasParameters(access, 0);
+    }
+    // Map.of() and Set.of(one) have but one order.
+    boolean single =
+        owner.equals("java.util.Map") && (hasParameters(access, 0) || isMapOfOne(access))
+            || owner.equals("java.util.Set") && hasParameters(access, 0);
+    return !single && CHANCE.getOrDefault(owner, Set.of()).contains(access.getName());
+  }
+
+  private static boolean isMapOfOne(JavaAccess<?> access) {
+    return access.getName().equals("of") && hasParameters(access, 2);
+  }
+
+  private static boolean hasParameters(JavaAccess<?> access, int count) {
+    return access instanceof JavaCodeUnitAccess<?> call
+        && call.getTarget().getRawParameterTypes().size() == count;
+  }
+
+  private static boolean isThread(JavaAccess<?> access) {
+    JavaClass owner = access.getTargetOwner();
+    boolean made = access.getName().equals("<init>") && owner.isEquivalentTo(Thread.class);
+    boolean parallel =
+        access.getName().equals("parallelStream")
+            || access.getName().equals("parallel") && owner.isAssignableTo(BaseStream.class);
+    return made
+        || parallel
+        || owner.isEquivalentTo(Executors.class)
+        || owner.isEquivalentTo(CompletableFuture.class)
+        || owner.isEquivalentTo(ForkJoinPool.class)
+        || owner.getName().equals(SYSTEM_CLOCK);
   }
 
   private static ArchRule noStaticMutableState() {

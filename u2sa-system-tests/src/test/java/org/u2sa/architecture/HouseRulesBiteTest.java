@@ -50,6 +50,13 @@ class HouseRulesBiteTest {
       delimiter = '|',
       textBlock =
           """
+          services repeat         | package org.u2sa.core.mission; class Bad { double d() { return Math.random(); } }
+          services repeat         | package org.u2sa.core.mission; class Bad { Object r() { return new java.util.Random(); } }
+          services repeat         | package org.u2sa.core.planning.route; class Bad { Object m() { return java.util.Map.of("a", 1, "b", 2); } }
+          services repeat         | package org.u2sa.core.control; class Bad { Object s() { return java.util.Set.copyOf(java.util.List.of(1)); } }
+          services repeat         | package org.u2sa.core.world; class Bad { Object t() { return new Thread(() -> {}); } }
+          services repeat         | package org.u2sa.core.world; class Bad { Object t() { return java.util.List.of(1).parallelStream(); } }
+          services repeat         | package org.u2sa.core.safety; class Bad { Object e() { return java.util.concurrent.Executors.newCachedThreadPool(); } }
           arrows of messages      | package org.u2sa.messages; class Bad { org.u2sa.interfaces.I i; }
           arrows of interfaces    | package org.u2sa.interfaces.xml; class Bad { org.u2sa.service.S s; }
           arrows of service       | package org.u2sa.service; class Bad { org.u2sa.core.C c; }

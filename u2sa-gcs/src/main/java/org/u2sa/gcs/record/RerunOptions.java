@@ -9,8 +9,14 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.recorder.execution.ExecutionStart;
 import org.u2sa.recorder.execution.Rerun;
@@ -23,6 +29,8 @@ import picocli.CommandLine.Spec;
 /** Which services of a recording are executed again, and how; used as {@code @Mixin}. */
 final class RerunOptions {
   private static final String ALL = "all";
+
+  private final Clock clock = new SystemClock();
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -62,16 +70,51 @@ final class RerunOptions {
     try (McapReader reader = McapReader.open(file)) {
       Map<String, ExecutionStart> chosen = chosen(file, ExecutionStart.all(reader));
       ServiceChanges changed = ServiceChanges.parse(changes, chosen.values());
-      List<Rerun.Outcome> outcomes = new ArrayList<>();
-      for (Map.Entry<String, ExecutionStart> one : chosen.entrySet()) {
-        ExecutionStart start = changed.configurationOf(one.getValue());
-        outcomes.add(
-            new Rerun(reader, one.getKey(), start).run(context -> changed.make(start, context)));
-      }
+      long began = clock.micros();
+      List<Rerun.Outcome> outcomes = executed(file, chosen, changed);
+      double wallS = Clock.seconds(clock.micros() - began);
       PrintWriter out = command.commandLine().getOut();
-      RerunReport report = new RerunReport(outcomes, !changes.isEmpty());
+      RerunReport report = new RerunReport(outcomes, wallS, !changes.isEmpty());
       (json ? report.json() : report.lines()).forEach(out::println);
       return report.isIdentical() || !changes.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
+    }
+  }
+
+  /** Executes the services side by side, as far as the machine has processors. */
+  private static List<Rerun.Outcome> executed(
+      Path file, Map<String, ExecutionStart> chosen, ServiceChanges changed)
+      throws IOException, InterruptedException {
+    ExecutorService threads =
+        Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
+    try {
+      List<Future<Rerun.Outcome>> begun = new ArrayList<>();
+      for (Map.Entry<String, ExecutionStart> one : chosen.entrySet()) {
+        ExecutionStart start = changed.configurationOf(one.getValue());
+        begun.add(threads.submit(() -> executed(file, one.getKey(), start, changed)));
+      }
+      List<Rerun.Outcome> outcomes = new ArrayList<>();
+      for (Future<Rerun.Outcome> one : begun) {
+        outcomes.add(one.get());
+      }
+      return outcomes;
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof IOException cause) {
+        throw cause;
+      }
+      if (e.getCause() instanceof RuntimeException cause) {
+        throw cause; // such as a service that refuses its configuration
+      }
+      throw new IllegalStateException(e.getCause());
+    } finally {
+      threads.shutdownNow();
+    }
+  }
+
+  private static Rerun.Outcome executed(
+      Path file, String execution, ExecutionStart start, ServiceChanges changed)
+      throws IOException, InterruptedException {
+    try (McapReader reader = McapReader.open(file)) {
+      return new Rerun(reader, execution, start).run(context -> changed.make(start, context));
     }
   }
 

@@ -16,10 +16,15 @@ final class RerunReport {
   private static final int MOST_FIELDS = 12; // of a channel, in the text
 
   private final List<Rerun.Outcome> outcomes;
+  private final double wallS;
   private final boolean withDeviations;
 
-  RerunReport(List<Rerun.Outcome> outcomes, boolean withDeviations) {
+  /**
+   * @param wallS time that all together took [s]
+   */
+  RerunReport(List<Rerun.Outcome> outcomes, double wallS, boolean withDeviations) {
     this.outcomes = List.copyOf(outcomes);
+    this.wallS = wallS;
     this.withDeviations = withDeviations;
   }
 
@@ -111,14 +116,12 @@ final class RerunReport {
     long recorded = 0;
     long same = 0;
     double simS = 0.0;
-    double wallS = 0.0;
     for (Rerun.Outcome outcome : outcomes) {
       for (ChannelComparison channel : outcome.channels()) {
         recorded += channel.recorded();
         same += channel.same();
       }
       simS = Math.max(simS, Clock.seconds(outcome.micros()));
-      wallS += outcome.wallS();
     }
     return String.format(
         Locale.ROOT,
@@ -141,12 +144,15 @@ final class RerunReport {
               .put("service", outcome.execution())
               .put("identical", outcome.isIdentical())
               .put("simSeconds", Clock.seconds(outcome.micros()))
-              .put("wallSeconds", outcome.wallS())
               .put("remarks", outcome.remarks())
               .put("channels", channels));
     }
     return List.of(
-        new JsonText().put("identical", isIdentical()).put("services", services).toString());
+        new JsonText()
+            .put("identical", isIdentical())
+            .put("wallSeconds", wallS)
+            .put("services", services)
+            .toString());
   }
 
   private JsonText json(ChannelComparison channel) {

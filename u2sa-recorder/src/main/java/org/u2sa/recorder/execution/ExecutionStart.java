@@ -13,6 +13,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.recorder.mcap.McapAttachment;
+import org.u2sa.recorder.mcap.McapException;
 import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
@@ -38,6 +39,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   static final String CONFIGURATION_NAME = "configuration";
   static final String SERVICE = "service";
   static final String INSTANCE = "instance";
+  static final String THREAD = "thread";
   static final String RESTART = "restart";
   static final String SEED = "seed";
   static final String SYSTEM = "system";
@@ -116,6 +118,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     Map<String, String> moreTexts = new LinkedHashMap<>(texts);
     moreTexts.put(SERVICE, service);
     moreTexts.put(INSTANCE, execution.instance());
+    moreTexts.put(THREAD, Integer.toString(execution.threadId()));
     Map<String, byte[]> moreFiles = new LinkedHashMap<>(files);
     moreFiles
         .keySet()
@@ -178,6 +181,16 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
       }
     }
     return all;
+  }
+
+  /** A whole number that the recording gives. */
+  long number(String name) throws McapException {
+    try {
+      return Long.parseLong(text(name));
+    } catch (NumberFormatException e) {
+      throw new McapException(
+          name + " of " + service() + ": \"" + text(name) + "\" is no whole number", e);
+    }
   }
 
   String text(String name) {

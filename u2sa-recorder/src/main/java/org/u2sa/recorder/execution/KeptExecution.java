@@ -6,6 +6,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.execution.ExecutionEntry.Kind;
@@ -32,6 +34,7 @@ public final class KeptExecution implements Execution {
   private String name = ""; // of the execution; empty: not kept
   private U2SAService service;
   private volatile String instance = "";
+  private int threadId;
   private volatile Thread owner; // null: nobody executes the service
   private boolean kept = true;
   private long elsewhereNoted;
@@ -87,6 +90,17 @@ public final class KeptExecution implements Execution {
     return new NotingClock();
   }
 
+  /** Which thread the service is. */
+  int threadId() {
+    return threadId;
+  }
+
+  @Override
+  public int threadId(int own) {
+    threadId = own;
+    return own;
+  }
+
   @Override
   public void connects(String connectionInstance) {
     instance = connectionInstance;
@@ -131,14 +145,22 @@ public final class KeptExecution implements Execution {
 
   @Override
   public boolean publishes(Channel<?> channel, U2SAData message, BooleanSupplier publish) {
-    boolean taken = publish.getAsBoolean();
+    boolean taken;
+    try {
+      taken = publish.getAsBoolean();
+    } catch (CommunicationException e) {
+      if (Thread.currentThread() == owner) {
+        ends(); // cut off from all others: nothing of what follows reaches anybody
+      }
+      throw e;
+    }
     if (!kept) {
       return taken;
     }
     if (Clock.runningThread() == owner) {
       note(taken ? Kind.PUBLISHED : Kind.REFUSED, 0);
       messages.add(new ExecutionPart.Passed(channel, message));
-    } else {
+    } else if (!channel.equals(Channels.HEALTH)) { // the last report may be by whoever ends it
       elsewhere.incrementAndGet();
     }
     return taken;

@@ -46,21 +46,13 @@ final class MadeAgain {
         .transport(new Silent(start.text(ExecutionStart.SYSTEM), instance()))
         .logDirectory(logs)
         .messageTypes(types)
-        .seed(seed())
+        .seed(start.number(ExecutionStart.SEED))
         .restart(Boolean.parseBoolean(start.text(ExecutionStart.RESTART)))
         .build();
   }
 
   private String instance() {
     return start.text(ExecutionStart.INSTANCE);
-  }
-
-  private long seed() throws McapException {
-    try {
-      return Long.parseLong(start.text(ExecutionStart.SEED));
-    } catch (NumberFormatException e) {
-      throw new McapException("seed of " + start.service() + " is no whole number", e);
-    }
   }
 
   private static String lastName(String path) throws McapException {

@@ -30,6 +30,7 @@ final class RepeatedExecution implements Execution {
   private final ExecutionReader recorded;
   private final Outputs outputs;
   private final Clock machine;
+  private final int threadId;
   private volatile Thread owner;
   private volatile long micros;
   private volatile long passed; // entries; written by the owner only
@@ -59,8 +60,11 @@ final class RepeatedExecution implements Execution {
 
   /**
    * @param machine real time, to wait for a disk by
+   * @param recordedThreadId which thread the service was in the recording
    */
-  RepeatedExecution(ExecutionReader recorded, Outputs outputs, Clock machine) {
+  RepeatedExecution(
+      ExecutionReader recorded, Outputs outputs, Clock machine, int recordedThreadId) {
+    threadId = recordedThreadId;
     this.recorded = recorded;
     this.outputs = outputs;
     this.machine = machine;
@@ -95,6 +99,11 @@ final class RepeatedExecution implements Execution {
   @Override
   public Clock clock() {
     return new RepeatedClock();
+  }
+
+  @Override
+  public int threadId(int own) {
+    return threadId;
   }
 
   @Override
@@ -162,6 +171,9 @@ final class RepeatedExecution implements Execution {
       return true; // as in the recording: what services do at their end is not repeated
     }
     Next counterpart = isHolding() ? null : counterpart(channel);
+    if (over) {
+      return true;
+    }
     strayed |= counterpart == null;
     tell(channel, counterpart == null ? null : counterpart.message(), message);
     return counterpart == null || counterpart.entry().kind() == Kind.PUBLISHED;
@@ -183,6 +195,10 @@ final class RepeatedExecution implements Execution {
         all.remove();
         return one;
       }
+    }
+    next = peek();
+    if (next != null && next.entry().kind() == Kind.END) {
+      stop();
     }
     return null;
   }

@@ -32,15 +32,10 @@ public final class Rerun {
    * @param execution which
    * @param channels what was published, channel by channel
    * @param micros the run's time that was gone through [µs]
-   * @param wallS what that took [s]
    * @param remarks what keeps the execution from being repeated, or kept it
    */
   public record Outcome(
-      String execution,
-      List<ChannelComparison> channels,
-      long micros,
-      double wallS,
-      List<String> remarks) {
+      String execution, List<ChannelComparison> channels, long micros, List<String> remarks) {
     public Outcome {
       channels = List.copyOf(channels);
       remarks = List.copyOf(remarks);
@@ -82,10 +77,11 @@ public final class Rerun {
   private Outcome run(Function<ServiceContext, U2SAService> maker, Path folder)
       throws IOException, InterruptedException {
     Clock machine = new SystemClock();
-    long began = machine.micros();
     OutputComparison outputs = new OutputComparison();
     ExecutionReader recorded = new ExecutionReader(reader, new MessageCodec(types), execution);
-    RepeatedExecution repeated = new RepeatedExecution(recorded, outputs, machine);
+    RepeatedExecution repeated =
+        new RepeatedExecution(
+            recorded, outputs, machine, (int) start.number(ExecutionStart.THREAD));
     long fromMicros = reader.statistics().startNanos() / 1_000L;
     ServiceContext context = new MadeAgain(start, folder).context(types).with(repeated);
     U2SAService service;
@@ -113,11 +109,7 @@ public final class Rerun {
       remarks.add("read the clock, waited or published in another order than in the recording");
     }
     return new Outcome(
-        execution,
-        outputs.channels(),
-        Math.max(0, repeated.micros() - fromMicros),
-        Clock.seconds(machine.micros() - began),
-        remarks);
+        execution, outputs.channels(), Math.max(0, repeated.micros() - fromMicros), remarks);
   }
 
   private static boolean awaitEnd(U2SAService service, RepeatedExecution repeated)

@@ -302,6 +302,66 @@ class RerunTest {
     assertThat(outcome.remarks()).anyMatch(remark -> remark.contains("threads of its own"));
   }
 
+  /** Publishes the number of its thread, as some do to tell their orders from those of others. */
+  private static final class Numbered extends Amplifier {
+    Numbered(ServiceContext context) {
+      super(context);
+    }
+
+    @Override
+    double value(double of) {
+      return getThreadID();
+    }
+  }
+
+  @Test
+  void rerun_numberOfThreadIsPublished_isIdentical() throws Exception {
+    Path file = recordInLockstep(Numbered::new);
+    assertThat(rerun(file, Numbered::new).isIdentical()).isTrue();
+  }
+
+  /** Is cut off from all others at its tenth step. */
+  private static final class CutOff extends Amplifier {
+    private int steps;
+
+    CutOff(ServiceContext context) {
+      super(context);
+    }
+
+    @Override
+    protected void step(double nowS) {
+      if (++steps == 10) {
+        abandonByOther();
+      }
+      super.step(nowS);
+    }
+
+    private void abandonByOther() {
+      Thread other = new Thread(this::abandon);
+      other.start();
+      boolean interrupted = false;
+      while (other.isAlive()) {
+        try {
+          other.join();
+        } catch (InterruptedException e) {
+          interrupted = true;
+        }
+      }
+      if (interrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  @Test
+  void rerun_serviceThatWasCutOff_isIdenticalUpToThere() throws Exception {
+    Path file = recordInLockstep(CutOff::new);
+    Rerun.Outcome outcome = rerun(file, Amplifier::new);
+    assertThat(outcome.remarks()).isEmpty();
+    assertThat(outcome.isIdentical()).isTrue();
+    assertThat(state(outcome).recorded()).isEqualTo(9);
+  }
+
   @Test
   void rerun_atTwiceTheRate_publishesTwiceAsOften() throws Exception {
     Path file = recordInLockstep(Amplifier::new);

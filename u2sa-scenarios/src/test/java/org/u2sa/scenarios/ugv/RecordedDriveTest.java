@@ -3,6 +3,8 @@ package org.u2sa.scenarios.ugv;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.gcs.Main;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.recorder.mcap.McapCursor;
 import org.u2sa.recorder.mcap.McapMessage;
@@ -99,6 +102,30 @@ class RecordedDriveTest {
                       .containsEntry("seed", "3")
                       .containsEntry("demo", "ugv"));
     }
+  }
+
+  @Test
+  void rerun_recordedDrive_isIdenticalAndAChangedGainIsFound() throws IOException {
+    drive("recorded", "--record");
+    String file = folder.resolve("recorded/recording.mcap").toString();
+    StringWriter same = new StringWriter();
+    assertThat(replay(same, file, "--rerun", "all")).as(same.toString()).isEqualTo(ExitCode.DONE);
+    assertThat(same.toString())
+        .contains("StateEstimator", "MissionManager", "PathPlanner", "Control", "SafetyManager")
+        .contains("\nIdentical: ");
+    StringWriter other = new StringWriter();
+    replay(other, file, "--rerun", "Control", "--against", "Control:TURN GAIN=1.0000001");
+    assertThat(other.toString()).contains("\nNot identical: ").contains("actuation  ");
+    StringWriter unknown = new StringWriter();
+    assertThat(replay(unknown, file, "--rerun", "PathPlaner")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(unknown.toString()).contains("PathPlaner").contains("PathPlanner");
+  }
+
+  private static int replay(StringWriter out, String... options) {
+    PrintWriter printer = new PrintWriter(out, true);
+    List<String> all = new ArrayList<>(List.of("replay"));
+    all.addAll(List.of(options));
+    return Main.run(printer, printer, all.toArray(new String[0]));
   }
 
   @Test

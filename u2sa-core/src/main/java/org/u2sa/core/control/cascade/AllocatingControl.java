@@ -105,7 +105,7 @@ public final class AllocatingControl extends ControlSystem {
   private Allocator allocator = new Allocator(tuning.weights());
   private Authority sound = new Authority(Map.of());
   private Authority left = new Authority(Map.of());
-  private Set<DegreeOfFreedom> lost = Set.of();
+  private List<DegreeOfFreedom> lost = List.of();
   private long revision = -1;
   private String said = "";
   private boolean armed = true; // where nobody arms, actuators obey at once
@@ -273,7 +273,7 @@ public final class AllocatingControl extends ControlSystem {
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
     left = Authority.of(allocator.effectors(), controlled);
-    lost = Set.copyOf(left.lost(sound));
+    lost = left.lost(sound);
     List<String> gone = roster.lost(now);
     weaknesses.lost().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
     gone.forEach(name -> command(name, 0.0));

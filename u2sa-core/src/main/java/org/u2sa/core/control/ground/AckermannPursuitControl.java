@@ -1,5 +1,6 @@
 package org.u2sa.core.control.ground;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -177,6 +178,9 @@ public final class AckermannPursuitControl extends ControlSystem {
 
   @Override
   protected Map<String, Double> neutral() {
-    return Map.of(steering.get().throttleActuator(), 0.0, steering.get().steeringActuator(), 0.0);
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of has another order in each process
+    all.put(steering.get().throttleActuator(), 0.0);
+    all.put(steering.get().steeringActuator(), 0.0);
+    return all;
   }
 }

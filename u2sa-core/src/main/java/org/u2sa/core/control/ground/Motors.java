@@ -1,5 +1,6 @@
 package org.u2sa.core.control.ground;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.interfaces.configuration.Variable;
@@ -23,6 +24,9 @@ record Motors(
   }
 
   Map<String, Double> neutral() {
-    return Map.of(leftActuator, 0.0, rightActuator, 0.0);
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of has another order in each process
+    all.put(leftActuator, 0.0);
+    all.put(rightActuator, 0.0);
+    return all;
   }
 }
