@@ -59,12 +59,16 @@ final class RunMap {
     return Optional.of(point);
   }
 
+  /** Takes the goals that are left; a list without one of them does not say what became of it. */
   void take(GoalList list) {
-    for (GoalInformation goal : list.goals()) {
-      if (goal instanceof Waypoint waypoint && waypoint.x().isPresent()) {
-        place(waypoint.referenceFrame(), waypoint.x().getAsDouble(), waypoint.y().orElse(0.0))
-            .ifPresent(at -> take(waypoint, at));
-      }
+    list.goals().forEach(this::take);
+  }
+
+  /** Takes a goal, as it is in a list or as its end is reported. */
+  void take(GoalInformation goal) {
+    if (goal instanceof Waypoint waypoint && waypoint.x().isPresent()) {
+      place(waypoint.referenceFrame(), waypoint.x().getAsDouble(), waypoint.y().orElse(0.0))
+          .ifPresent(at -> take(waypoint, at));
     }
   }
 
@@ -77,7 +81,7 @@ final class RunMap {
             .put("x", Trace.rounded(at.x()))
             .put("y", Trace.rounded(at.y()))
             .put("r", waypoint.horizontalThreshold())
-            .put("done", waypoint.completed()));
+            .put("done", waypoint.completed() && !waypoint.abandoned()));
   }
 
   /** Where a goal is; empty if that is not known. */

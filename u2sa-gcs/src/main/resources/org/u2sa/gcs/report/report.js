@@ -225,13 +225,15 @@
         dash: several ? ["", "5 3", "2 3"][i % 3] : line.name === "true" ? "5 3" : "" }));
     });
     if (lines.length === 0 && !sigma) return;
+    const crowded = lines.length > 4; // then the legend has a line of its own
+    const TOP = crowded ? 50 : 30;
     const root = svg("svg", { class: "plot", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": title }, document.getElementById("charts"));
     svg("text", { x: LEFT, y: 19, "font-weight": 600, style: "font-weight:600" }, root, title + (unit ? ` [${unit}]` : ""));
     const clip = "clip" + Math.random().toString(36).slice(2);
     svg("rect", { x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM }, svg("clipPath", { id: clip }, svg("defs", {}, root)));
     const body = svg("g", {}, root);
     const cursor = svg("line", { class: "cursor", y1: TOP, y2: HEIGHT - BOTTOM, visibility: "hidden" }, root);
-    const legend = svg("text", { x: WIDTH - RIGHT, y: 19, "text-anchor": "end" }, root);
+    const legend = svg("text", crowded ? { x: LEFT, y: 39 } : { x: WIDTH - RIGHT, y: 19, "text-anchor": "end" }, root);
     interact(root);
     const draw = () => {
       body.replaceChildren();
