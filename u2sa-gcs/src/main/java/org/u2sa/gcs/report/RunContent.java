@@ -18,6 +18,7 @@ import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
@@ -166,6 +167,11 @@ final class RunContent {
     if (message instanceof StateInformation state
         && topic.channel().equals(Channels.STATE.name())) {
       charts.take(measuredS, state);
+    } else if (message instanceof StateInformation state
+        && topic.channel().equals(Channels.LOCAL_STATE.name())) {
+      map.takeLocal(state);
+    } else if (message instanceof OccupancyGrid grid) {
+      map.take(grid);
     } else if (message instanceof GoalList list) {
       charts.take(list);
       list.goals().forEach(goal -> goals.add(goal.uid()));
