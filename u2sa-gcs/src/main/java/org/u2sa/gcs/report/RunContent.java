@@ -5,16 +5,20 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
@@ -41,18 +45,21 @@ final class RunContent {
   private final Map<String, Trace> callbacks = new LinkedHashMap<>();
   private final TruthTrack truth; // null: not known
   private final StateCharts charts;
+  private final double truthFromS;
   private final long startNanos;
   private final double durationS;
   private final List<JsonText> facts = new ArrayList<>();
-  private int goalsSeen;
-  private int goalsReached;
+  private final Set<String> goals = new HashSet<>();
+  private final Set<String> goalsReached = new HashSet<>();
 
   private RunContent(Path file, McapReader reader, TruthTrack truth) {
     name = name(file);
-    this.truth = truth;
     startNanos = reader.statistics().startNanos();
+    boolean simulated = startNanos < OTHER_CLOCK_S * NANOS;
+    this.truth = simulated ? truth : null; // in real time, nothing tells when it began
     durationS = (reader.statistics().endNanos() - startNanos) / NANOS;
-    charts = new StateCharts(map, truth, 0.0);
+    truthFromS = -startNanos / NANOS; // both count from the start of simulated time
+    charts = new StateCharts(map, this.truth, truthFromS);
   }
 
   /** A run is called by its folder where the file has its usual name. */
@@ -121,6 +128,9 @@ final class RunContent {
 
   private void facts(Path file, McapReader reader) throws IOException {
     fact("file", file.toString());
+    if (truth == null) {
+      fact("truth", "not known: no track.csv of a run in simulated time");
+    }
     fact("messages", String.valueOf(reader.statistics().messages()));
     for (McapMetadata metadata : reader.metadata()) {
       metadata.entries().forEach((key, value) -> fact(metadata.name() + " " + key, value));
@@ -157,11 +167,21 @@ final class RunContent {
     if (message instanceof StateInformation state
         && topic.channel().equals(Channels.STATE.name())) {
       charts.take(measuredS, state);
-    } else if (message instanceof GoalList goals) {
-      charts.take(goals);
-      goalsSeen = goals.goals().size();
-      goalsReached =
-          (int) goals.goals().stream().filter(g -> g.completed() && !g.abandoned()).count();
+    } else if (message instanceof StateInformation state
+        && topic.channel().equals(Channels.LOCAL_STATE.name())) {
+      map.takeLocal(state);
+    } else if (message instanceof OccupancyGrid grid) {
+      map.take(grid);
+    } else if (message instanceof GoalList list) {
+      charts.take(list);
+      list.goals().forEach(goal -> goals.add(goal.uid()));
+    } else if (message instanceof GoalInformation goal
+        && topic.channel().equals(Channels.GOAL_REPORTS.name())) {
+      map.take(goal);
+      goals.add(goal.uid());
+      if (goal.completed() && !goal.abandoned()) {
+        goalsReached.add(goal.uid());
+      }
     } else if (message instanceof ObjectList objects) {
       map.take(objects);
     } else if (message instanceof PercentageCommand command) {
@@ -189,7 +209,7 @@ final class RunContent {
         .put("name", name)
         .put("durationS", Trace.rounded(durationS))
         .put("figures", figures())
-        .put("map", map.json(truth, 0.0))
+        .put("map", map.json(truth, truthFromS))
         .put("charts", drawn)
         .put("latency", latency.rows(durationS))
         .put("timeline", timeline.json())
@@ -200,8 +220,8 @@ final class RunContent {
   private List<JsonText> figures() {
     List<JsonText> figures = new ArrayList<>();
     figures.add(figure("duration", Trace.rounded(durationS), "s"));
-    figures.add(figure("goals reached", (double) goalsReached, ""));
-    figures.add(figure("goals", (double) goalsSeen, ""));
+    figures.add(figure("goals reached", (double) goalsReached.size(), ""));
+    figures.add(figure("goals", (double) goals.size(), ""));
     Trace off = charts.crossTrack();
     if (off.size() > 0) {
       figures.add(

@@ -12,6 +12,7 @@ import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
@@ -30,12 +31,16 @@ final class RunMap {
   private static final FieldPath PSI = FieldPath.parse("psi");
   private static final FieldPath POINTS = FieldPath.parse("points");
   private static final double POINT_M = 0.3;
+  private static final int MOST_OBJECTS = 2_000;
 
   private final Trace east = new Trace("east");
   private final Trace north = new Trace("north");
   private final Map<String, JsonText> goals = new LinkedHashMap<>();
   private final Map<String, Point> goalPlaces = new LinkedHashMap<>();
-  private List<JsonText> objects = List.of();
+  private final ObstacleCells cells = new ObstacleCells();
+  private final Map<String, JsonText> objects = new LinkedHashMap<>();
+  private Point at; // newest place on the map; null before the first state
+  private Point fromLocal; // from a local frame to the map; null: not known
   private Geodetic origin; // null before the first state
 
   /** A place on the map; empty before it has an origin. */
@@ -54,17 +59,22 @@ final class RunMap {
         new Geodetic(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
     origin = origin == null ? at : origin;
     Point point = origin.enuOf(at);
+    this.at = point;
     east.add(timeS, point.x());
     north.add(timeS, point.y());
     return Optional.of(point);
   }
 
+  /** Takes the goals that are left; a list without one of them does not say what became of it. */
   void take(GoalList list) {
-    for (GoalInformation goal : list.goals()) {
-      if (goal instanceof Waypoint waypoint && waypoint.x().isPresent()) {
-        place(waypoint.referenceFrame(), waypoint.x().getAsDouble(), waypoint.y().orElse(0.0))
-            .ifPresent(at -> take(waypoint, at));
-      }
+    list.goals().forEach(this::take);
+  }
+
+  /** Takes a goal, as it is in a list or as its end is reported. */
+  void take(GoalInformation goal) {
+    if (goal instanceof Waypoint waypoint && waypoint.x().isPresent()) {
+      place(waypoint.referenceFrame(), waypoint.x().getAsDouble(), waypoint.y().orElse(0.0))
+          .ifPresent(at -> take(waypoint, at));
     }
   }
 
@@ -77,7 +87,7 @@ final class RunMap {
             .put("x", Trace.rounded(at.x()))
             .put("y", Trace.rounded(at.y()))
             .put("r", waypoint.horizontalThreshold())
-            .put("done", waypoint.completed()));
+            .put("done", waypoint.completed() && !waypoint.abandoned()));
   }
 
   /** Where a goal is; empty if that is not known. */
@@ -85,21 +95,48 @@ final class RunMap {
     return Optional.ofNullable(goalPlaces.get(uid));
   }
 
-  private Optional<Point> place(ReferenceFrame frame, double x, double y) {
-    return frame.equals(ReferenceFrame.GLOBAL)
-        ? place(new Geodetic(x, y, origin == null ? 0.0 : origin.altitudeM()))
+  /** Takes dead reckoning in a local frame: what is seen in that frame gets its place by it. */
+  void takeLocal(StateInformation state) {
+    if (at != null && state.x().isPresent() && state.y().isPresent()) {
+      Point there = Point.of(state.x().getAsDouble(), state.y().getAsDouble(), 0.0);
+      fromLocal = east(state.referenceFrame(), there).map(at::minus).orElse(fromLocal);
+    }
+  }
+
+  /** East and north of a point of a local frame. */
+  private static Optional<Point> east(ReferenceFrame frame, Point point) {
+    if (frame.equals(ReferenceFrame.LOCAL_ENU)) {
+      return Optional.of(point);
+    }
+    return frame.equals(ReferenceFrame.LOCAL_NED)
+        ? Optional.of(Point.of(point.y(), point.x(), -point.z()))
         : Optional.empty();
   }
 
-  /** Takes the newest list of objects; those of other frames than the globe's are not drawn. */
+  private Optional<Point> place(ReferenceFrame frame, double x, double y) {
+    if (frame.equals(ReferenceFrame.GLOBAL)) {
+      return place(new Geodetic(x, y, origin == null ? 0.0 : origin.altitudeM()));
+    }
+    return fromLocal == null
+        ? Optional.empty()
+        : east(frame, Point.of(x, y, 0.0)).map(fromLocal::plus);
+  }
+
+  void take(OccupancyGrid grid) {
+    cells.take(grid, point -> place(grid.referenceFrame(), point.x(), point.y()));
+  }
+
+  /** Takes objects, each as it was seen last; those of the vehicle's own frame are not drawn. */
   void take(ObjectList list) {
-    List<JsonText> drawn = new ArrayList<>();
     for (ObjectDescription object : list.objects()) {
       place(object.referenceFrame(), object.x(), object.y())
-          .ifPresent(at -> drawn.add(shape(object, at)));
+          .ifPresent(place -> keep(object, place));
     }
-    if (!drawn.isEmpty()) {
-      objects = drawn;
+  }
+
+  private void keep(ObjectDescription object, Point place) {
+    if (objects.size() < MOST_OBJECTS || objects.containsKey(object.uid())) {
+      objects.put(object.uid(), shape(object, place));
     }
   }
 
@@ -162,7 +199,8 @@ final class RunMap {
         new JsonText()
             .put("track", line(east, north))
             .put("goals", new ArrayList<>(goals.values()))
-            .put("objects", objects);
+            .put("objects", new ArrayList<>(objects.values()))
+            .put("cells", cells.json());
     if (truth != null && origin != null) {
       Trace x = new Trace("east");
       Trace y = new Trace("north");

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.GoalInformation;
-import org.u2sa.messages.GoalList;
 import org.u2sa.messages.contract.ArmingState;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
@@ -43,8 +42,8 @@ final class RunTimeline {
       String text =
           (stop.active() ? "emergency stop: " : "emergency stop cleared: ") + stop.reason();
       change(timeS, "stop", "stop", stop.active(), text);
-    } else if (message instanceof GoalList goals) {
-      goals.goals().forEach(goal -> take(timeS, goal));
+    } else if (message instanceof GoalInformation goal) {
+      take(timeS, goal);
     } else if (message instanceof ServiceCondition condition) {
       take(timeS, condition);
     } else if (message instanceof HealthReport report) {
@@ -77,11 +76,15 @@ final class RunTimeline {
   }
 
   private void take(double timeS, GoalInformation goal) {
-    String how = goal.abandoned() ? "abandoned" : goal.completed() ? "reached" : "";
-    String last = lastOf.put("goal " + goal.uid(), how);
-    if (last != null && !last.equals(how) && !how.isEmpty()) {
+    if (goal.completed() || goal.abandoned()) {
       String why = goal.reason().map(reason -> ": " + reason).orElse("");
-      add(timeS, "goal", goal.abandoned(), "goal " + goal.uid() + " " + how + why);
+      String how = goal.abandoned() ? "abandoned" : "reached";
+      change(
+          timeS,
+          "goal " + goal.uid(),
+          "goal",
+          goal.abandoned(),
+          "goal " + goal.uid() + " " + how + why);
     }
   }
 

@@ -99,7 +99,7 @@
     const least = a => a.reduce((m, v) => Math.min(m, v), Infinity);
     const greatest = a => a.reduce((m, v) => Math.max(m, v), -Infinity);
     const width = 1140;
-    let spanX = Math.max(1, greatest(xs) - least(xs)) * 1.1;
+    const spanX = Math.max(1, greatest(xs) - least(xs)) * 1.1;
     const spanY = Math.max(1, greatest(ys) - least(ys)) * 1.1;
     const height = Math.max(320, Math.min(640, width * spanY / spanX));
     const scale = Math.min(width / spanX, height / spanY);
@@ -118,6 +118,13 @@
       svg("text", { class: "soft", x: 4, y: py(m) - 3 }, grid, number(m) + " m");
     });
     const objects = svg("g", { fill: "var(--obstacle)", "fill-opacity": 0.35, stroke: "var(--obstacle)" }, root);
+    const { side, squares } = runs[0].map.cells;
+    let seen = "";
+    for (let i = 0; i < squares.length; i += 2) {
+      const w = (side * scale).toFixed(2);
+      seen += `M${px(squares[i] * side).toFixed(1)} ${py(squares[i + 1] * side).toFixed(1)}h${w}v-${w}h-${w}z`;
+    }
+    if (seen) svg("path", { d: seen, fill: "var(--obstacle)", stroke: "none", "fill-opacity": 0.55 }, root);
     runs[0].map.objects.forEach(o => {
       let shape;
       if (o.outline) {
@@ -170,7 +177,7 @@
       if (best >= 0) setCursor(track[best]);
     });
     document.getElementById("map-note").textContent = "Metres east and north of the first state. Circles are goals with their threshold: filled, reached; red, not. "
-      + (runs[0].map.truth && !several ? "Wide grey: where the vehicle really was. " : "") + (runs[0].map.objects.length ? "Orange: objects as last known. " : "") + "Click: move the cursor there.";
+      + (runs[0].map.truth && !several ? "Wide grey: where the vehicle really was. " : "") + (runs[0].map.objects.length || runs[0].map.cells.squares.length ? "Orange: what was seen in the way. " : "") + "Click: move the cursor there.";
   };
   drawMap();
 
@@ -225,13 +232,15 @@
         dash: several ? ["", "5 3", "2 3"][i % 3] : line.name === "true" ? "5 3" : "" }));
     });
     if (lines.length === 0 && !sigma) return;
+    const crowded = lines.length > 4; // then the legend has a line of its own
+    const TOP = crowded ? 50 : 30;
     const root = svg("svg", { class: "plot", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": title }, document.getElementById("charts"));
     svg("text", { x: LEFT, y: 19, "font-weight": 600, style: "font-weight:600" }, root, title + (unit ? ` [${unit}]` : ""));
     const clip = "clip" + Math.random().toString(36).slice(2);
     svg("rect", { x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM }, svg("clipPath", { id: clip }, svg("defs", {}, root)));
     const body = svg("g", {}, root);
     const cursor = svg("line", { class: "cursor", y1: TOP, y2: HEIGHT - BOTTOM, visibility: "hidden" }, root);
-    const legend = svg("text", { x: WIDTH - RIGHT, y: 19, "text-anchor": "end" }, root);
+    const legend = svg("text", crowded ? { x: LEFT, y: 39 } : { x: WIDTH - RIGHT, y: 19, "text-anchor": "end" }, root);
     interact(root);
     const draw = () => {
       body.replaceChildren();
