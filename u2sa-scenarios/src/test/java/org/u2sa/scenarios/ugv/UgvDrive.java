@@ -5,14 +5,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.device.LidarSensor;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -44,15 +47,34 @@ final class UgvDrive implements AutoCloseable {
 
   /** One loop by another system file. */
   UgvDrive(Path logs, Path system, long seed, Hazards hazards, boolean armAtStart) {
+    this(logs, system, new Scene(seed, GpsGrade.SURVEY, hazards, List.of()), armAtStart, o -> {});
+  }
+
+  /**
+   * What is there besides the vehicle.
+   *
+   * @param obstacles that a laser sees, if the system file has one
+   */
+  record Scene(
+      long seed, GpsGrade receiver, Hazards hazards, List<? extends ObjectDescription> obstacles) {}
+
+  /**
+   * One loop.
+   *
+   * @param more changes what is launched
+   */
+  UgvDrive(Path logs, Path system, Scene scene, boolean armAtStart, Consumer<LaunchOptions> more) {
+    long seed = scene.seed();
     mission = Mission.load(UgvCommandLine.repository().resolve("missions/ugv/loop.xml"));
     world =
         new UgvWorld(
             RunPlans.start(mission),
             VehicleKind.DIFFERENTIAL,
-            GpsGrade.SURVEY,
+            scene.receiver(),
             seed,
-            hazards,
-            DriveConditions.usual());
+            scene.hazards(),
+            DriveConditions.usual(),
+            scene.obstacles());
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
@@ -60,8 +82,10 @@ final class UgvDrive implements AutoCloseable {
             .logDirectory(logs)
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", armAtStart)
-            .making(IoioService.class, context -> new IoioService(context, world.connection()));
-    world.sensors(seed).attach(options);
+            .making(IoioService.class, context -> new IoioService(context, world.connection()))
+            .making(LidarSensor.class, context -> new LidarSensor(context, world.laser(seed)));
+    world.sensors(seed).receiver(scene.receiver().parameters()).attach(options);
+    more.accept(options);
     running = RunningSystem.start(SystemFile.read(system), options);
     operator =
         new TestOperator(running.contextFor(XmlConfiguration.inMemory("TestOperator", Map.of())));
