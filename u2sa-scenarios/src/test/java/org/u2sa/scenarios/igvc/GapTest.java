@@ -12,12 +12,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Rows of barrels, seen by the laser alone: a vehicle 0.92 m wide threads a gap of 5 ft, and leaves
- * one of 1.1 m alone for a wider one aside. The row's angle, the gap's place and all noise follow
- * from the seed.
+ * Rows of barrels, seen by the laser alone: a vehicle 0.92 m wide leaves a gap of 1.1 m alone for a
+ * wider one aside. The row's angle, the gap's place and all noise follow from the seed.
  */
 class GapTest {
-  private static final double PASSAGE_M = 1.524;
   private static final double DECOY_M = 1.1;
   private static final double WIDE_M = 2.2;
   private static final double ASIDE_M = 4.2; // from the decoy to the wide gap
@@ -74,14 +72,6 @@ class GapTest {
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
   }
 
-  private void thread(long seed) {
-    IgvcRun run = drive(row(seed, new double[] {0.0}, new double[] {PASSAGE_M}), seed);
-    requireClean(run);
-    assertThat(run.summary().path("distanceM").asDouble())
-        .as("the way around the row is 20 m")
-        .isLessThan(15.0);
-  }
-
   private void refuse(long seed) {
     double aside = seed % 2 == 0 ? ASIDE_M : -ASIDE_M;
     double[] middles = {Math.min(0.0, aside), Math.max(0.0, aside)};
@@ -90,23 +80,9 @@ class GapTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = 1)
-  void demo_gapOfFiveFeet_isThreaded(long seed) {
-    thread(seed);
-  }
-
-  @ParameterizedTest
   @ValueSource(longs = 2)
   void demo_gapTooNarrow_isLeftAlone(long seed) {
     refuse(seed);
-  }
-
-  @Tag("long")
-  @ParameterizedTest
-  @ValueSource(
-      longs = {21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40})
-  void demo_twentyGapsOfFiveFeet_areThreaded(long seed) {
-    thread(seed);
   }
 
   @Tag("long")
