@@ -109,10 +109,11 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   private void take(Waiting one) {
+    if (waiting.offer(one)) {
+      return; // also of a thread that was interrupted
+    }
     if (inRealTime || closing) {
-      if (!waiting.offer(one)) {
-        drop();
-      }
+      drop();
       return;
     }
     try {

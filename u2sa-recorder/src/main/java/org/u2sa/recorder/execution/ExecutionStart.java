@@ -193,6 +193,11 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     }
   }
 
+  /** Which thread the service was; 0 where the recording does not say. */
+  int threadId() throws McapException {
+    return texts.containsKey(THREAD) ? (int) number(THREAD) : 0;
+  }
+
   String text(String name) {
     return texts.getOrDefault(name, "");
   }

@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.U2SAData;
  * Compares what a service publishes with what it published in the recording. Health reports are
  * left out: they tell how long callbacks took on the machine.
  */
-final class OutputComparison implements RepeatedExecution.Outputs {
+final class OutputComparison implements RecordedCourse.Outputs {
   private final Map<String, ChannelComparison> channels = new TreeMap<>();
 
   @Override

@@ -17,6 +17,13 @@ final class RecordedMessage {
   /** The messages of a topic. */
   record Track(Topic topic, Channel<?> channel) {}
 
+  /**
+   * A message as a service handled it.
+   *
+   * @param arrivedMicros when it came, where the service wanted to know; otherwise 0 [µs]
+   */
+  record Handled(Channel<?> channel, U2SAData message, long arrivedMicros) {}
+
   RecordedMessage(MessageCodec codec, Track track, byte[] data) {
     this.codec = codec;
     this.track = track;

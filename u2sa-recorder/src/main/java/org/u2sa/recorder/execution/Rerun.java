@@ -80,8 +80,8 @@ public final class Rerun {
     OutputComparison outputs = new OutputComparison();
     ExecutionReader recorded = new ExecutionReader(reader, new MessageCodec(types), execution);
     RepeatedExecution repeated =
-        new RepeatedExecution(
-            recorded, outputs, machine, (int) start.number(ExecutionStart.THREAD));
+        new RepeatedExecution(recorded, outputs, machine, start.threadId());
+    RecordedCourse course = repeated.course();
     long fromMicros = reader.statistics().startNanos() / 1_000L;
     ServiceContext context = new MadeAgain(start, folder).context(types).with(repeated);
     U2SAService service;
@@ -93,32 +93,32 @@ public final class Rerun {
     }
     repeated.made(service);
     service.start();
-    boolean hangs = !awaitEnd(service, repeated);
+    boolean hangs = !awaitEnd(service, course);
     List<String> remarks = new ArrayList<>();
     if (hangs) {
       remarks.add("hangs: it did not go on for " + HANGS_AFTER_MS / 1_000 + " s");
       service.abandon();
     } else {
-      repeated.finish();
+      course.finish();
     }
-    repeated.failure().ifPresent(e -> remarks.add("only in part: " + e.getMessage()));
-    if (repeated.publishedElsewhere()) {
+    course.failure().ifPresent(e -> remarks.add("only in part: " + e.getMessage()));
+    if (course.publishedElsewhere()) {
       remarks.add("has threads of its own that publish: what they publish cannot be repeated");
     }
-    if (repeated.hasStrayed()) {
+    if (course.hasStrayed()) {
       remarks.add("read the clock, waited or published in another order than in the recording");
     }
     return new Outcome(
-        execution, outputs.channels(), Math.max(0, repeated.micros() - fromMicros), remarks);
+        execution, outputs.channels(), Math.max(0, course.micros() - fromMicros), remarks);
   }
 
-  private static boolean awaitEnd(U2SAService service, RepeatedExecution repeated)
+  private static boolean awaitEnd(U2SAService service, RecordedCourse course)
       throws InterruptedException {
     long passed;
     do {
-      passed = repeated.passed();
+      passed = course.passed();
       service.join(HANGS_AFTER_MS);
-    } while (service.isAlive() && repeated.passed() != passed);
+    } while (service.isAlive() && course.passed() != passed);
     return !service.isAlive();
   }
 

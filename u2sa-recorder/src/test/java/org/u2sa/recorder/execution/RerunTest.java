@@ -177,7 +177,9 @@ class RerunTest {
       }
     }
     service.kill();
+    service.join(); // a kill does not wait for ever
     recorder.kill();
+    recorder.join();
     return recorder.files().get(0);
   }
 
