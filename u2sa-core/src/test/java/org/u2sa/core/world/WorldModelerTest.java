@@ -349,10 +349,7 @@ class WorldModelerTest {
   private void change(String variable, String value) {
     kit.publish(
         Channels.CONFIGURATION,
-        new ConfigurationChange()
-            .serviceName("WorldModeler")
-            .variableName(variable)
-            .value(value));
+        new ConfigurationChange().serviceName("WorldModeler").variableName(variable).value(value));
   }
 
   private void stand(int ticks) {
@@ -379,8 +376,7 @@ class WorldModelerTest {
   }
 
   @Test
-  void world_serviceSwappedOrModellersChanged_moverIsWhereItWouldHaveBeen()
-      throws IOException {
+  void world_serviceSwappedOrModellersChanged_moverIsWhereItWouldHaveBeen() throws IOException {
     kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
     WorldModeler modeler = kit.start(WorldModeler::new);
     stand(10);

@@ -76,7 +76,9 @@ final class RoverRun implements AutoCloseable {
     kit.with("LEFT ACTUATOR", "LEFT MOTOR").with("RIGHT ACTUATOR", "RIGHT MOTOR");
     kit.start(DifferentialPursuitControl::new);
     eyes =
-        modelled ? new ModelledEyes(field, world, kit, field.seed) : new KnownEyes(field, world, kit);
+        modelled
+            ? new ModelledEyes(field, world, kit, field.seed)
+            : new KnownEyes(field, world, kit);
   }
 
   FieldResult run() {

@@ -136,9 +136,9 @@ final class Cascade {
   }
 
   /**
-   * Goes by what the vehicle sees in its own axes, or by states again: a heading to keep was against
-   * axes that have turned, and one that faces the way must not go aside, which would look like
-   * turning.
+   * Goes by what the vehicle sees in its own axes, or by states again: a heading to keep was
+   * against axes that have turned, and one that faces the way must not go aside, which would look
+   * like turning.
    */
   void goBySight(boolean bySight) {
     turnsFirst = bySight && settings.facesTheWay();

@@ -47,8 +47,7 @@ final class SeenMotion {
       double away = Math.hypot(place.x(), place.y());
       double nearingMps = (Math.hypot(before.x(), before.y()) - away) / stepS;
       double ratio = away > 0.0 ? nearingMps / away : 0.0;
-      Point seen =
-          Point.of(ratio * place.x(), ratio * place.y(), (before.z() - place.z()) / stepS);
+      Point seen = Point.of(ratio * place.x(), ratio * place.y(), (before.z() - place.z()) / stepS);
       Point expected = velocity.plus(along(acceleration, stepS));
       velocity = expected.plus(along(seen.minus(expected), share));
       double expectedTurn = turnRadPerS + turnAcceleration * stepS;

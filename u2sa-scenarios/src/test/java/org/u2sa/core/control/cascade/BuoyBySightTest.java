@@ -103,8 +103,7 @@ class BuoyBySightTest {
   private double bearingOffDeg() {
     Point way = BUOY.minus(place(truth()));
     return Math.toDegrees(
-        Math.IEEEremainder(
-            Math.atan2(way.y(), way.x()) - truth().attitude().psi(), 2.0 * Math.PI));
+        Math.IEEEremainder(Math.atan2(way.y(), way.x()) - truth().attitude().psi(), 2.0 * Math.PI));
   }
 
   private boolean isReached() {
