@@ -43,7 +43,7 @@ final class Avoidance {
   /** Below this share of its speed, what cannot stand has not taken off. */
   private static final double SHARE_FLYING = 0.5;
 
-  /** What cannot stand gives up when it could have gone its longest route so many times. */
+  /** A goal to which it gets no nearer is given up when it could have gone so many times there. */
   private static final double MOST_ROUTES = 4.0;
 
   /** Without a way, it looks to one side after the other, each for so long. */
@@ -388,8 +388,9 @@ final class Avoidance {
       leastRemainingM = remaining;
       progressMicros = micros;
     }
-    if (!now.stops()) {
-      return circles(remaining, limits.speedMps(), now, micros);
+    Optional<String> circles = circles(remaining, limits.speedMps(), now, micros);
+    if (!now.stops() || circles.isPresent()) {
+      return circles;
     }
     if (micros - progressMicros < now.stuckMicros() || micros < recoversUntil) {
       return Optional.empty();
@@ -412,8 +413,8 @@ final class Avoidance {
   }
 
   /**
-   * Why what cannot stand gives up: it always moves, and each new route is a fresh hope, so only
-   * the goal itself tells whether it gets on.
+   * Why what goes to and fro gives up: each new route is a fresh hope, also one through a gap that
+   * only errors of a sensor show, so only the goal itself tells whether it gets on.
    */
   private Optional<String> circles(
       double remainingM, double speedMps, AvoidanceSettings now, long micros) {

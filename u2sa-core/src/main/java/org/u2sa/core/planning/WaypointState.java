@@ -22,6 +22,9 @@ import org.u2sa.service.HandOver;
  * waypoint is given up, which the report says.
  */
 final class WaypointState implements PlannerState {
+  /** Of a threshold: within it, no usual error of the estimate hides a miss. */
+  private static final double SHARE_NEAR = 0.8;
+
   /**
    * Between states farther apart in time, as after a lost link, the way between is not known [µs].
    */
@@ -237,6 +240,9 @@ final class WaypointState implements PlannerState {
    */
   private boolean isNearEnough(Waypoint waypoint) {
     double nearM = settings.get().lines().turns().nearM(waypoint.horizontalThreshold());
+    if (!avoidance.turnsOnTheSpot()) { // its routes end nearer; at once is for what turns at once
+      nearM = Math.min(nearM, SHARE_NEAR * waypoint.horizontalThreshold());
+    }
     return nowM <= nearM || nowM > nearestM;
   }
 

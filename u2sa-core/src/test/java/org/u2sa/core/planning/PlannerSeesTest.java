@@ -172,6 +172,55 @@ class PlannerSeesTest extends PlannedVehicle {
   }
 
   @Test
+  void state_freesItselfAgainAndAgain_givesUpSinceItGetsNoNearer() {
+    kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).with("RECOVERIES", 100);
+    kit.with("REVERSES", true).start(PathPlanner::new);
+    goals(waypoint("1", 10, 0));
+    see(disc("rock", 30, 30, 1.0));
+    drive(380, 0, 0, 0);
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
+    drive(60, 0, 0, 0); // four times 10 m at 1 m/s, and STUCK AFTER
+
+    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow())
+        .contains("no nearer to the goal for 4");
+  }
+
+  /** A bay that opens to the north: a way into it backwards takes HYBRID many nodes. */
+  @Test
+  void state_wayIsHardToFind_standsAndSaysSoUntilItIsFound() {
+    kit.with("PLANNER", "HYBRID").with("TURN RADIUS", 0.9).with("REVERSES", true);
+    kit.with("VEHICLE FRONT", 0.43).with("VEHICLE REAR", 0.1).with("VEHICLE WIDTH", 0.3);
+    kit.with("CLEARANCE", 0.15).with("PLANNING SPAN", 20.0).with("PLANNING EFFORT", 1000);
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", -4.4, 0).horizontalThreshold(0.2).psi(0.0));
+    see(bay("left", 0.8), bay("right", -0.8));
+    drive(1, 0, 0, Math.PI / 2.0);
+
+    assertThat(path().status()).isEqualTo(PathStatus.WAITING);
+    assertThat(path().reason()).hasValue("a way to the goal is sought");
+    assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed()).hasValue(0.0);
+    drive(190, 0, 0, Math.PI / 2.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(191);
+    assertThat(kit.published(Channels.PLANS)).anyMatch(plan -> !plan.points().isEmpty());
+  }
+
+  /** A wall of 1.6 m along the bay. */
+  private static ObjectDescription bay(String uid, double east) {
+    List<Point> corners =
+        List.of(
+            Point.of(-5.2, east - 0.1, 0.0),
+            Point.of(-5.2, east + 0.1, 0.0),
+            Point.of(-3.4, east + 0.1, 0.0),
+            Point.of(-3.4, east - 0.1, 0.0));
+    return new Polygon()
+        .points(corners)
+        .uid(uid)
+        .referenceFrame(ReferenceFrame.LOCAL_NED)
+        .x(-4.3)
+        .y(east);
+  }
+
+  @Test
   void state_trafficCannotBeAvoided_brakesAndSaysSo() {
     kit.with("PLANNER", "GRID").start(PathPlanner::new);
     goals(waypoint("1", 10, 0));
