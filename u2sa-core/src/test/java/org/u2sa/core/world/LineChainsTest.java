@@ -293,6 +293,11 @@ class LineChainsTest {
   void doubt_twoLinesSeenInOnePicture_bothStay() {
     lookThrice(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
     micros += 5_000_000;
+    look(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
+    beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1);
+    assertThat(beads.certain(0.0, 0.0, 50.0, 4))
+        .as("four sightings, no doubt")
+        .hasSize(beads.count());
     for (int i = 0; i < 8; i++) {
       look(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
       beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1);

@@ -98,6 +98,10 @@ class CourseTest {
       }
       builder.line(Course.BOUNDARY, points);
     }
+    for (double x : new double[] {-1.0, 20.0}) {
+      double half = 0.5 * widthM;
+      builder.line(Course.END, List.of(Point.of(x, -half, 0.0), Point.of(x, half, 0.0)));
+    }
     for (double barrel : barrels) {
       builder.barrel(Point.of(10.0, barrel, 0.0));
     }
@@ -130,6 +134,6 @@ class CourseTest {
     Course course = lane(4.0, -0.2);
     assertThat(course.objects().stream().filter(CourseChecker::isInTheWay))
         .extracting(ObjectDescription::objectType)
-        .containsExactly(Course.BOUNDARY, Course.BOUNDARY, Scenery.BARREL);
+        .containsExactly(Course.BOUNDARY, Course.BOUNDARY, Course.END, Course.END, Scenery.BARREL);
   }
 }

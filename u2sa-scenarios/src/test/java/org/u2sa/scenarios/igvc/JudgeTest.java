@@ -76,6 +76,14 @@ class JudgeTest {
   }
 
   @Test
+  void see_overTheEndOfTheCourse_isACrossing() {
+    builder.line(Course.END, List.of(Point.of(-2.0, 3.0, 0.0), Point.of(2.0, 3.0, 0.0)));
+    Judge judge = judge();
+    drive(judge, 0.0, 1.0, 5.0);
+    assertThat(count(judge, "lineCrossings")).isEqualTo(1);
+  }
+
+  @Test
   void see_sideAHandBesideTheLine_isNoCrossing() {
     lane(1.524);
     Judge judge = judge();

@@ -2,6 +2,7 @@ package org.u2sa.scenarios.igvc;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -43,18 +44,13 @@ class ShortCourseTest {
   }
 
   @Test
-  void demo_withoutCamera_doesNotMove() {
-    IgvcRun run =
-        IgvcRun.of(
-            directory.resolve("run"),
-            course(),
-            1,
-            "--camera-dies",
-            "0",
-            "--set",
-            "PathPlanner:GIVE UP AFTER=5");
+  void demo_cameraDiesOnTheWay_standsBetweenItsLines() {
+    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--camera-dies", "5");
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isZero();
-    assertThat(run.summary().path("distanceM").asDouble()).as(run.said()).isLessThan(4.0);
+    assertThat(run.figure("touches")).as(run.said()).isZero();
+    assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
+    assertThat(new String(run.file("judge.log"), StandardCharsets.UTF_8))
+        .contains("stands for more than a minute");
   }
 
   @Tag("long")
