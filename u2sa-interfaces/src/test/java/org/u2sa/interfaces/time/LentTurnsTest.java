@@ -344,6 +344,39 @@ class LentTurnsTest {
   }
 
   @Test
+  void interrupt_whileItWaits_theLenderTakesItsOwnTurnsAgain() throws InterruptedException {
+    Clock.Waiter waiter = clock.newWaiter("interrupted");
+    Thread lender =
+        new Thread(
+            () -> {
+              try (waiter) {
+                waiter.await(0);
+                try {
+                  waiter.lend(() -> Clock.NEVER);
+                } catch (InterruptedException e) {
+                  events.add("interrupted");
+                }
+                waiter.await(clock.micros() + 15);
+                events.add("later@" + clock.micros());
+              } catch (InterruptedException e) {
+                events.add("interrupted again");
+              }
+            });
+    lender.setDaemon(true);
+    lender.start();
+    periodic("b", 10);
+    clock.advance(10);
+
+    lender.interrupt();
+    while (!events.contains("interrupted")) {
+      Thread.yield();
+    }
+    clock.advance(20);
+
+    assertThat(events).containsExactly("b@0", "b@10", "interrupted", "b@20", "later@25", "b@30");
+  }
+
+  @Test
   void interrupt_whileATurnBlocks_reachesThatTurn() throws InterruptedException {
     CountDownLatch blocks = new CountDownLatch(1);
     AtomicReference<Thread> carrier = new AtomicReference<>();
