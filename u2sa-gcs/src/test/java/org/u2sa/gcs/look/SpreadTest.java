@@ -24,6 +24,16 @@ class SpreadTest {
   }
 
   @Test
+  void quantile_shareBetweenTwoRanks_isTheHigher() {
+    Spread spread = new Spread();
+    spread.add(1);
+    spread.add(2);
+    spread.add(3);
+    assertThat(spread.quantile(0.5)).isEqualTo(2);
+    assertThat(spread.quantile(0.99)).isEqualTo(3);
+  }
+
+  @Test
   void quantile_moreThanAreKept_isOfTheNewest() {
     Spread spread = new Spread();
     for (int i = 0; i < 25_000; i++) {
