@@ -149,7 +149,7 @@ public final class KeptExecution implements Execution {
     try {
       taken = publish.getAsBoolean();
     } catch (CommunicationException e) {
-      if (Thread.currentThread() == owner) {
+      if (Clock.runningThread() == owner) {
         ends(); // cut off from all others: nothing of what follows reaches anybody
       }
       throw e;
