@@ -7,12 +7,14 @@ import org.u2sa.messages.frame.Point;
 /**
  * Cuts out of a traced line what runs straight away from the camera. Poles and posts look like
  * paint from above, and always run so; paint does only where its line leads through below the
- * camera, which a vehicle in its lane does not see.
+ * camera. What begins close ahead, where no pole can be but one that is about to be hit, is paint.
  */
 final class UprightThings {
   private static final int REACH = 3; // points to each side, over which a direction is measured
   private static final double RADIAL = 0.07; // sine of the angle up to which it is away
   private static final double SHORTEST_M = 0.4; // what is shorter may be a bend's tangent
+  private static final double CLOSE = 2.5; // heights of the camera, to where a line begins
+  private static final double AHEAD_M = 0.3; // to each side
 
   private UprightThings() {}
 
@@ -33,7 +35,11 @@ final class UprightThings {
         away += end > at ? points.get(end).distanceTo(points.get(end - 1)) : 0.0;
         end++;
       }
-      if (away >= SHORTEST_M) {
+      boolean stands =
+          away >= SHORTEST_M
+              && !isCloseAhead(points.get(at), camera)
+              && !isCloseAhead(points.get(end - 1), camera);
+      if (stands) {
         add(part, parts);
         part = new ArrayList<>();
         at = end;
@@ -51,6 +57,12 @@ final class UprightThings {
     if (part.size() > 1) {
       parts.add(part);
     }
+  }
+
+  private static boolean isCloseAhead(Point end, Point camera) {
+    double x = end.x() - camera.x();
+    double y = end.y() - camera.y();
+    return Math.abs(y) < AHEAD_M && Math.hypot(x, y) < CLOSE * Math.abs(camera.z() - end.z());
   }
 
   private static boolean isRadial(List<Point> points, int at, Point camera) {

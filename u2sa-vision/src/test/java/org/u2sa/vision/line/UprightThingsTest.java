@@ -3,6 +3,7 @@ package org.u2sa.vision.line;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Point;
@@ -30,6 +31,19 @@ class UprightThingsTest {
   @Test
   void cutOut_pole_isGone() {
     assertThat(UprightThings.cutOut(straight(3.1, 1.0, 6.1, 2.0), CAMERA)).isEmpty();
+  }
+
+  @Test
+  void cutOut_lineThatBeginsCloseAhead_staysWhole() {
+    List<Point> line = straight(2.2, 0.0, 8.0, 0.0);
+    assertThat(UprightThings.cutOut(line, CAMERA)).containsExactly(line);
+    Collections.reverse(line);
+    assertThat(UprightThings.cutOut(line, CAMERA)).containsExactly(line);
+  }
+
+  @Test
+  void cutOut_poleAhead_isGone() {
+    assertThat(UprightThings.cutOut(straight(3.2, 0.0, 8.0, 0.0), CAMERA)).isEmpty();
   }
 
   @Test
