@@ -7,6 +7,7 @@ description = "Data model (thesis 3.2.3): messages, frames and their conversions
 dependencies {
     api(libs.geographiclib)
     api(libs.proj4j)
-    testImplementation(libs.jackson.cbor) // older readers, whose sources a test compiles, read by it
+    // Older readers, whose sources a test compiles, read by it.
+    testImplementation(libs.jackson.cbor)
     testImplementation(libs.jts)
 }
