@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
-import java.util.IdentityHashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.u2sa.messages.frame.Point;
@@ -55,7 +55,7 @@ final class LineChains {
     }
     boolean[] strung = new boolean[next.length];
     List<List<Point>> lines = new ArrayList<>();
-    Set<List<Point>> sure = Collections.newSetFromMap(new IdentityHashMap<>());
+    Set<List<Point>> sure = new HashSet<>();
     for (int i = 0; i < next.length; i++) {
       if (!strung[i]) {
         List<LineBeads.Bead> string = string(i, beads, next, strung);
