@@ -282,4 +282,38 @@ class CborInputTest {
     assertThatThrownBy(() -> input("81" + deepest).skip(Limits.DEPTH))
         .hasMessage("expected at most 8 levels of nesting");
   }
+
+  /** One more than a long holds, either way. */
+  @ParameterizedTest
+  @ValueSource(strings = {"1b8000000000000000", "3b8000000000000000", "1bffffffffffffffff"})
+  void count_of65Bits_isRefused(String hex) {
+    assertThatThrownBy(() -> input(hex).count()).hasMessageContaining("an integer of 64 bits");
+  }
+
+  /** Lengths are checked before memory is taken. */
+  @ParameterizedTest
+  @ValueSource(strings = {"9a00000003 0102", "9affffffff", "ba00000003 6161", "bbffffffffffffffff"})
+  void open_longerThanTheMessage_isRefusedAtOnce(String hex) {
+    CborInput in = input(hex);
+    boolean isMap = hex.startsWith("b");
+    assertThatThrownBy(() -> skipOpened(in, isMap))
+        .hasMessageEndingWith("that fits into the message");
+  }
+
+  private static void skipOpened(CborInput in, boolean isMap) {
+    if (isMap) {
+      in.map();
+    } else {
+      in.array();
+    }
+  }
+
+  @Test
+  void text_inPieces_isLimitedAsAWhole() {
+    String piece = "798000" + "61".repeat(0x8000);
+    String end = "ff";
+    assertThat(input("7f" + piece + end).text()).hasSize(0x8000);
+    assertThatThrownBy(() -> input("7f" + piece + piece + "6161" + end).text())
+        .hasMessage("expected at most 65536 bytes of text");
+  }
 }
