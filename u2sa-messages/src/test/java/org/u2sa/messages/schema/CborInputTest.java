@@ -316,4 +316,24 @@ class CborInputTest {
     assertThatThrownBy(() -> input("7f" + piece + piece + "6161" + end).text())
         .hasMessage("expected at most 65536 bytes of text");
   }
+
+  @Test
+  void numbers_cutOffInTheLast_areRefused() {
+    assertThatThrownBy(() -> input("fb3ff8000000000000 fb3ff80000000000").numbers(new double[2]))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("expected ");
+  }
+
+  /** The outermost map is the first level, whether the type is known or not. */
+  @ParameterizedTest
+  @ValueSource(strings = {"StateInformation", "NobodyKnows"})
+  void decode_asDeepAsMayBe_isTakenAndNoDeeper(String type) throws MalformedMessageException {
+    String deepest = "a16171" + "81".repeat(Limits.DEPTH - 1) + "00";
+    List<String> chain = List.of(type);
+    assertThat(codec.decode(chain, HexFormat.of().parseHex(deepest))).isNotNull();
+    byte[] deeper = HexFormat.of().parseHex("a16171" + "81".repeat(Limits.DEPTH) + "00");
+    assertThatThrownBy(() -> codec.decode(chain, deeper))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining("levels of nesting");
+  }
 }
