@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.registry.StandardTypes;
 
 /** The examples of RFC 8949: appendix A, and those of appendix F that are not well-formed. */
@@ -335,5 +339,34 @@ class CborInputTest {
     assertThatThrownBy(() -> codec.decode(chain, deeper))
         .isInstanceOf(MalformedMessageException.class)
         .hasMessageContaining("levels of nesting");
+  }
+
+  @Test
+  void count_underSeveralTags_isTheInteger() {
+    assertThat(input("c1d818c10a").count()).isEqualTo(10L);
+  }
+
+  /**
+   * {"goals": [{"type": ["GoalInformation"], "uid": "7", "origin": ["a", 1]}]}, "type" in a longer
+   * form.
+   */
+  @Test
+  void decode_originWithinAList_isNotTheMessages() throws MalformedMessageException {
+    String goal =
+        "a3 7804 74797065 81 6f 476f616c496e666f726d6174696f6e 63 756964 61 37 66 6f726967696e 82 6161 01";
+    byte[] bytes = HexFormat.of().parseHex(("a1 65 676f616c73 81" + goal).replace(" ", ""));
+    GoalList list = (GoalList) codec.decode(GoalList.TYPE.chain(), bytes);
+    assertThat(list.origin()).isEmpty();
+    assertThat(list.goals()).singleElement().extracting(GoalInformation::uid).isEqualTo("7");
+  }
+
+  /** {"ranges": [0, 0, …]}, one more than a list may have. */
+  @Test
+  void decode_moreNumbersThanTheLimit_areRefusedBeforeTheyAreRead() {
+    byte[] head = HexFormat.of().parseHex("a16672616e6765739a000186a1");
+    byte[] bytes = Arrays.copyOf(head, head.length + Limits.LIST_ELEMENTS + 1);
+    assertThatThrownBy(() -> codec.decode(RangeScan.TYPE.chain(), bytes))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessage("RangeScan.ranges, byte 13: expected at most 100000 elements");
   }
 }
