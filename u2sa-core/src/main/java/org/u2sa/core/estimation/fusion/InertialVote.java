@@ -1,10 +1,11 @@
 package org.u2sa.core.estimation.fusion;
 
 /**
- * Compares the inertial sensor that drives the prediction with those that stand by. Who differs
- * from it by more than biases and noise may is left out and named. It is itself left out, and
- * another takes its place, if two others agree against it, or one does that nobody contradicts
- * while other sensors contradict the estimate.
+ * Compares the inertial sensor that drives the prediction with those that stand by. Any that
+ * differs from it by more than biases and noise allow is left out and named. The driving one is
+ * itself left out, and another takes its place, if no other supports it and either two others agree
+ * against it, or one differs from it while other kinds of sensors contradict the estimate. Of three
+ * that all differ from each other, the honest one is not found.
  *
  * <p>Their mean is not taken: a sample of another sensor is up to an interval old, and on a turning
  * vehicle that is a larger error than the noise that would average out. The comparison is of means
