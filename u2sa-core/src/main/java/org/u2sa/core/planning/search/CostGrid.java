@@ -80,12 +80,19 @@ public final class CostGrid {
    */
   public Area update(byte[] newStates) {
     Changes changes = new Changes();
-    for (int row = 0, i = 0; row < frame.rows(); row++) {
-      for (int column = 0; column < frame.columns(); column++, i++) {
-        if (newStates[i] != states[i]) {
-          states[i] = newStates[i];
-          changes.add(row, column);
+    int columns = frame.columns();
+    for (int row = 0; row < frame.rows(); row++) {
+      int begin = row * columns;
+      int end = begin + columns;
+      int first = Arrays.mismatch(states, begin, end, newStates, begin, end);
+      if (first >= 0) {
+        int last = columns - 1;
+        while (states[begin + last] == newStates[begin + last]) {
+          last--;
         }
+        System.arraycopy(newStates, begin + first, states, begin + first, last - first + 1);
+        changes.add(row, first);
+        changes.add(row, last);
       }
     }
     return changes.compute();
