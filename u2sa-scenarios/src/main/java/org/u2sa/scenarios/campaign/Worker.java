@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.u2sa.scenarios.run.HomeFolder;
 
 /**
  * A process of its own that makes runs, with this program's classes and options: one that dies
@@ -43,6 +44,7 @@ final class Worker implements AutoCloseable {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+    command.addAll(HomeFolder.javaOptions());
     command.addAll(List.of("-cp", System.getProperty("java.class.path")));
     command.add(WorkerMain.class.getName());
     process =
@@ -64,14 +66,23 @@ final class Worker implements AutoCloseable {
    * @throws IOException if the process has died
    */
   Answer run(List<String> arguments) throws IOException {
-    asks.write(line(arguments));
-    asks.newLine();
-    asks.flush();
-    String line = answers.readLine();
-    if (line == null) {
-      throw new IOException("process " + process.pid() + " of the campaign has died");
+    String line = line(arguments);
+    try {
+      asks.write(line);
+      asks.newLine();
+      asks.flush();
+      String answer = answers.readLine();
+      if (answer != null) {
+        return answer(answer);
+      }
+    } catch (IOException e) {
+      throw new IOException(death() + ": " + e.getMessage(), e);
     }
-    return answer(line);
+    throw new IOException(death());
+  }
+
+  private String death() {
+    return "process " + process.pid() + " of the campaign has died";
   }
 
   private static String line(List<String> texts) throws IOException {

@@ -142,7 +142,9 @@ final class WorkerPool {
         experiment,
         answer.exit(),
         summary,
-        answer.exit() == ExitCode.DONE || isToldInSummary ? "" : said.strip());
+        answer.exit() == ExitCode.DONE || isToldInSummary
+            ? ""
+            : said.strip().replaceFirst("^u2sa: ", ""));
   }
 
   private Experiment next() {

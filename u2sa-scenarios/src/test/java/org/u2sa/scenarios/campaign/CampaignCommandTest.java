@@ -23,6 +23,7 @@ class CampaignCommandTest {
 
   private int campaign(String name, String... more) {
     List<String> arguments = new ArrayList<>(List.of("campaign"));
+    System.setProperty("u2sa.home", Path.of("..").toAbsolutePath().normalize().toString());
     arguments.addAll(List.of(more));
     arguments.addAll(1, List.of("--out", directory.resolve(name).toString()));
     out.getBuffer().setLength(0);

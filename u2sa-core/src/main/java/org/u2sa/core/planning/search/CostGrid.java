@@ -80,19 +80,14 @@ public final class CostGrid {
    */
   public Area update(byte[] newStates) {
     Changes changes = new Changes();
-    int columns = frame.columns();
+    RowChange change = new RowChange();
     for (int row = 0; row < frame.rows(); row++) {
-      int begin = row * columns;
-      int end = begin + columns;
-      int first = Arrays.mismatch(states, begin, end, newStates, begin, end);
-      if (first >= 0) {
-        int last = columns - 1;
-        while (states[begin + last] == newStates[begin + last]) {
-          last--;
-        }
-        System.arraycopy(newStates, begin + first, states, begin + first, last - first + 1);
-        changes.add(row, first);
-        changes.add(row, last);
+      int begin = frame.index(row, 0);
+      if (change.find(states, newStates, begin, frame.columns())) {
+        int length = change.last() - change.first() + 1;
+        System.arraycopy(newStates, begin + change.first(), states, begin + change.first(), length);
+        changes.add(row, change.first());
+        changes.add(row, change.last());
       }
     }
     return changes.compute();

@@ -3,6 +3,7 @@ package org.u2sa.core.planning.seen;
 import java.util.Arrays;
 import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
+import org.u2sa.core.planning.search.RowChange;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 
@@ -161,18 +162,14 @@ final class GridLayer {
     int[] to = new int[frame.rows()];
     Arrays.fill(from, frame.columns());
     Arrays.fill(to, -1);
+    RowChange change = new RowChange();
     for (int row = 0; row < rows; row++) {
-      int begin = row * columns;
-      int end = begin + columns;
-      int left = Arrays.mismatch(before, begin, end, cells, begin, end);
-      if (left >= 0) {
-        int right = columns - 1;
-        while (before[begin + right] == cells[begin + right]) {
-          right--;
-        }
+      if (change.find(before, cells, row * columns, columns)) {
+        int west = eastward.first(change.first());
+        int east = eastward.last(change.last());
         for (int planned = northward.first(row); planned <= northward.last(row); planned++) {
-          from[planned] = Math.min(from[planned], eastward.first(left));
-          to[planned] = Math.max(to[planned], eastward.last(right));
+          from[planned] = Math.min(from[planned], west);
+          to[planned] = Math.max(to[planned], east);
         }
       }
     }
