@@ -46,7 +46,9 @@ class LaserPortTest extends DeviceContract<LaserScanner.Scan> {
         new SimulatedBench<>(
             "simulated",
             new SimulatedLaser(
-                SimulatedLaser.Optics.ust10lx(), new NoiseStreams(1), LaserPortTest::distanceM)));
+                SimulatedLaser.Optics.ust10lx(),
+                new NoiseStreams(1),
+                () -> LaserPortTest::distanceM)));
   }
 
   private static Bench<LaserScanner.Scan> linked(

@@ -84,8 +84,17 @@ public record RunReport(Facts facts, RunPlan plan, List<TrackSample> track, RunS
           directory.resolve("track.png"),
           out -> PictureFile.png(out, TrackPicture.WIDTH, TrackPicture.HEIGHT, this::draw));
     }
-    ReportFile.writeText(directory.resolve(SUMMARY), this::writeSummary);
+    writeSummary(directory);
     return obstacle.map(reason -> "no track.svg and track.png: " + reason);
+  }
+
+  /**
+   * Writes {@code summary.json} alone into {@code directory}, which exists.
+   *
+   * @throws RunFailedException naming the file and the system's reason if it cannot be written
+   */
+  public void writeSummary(Path directory) {
+    ReportFile.writeText(directory.resolve(SUMMARY), this::writeSummary);
   }
 
   private void draw(Graphics2D graphics) {

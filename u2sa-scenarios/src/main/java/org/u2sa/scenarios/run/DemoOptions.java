@@ -43,6 +43,11 @@ public final class DemoOptions {
   private boolean json;
 
   @Option(
+      names = "--summary-only",
+      description = "Write summary.json and the logs, but no track and no pictures.")
+  private boolean summaryOnly;
+
+  @Option(
       names = "--realtime",
       description = "Run in real time instead of as fast as the machine allows.")
   private boolean realtime;
@@ -101,6 +106,11 @@ public final class DemoOptions {
   /** Whether standard output is for {@code summary.json} alone. */
   public boolean json() {
     return json;
+  }
+
+  /** Whether neither track nor pictures are wanted. */
+  public boolean summaryOnly() {
+    return summaryOnly;
   }
 
   /** Whether simulated time shall pass like the world's. */

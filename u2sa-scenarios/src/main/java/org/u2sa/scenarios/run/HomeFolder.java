@@ -2,6 +2,7 @@ package org.u2sa.scenarios.run;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.u2sa.interfaces.BadInputException;
 
 /** Where U2SA's files lie. */
@@ -9,6 +10,12 @@ public final class HomeFolder {
   private static final String PROPERTY = "u2sa.home";
 
   private HomeFolder() {}
+
+  /** Options for another Java that shall find the same files. */
+  public static List<String> javaOptions() {
+    String home = System.getProperty(PROPERTY);
+    return home == null ? List.of() : List.of("-D" + PROPERTY + "=" + home);
+  }
 
   /**
    * The folder that holds {@code config} and {@code missions}: the launcher's, or the current one.

@@ -2,22 +2,25 @@ package org.u2sa.scenarios.run;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import org.u2sa.gcs.command.RunFailedException;
 
 /**
  * Ctrl-C or TERM during a run: the run ends in good order, actuators neutral, and its report is
  * written, before the virtual machine does. Its exit code is the system's, 130 or 143.
  */
-final class Interruption implements AutoCloseable {
+public final class Interruption implements AutoCloseable {
   private static final long END_WITHIN_S = 15;
 
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread running = Thread.currentThread();
   private final Thread hook = new Thread(this::endRun, "u2sa-interruption");
+  private final AtomicReference<Runnable> onRequest = new AtomicReference<>(() -> {});
   private volatile boolean asked;
   private volatile boolean waitingForOthers;
 
-  Interruption() {
+  /** Watches from now on. */
+  public Interruption() {
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
@@ -53,8 +56,17 @@ final class Interruption implements AutoCloseable {
     }
   }
 
+  /** Does this, on another thread, when the program is told to end. */
+  public void onRequest(Runnable action) {
+    onRequest.set(action);
+    if (asked) {
+      action.run();
+    }
+  }
+
   private void endRun() {
     asked = true;
+    onRequest.get().run();
     if (waitingForOthers) {
       running.interrupt();
     }

@@ -2,8 +2,8 @@ package org.u2sa.scenarios.run;
 
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
-import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
@@ -18,17 +18,17 @@ import org.u2sa.sim.world.World;
  */
 public record LaserOnVehicle(
     World world, Supplier<VehicleTruth> truth, double forwardM, double upM, double rangeM)
-    implements DoubleUnaryOperator {
+    implements Supplier<DoubleUnaryOperator> {
   @Override
-  public double applyAsDouble(double angleRad) {
+  public DoubleUnaryOperator get() {
     VehicleTruth now = truth.get();
-    Attitude attitude = now.attitude();
-    Point ned = attitude.nedOf(Point.of(forwardM, 0.0, -upM));
-    Point way = attitude.nedOf(Point.of(Math.cos(angleRad), Math.sin(angleRad), 0.0));
-    Point from = now.position();
-    Ray ray =
-        new Ray(
-            from.x() + ned.y(), from.y() + ned.x(), from.z() - ned.z(), way.y(), way.x(), -way.z());
-    return world.distanceM(ray, rangeM);
+    Rotation nedFromFrd = now.attitude().nedFromFrd();
+    Point ned = nedFromFrd.times(Point.of(forwardM, 0.0, -upM));
+    Point from = now.position().plus(Point.of(ned.y(), ned.x(), -ned.z()));
+    return angleRad -> {
+      Point way = nedFromFrd.times(Point.of(Math.cos(angleRad), -Math.sin(angleRad), 0.0));
+      Ray ray = new Ray(from.x(), from.y(), from.z(), way.y(), way.x(), -way.z());
+      return world.distanceM(ray, rangeM);
+    };
   }
 }

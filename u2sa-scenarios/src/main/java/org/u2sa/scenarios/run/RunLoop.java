@@ -53,7 +53,11 @@ final class RunLoop {
       Path runDirectory = options.runDirectory(directory, k);
       RunReport.prepare(runDirectory);
       RunReport report = once.run(runDirectory, options.seed() + k, interruption);
-      report.write(runDirectory).ifPresent(terminal.out()::println);
+      if (options.summaryOnly()) {
+        report.writeSummary(runDirectory);
+      } else {
+        report.write(runDirectory).ifPresent(terminal.out()::println);
+      }
       WaypointTable.print(terminal, report.score());
       terminal.out().println("Files of the run: " + runDirectory);
       reports.add(withoutTrack(report)); // tracks of many runs would fill the memory

@@ -69,9 +69,11 @@ class MappedYardTest {
         new SimulatedLaser(
             optics,
             new NoiseStreams(3L),
-            angle ->
-                world.distanceM(
-                    Ray.of(place.plus(Point.of(0.0, 0.0, LASER_M)), heading - angle, 0.0), 10.0));
+            () ->
+                angle ->
+                    world.distanceM(
+                        Ray.of(place.plus(Point.of(0.0, 0.0, LASER_M)), heading - angle, 0.0),
+                        10.0));
     kit.with("MOUNTED Z", -LASER_M).start(context -> new LidarSensor(context, laser));
     kit.withoutVariables().with("LOWEST", 0.05).with("GRID SIZE", 80.0).with("USUAL SPEED", 1.0);
     kit.with("FORGET MOVING", 5.0)

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import java.util.function.Supplier;
 import org.u2sa.device.LaserScanner;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.sim.motion.Arguments;
@@ -14,7 +15,7 @@ import org.u2sa.sim.sensor.NoiseStreams;
 public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
     implements LaserScanner {
   private final Optics optics;
-  private final DoubleUnaryOperator distance;
+  private final Supplier<DoubleUnaryOperator> view;
   private final Random noise;
 
   /**
@@ -46,19 +47,20 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   /**
    * Takes the stream {@code laser}.
    *
-   * @param distance to the nearest thing in a direction, to the left positive [rad], from the laser
-   *     now [m]; infinite if there is none
+   * @param view what it sees from where it is now: the distance to the nearest thing in a
+   *     direction, to the left positive [rad]; infinite if there is none [m]
    */
-  public SimulatedLaser(Optics optics, NoiseStreams streams, DoubleUnaryOperator distance) {
+  public SimulatedLaser(Optics optics, NoiseStreams streams, Supplier<DoubleUnaryOperator> view) {
     super(optics.rateHz(), 0.0);
     Arguments.requireInside("beams", optics.beams(), 1.0, 100_000.0);
     this.optics = optics;
-    this.distance = distance;
+    this.view = view;
     noise = streams.of("laser");
   }
 
   @Override
   Scan measure(double timeS, long measuredAtMicros) {
+    DoubleUnaryOperator distance = view.get();
     List<OptionalDouble> ranges = new ArrayList<>(optics.beams());
     for (int i = 0; i < optics.beams(); i++) {
       double trueM = distance.applyAsDouble(optics.firstRad() + i * optics.stepRad());

@@ -22,6 +22,7 @@ public final class AckermannVehicle extends PlanarVehicle {
   private final Chassis chassis;
   private final DrivenWheel rear;
   private final SteeredWheel front;
+  private final Footprint footprint;
   private double steerTarget = Double.NaN; // NaN: limp
 
   /** At the plane's origin, facing north, on a lawn. */
@@ -53,6 +54,10 @@ public final class AckermannVehicle extends PlanarVehicle {
         new DrivenWheel(
             x, 0.0, weight - frontN, p.wheelRadiusM(), p.wheelInertiaKgM2(), p.motor(), p.tyre());
     front = new SteeredWheel(x + p.wheelbaseM(), frontN, p.tyre());
+    double overhang = OVERHANG * p.wheelbaseM();
+    footprint =
+        Footprint.rectangle(
+            p.wheelbaseM() + overhang, overhang, WIDTH * p.wheelbaseM(), 0.0, 2.0 * p.cogHeightM());
   }
 
   @Override
@@ -124,9 +129,7 @@ public final class AckermannVehicle extends PlanarVehicle {
   /** {@inheritDoc} From bumper to bumper one and a half wheelbases, wide as most cars by theirs. */
   @Override
   public Footprint footprint() {
-    double overhang = OVERHANG * p.wheelbaseM();
-    return Footprint.rectangle(
-        p.wheelbaseM() + overhang, overhang, WIDTH * p.wheelbaseM(), 0.0, 2.0 * p.cogHeightM());
+    return footprint;
   }
 
   @Override

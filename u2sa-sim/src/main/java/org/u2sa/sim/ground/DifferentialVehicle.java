@@ -23,6 +23,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
   private final DrivenWheel left;
   private final DrivenWheel right;
   private final Castor castor;
+  private final Footprint footprint;
 
   /** At the plane's origin, facing north, on a lawn. */
   public DifferentialVehicle(DifferentialParameters parameters) {
@@ -54,6 +55,13 @@ public final class DifferentialVehicle extends PlanarVehicle {
     left = wheel(p, x, -p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 - shiftN);
     right = wheel(p, x, p.trackM() / 2.0 - chassis.cogRightM(), axleN / 2.0 + shiftN);
     castor = new Castor(x + p.castorAheadM(), -chassis.cogRightM(), p.castorTrailM(), castorN);
+    footprint =
+        Footprint.rectangle(
+            p.castorAheadM() + HALF_TYRE_M,
+            p.wheelRadiusM(),
+            p.trackM() + 2.0 * HALF_TYRE_M,
+            0.0,
+            2.0 * p.cogHeightM());
   }
 
   @Override
@@ -151,12 +159,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
   /** {@inheritDoc} The outline of its wheels. */
   @Override
   public Footprint footprint() {
-    return Footprint.rectangle(
-        p.castorAheadM() + HALF_TYRE_M,
-        p.wheelRadiusM(),
-        p.trackM() + 2.0 * HALF_TYRE_M,
-        0.0,
-        2.0 * p.cogHeightM());
+    return footprint;
   }
 
   @Override

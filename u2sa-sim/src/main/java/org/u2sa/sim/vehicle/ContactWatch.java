@@ -1,6 +1,7 @@
 package org.u2sa.sim.vehicle;
 
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.messages.ObjectDescription;
@@ -30,9 +31,13 @@ public final class ContactWatch {
     if (vehicle.world().obstacles().isEmpty()) {
       return;
     }
+    List<ObjectDescription> touched =
+        vehicle.world().contacts(vehicle.footprint(), truth.position(), truth.headingRad());
+    if (touched.isEmpty() && touching.isEmpty()) {
+      return;
+    }
     Set<String> now = new HashSet<>();
-    for (ObjectDescription object :
-        vehicle.world().contacts(vehicle.footprint(), truth.position(), truth.headingRad())) {
+    for (ObjectDescription object : touched) {
       now.add(object.uid());
       if (!touching.contains(object.uid())) {
         listener.accept(new Contact(truth.timeS(), object));

@@ -1,20 +1,20 @@
 package org.u2sa.sim.world;
 
-import java.util.Arrays;
-
 /** An upright prism over a convex polygon in the world's axes, for what touches it. */
 record Prism(double[] x, double[] y, double low, double high) {
   /** The smallest upright box around it. */
   Bounds bounds() {
-    return new Bounds(min(x), min(y), low, -min(negated(x)), -min(negated(y)), high);
-  }
-
-  private static double min(double[] values) {
-    return Arrays.stream(values).min().orElseThrow();
-  }
-
-  private static double[] negated(double[] values) {
-    return Arrays.stream(values).map(value -> -value).toArray();
+    double west = x[0];
+    double south = y[0];
+    double east = x[0];
+    double north = y[0];
+    for (int i = 1; i < x.length; i++) {
+      west = Math.min(west, x[i]);
+      south = Math.min(south, y[i]);
+      east = Math.max(east, x[i]);
+      north = Math.max(north, y[i]);
+    }
+    return new Bounds(west, south, low, east, north, high);
   }
 
   /** How far above or below it something from {@code bottom} to {@code top} is [m]; 0 beside it. */

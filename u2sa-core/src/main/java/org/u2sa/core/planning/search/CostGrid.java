@@ -80,12 +80,14 @@ public final class CostGrid {
    */
   public Area update(byte[] newStates) {
     Changes changes = new Changes();
-    for (int row = 0, i = 0; row < frame.rows(); row++) {
-      for (int column = 0; column < frame.columns(); column++, i++) {
-        if (newStates[i] != states[i]) {
-          states[i] = newStates[i];
-          changes.add(row, column);
-        }
+    RowChange change = new RowChange();
+    for (int row = 0; row < frame.rows(); row++) {
+      int begin = frame.index(row, 0);
+      if (change.find(states, newStates, begin, frame.columns())) {
+        int length = change.last() - change.first() + 1;
+        System.arraycopy(newStates, begin + change.first(), states, begin + change.first(), length);
+        changes.add(row, change.first());
+        changes.add(row, change.last());
       }
     }
     return changes.compute();

@@ -1,10 +1,9 @@
 package org.u2sa.core.planning.seen;
 
 import java.util.Arrays;
-import java.util.function.DoubleToIntFunction;
-import java.util.function.IntToDoubleFunction;
 import org.u2sa.core.planning.search.CostGrid;
 import org.u2sa.core.planning.search.GridFrame;
+import org.u2sa.core.planning.search.RowChange;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 
@@ -21,15 +20,21 @@ final class GridLayer {
   private static final byte FREE = 0;
 
   private final OccupancyGrid grid;
+  private final byte[] cells; // the grid's
+  private final int columns;
+  private final int rows;
   private final PlanningPlane plane;
   private final GridFrame frame;
   private final double occupiedAbove;
+  private final byte threshold;
   private final Point corner;
   private final double northByColumn;
   private final double northByRow;
   private final double eastByColumn;
   private final double eastByRow;
   private final double half;
+  private final Spans northward;
+  private final Spans eastward;
   private final byte[] said; // as CostGrid's states
 
   private GridLayer(
@@ -38,6 +43,10 @@ final class GridLayer {
     this.plane = plane;
     this.frame = frame;
     this.occupiedAbove = occupiedAbove;
+    threshold = threshold(occupiedAbove);
+    cells = grid.cells();
+    columns = grid.columns();
+    rows = grid.rows();
     corner = middle(0, 0);
     Point alongX = middle(1, 0);
     Point alongY = middle(0, 1);
@@ -46,9 +55,47 @@ final class GridLayer {
     northByRow = alongY.x() - corner.x();
     eastByRow = alongY.y() - corner.y();
     half = 0.5 * grid.resolution() - SHRUNK_M;
+    northward =
+        new Spans(
+            rows,
+            row -> north(0, row),
+            row -> north(columns - 1, row),
+            half,
+            frame::row,
+            frame.rows());
+    eastward =
+        new Spans(
+            columns,
+            column -> east(column, 0),
+            column -> east(column, rows - 1),
+            half,
+            frame::column,
+            frame.columns());
     said = new byte[frame.cells()];
     Arrays.fill(said, CostGrid.UNKNOWN);
-    draw(grid.cells(), grid.columns(), threshold(occupiedAbove));
+    draw();
+  }
+
+  /** Where the one before was drawn; only what differs is drawn anew. */
+  private GridLayer(OccupancyGrid grid, GridLayer before) {
+    this.grid = grid;
+    plane = before.plane;
+    frame = before.frame;
+    occupiedAbove = before.occupiedAbove;
+    threshold = before.threshold;
+    cells = grid.cells();
+    columns = before.columns;
+    rows = before.rows;
+    corner = before.corner;
+    northByColumn = before.northByColumn;
+    eastByColumn = before.eastByColumn;
+    northByRow = before.northByRow;
+    eastByRow = before.eastByRow;
+    half = before.half;
+    northward = before.northward;
+    eastward = before.eastward;
+    said = before.said.clone();
+    redraw(before.cells);
   }
 
   /** The grid as it lies on the plane, drawn anew only where it is not what was drawn before. */
@@ -58,13 +105,17 @@ final class GridLayer {
       GridFrame frame,
       double occupiedAbove,
       GridLayer before) {
-    boolean same =
+    boolean alike =
         before != null
-            && before.grid == grid
             && before.plane == plane
             && before.frame.equals(frame)
             && before.occupiedAbove == occupiedAbove;
-    return same ? before : new GridLayer(grid, plane, frame, occupiedAbove);
+    if (alike && before.grid == grid) {
+      return before;
+    }
+    return alike && before.liesAs(grid)
+        ? new GridLayer(grid, before)
+        : new GridLayer(grid, plane, frame, occupiedAbove);
   }
 
   /** The state of each cell of the plan, as {@link CostGrid} has them; the caller's own. */
@@ -72,35 +123,81 @@ final class GridLayer {
     return said.clone();
   }
 
-  private void draw(byte[] cells, int columns, byte threshold) {
-    if (cells.length == 0) {
-      return;
-    }
-    int rows = cells.length / columns;
-    Spans northward =
-        new Spans(
-            rows, row -> north(0, row), row -> north(columns - 1, row), frame::row, frame.rows());
-    Spans eastward =
-        new Spans(
-            columns,
-            column -> east(column, 0),
-            column -> east(column, rows - 1),
-            frame::column,
-            frame.columns());
+  /** Whether another grid's cells lie where this one's do, each row of them in rows of the plan. */
+  private boolean liesAs(OccupancyGrid other) {
+    return northward.allFit()
+        && eastward.allFit()
+        && other.columns() == columns
+        && other.rows() == rows
+        && other.referenceFrame().equals(grid.referenceFrame())
+        && other.anchor().equals(grid.anchor())
+        && other.left() == grid.left()
+        && other.bottom() == grid.bottom()
+        && other.resolution() == grid.resolution();
+  }
+
+  private void draw() {
     for (int row = 0, k = 0; row < rows; row++) {
       for (int column = 0; column < columns; column++, k++) {
         if (cells[k] != OccupancyGrid.UNKNOWN) {
           byte what = cells[k] >= threshold ? CostGrid.OCCUPIED : FREE;
-          if (northward.fits[row] && eastward.fits[column]) {
+          if (northward.fits(row) && eastward.fits(column)) {
             fill(
-                northward.first[row],
-                northward.last[row],
-                eastward.first[column],
-                eastward.last[column],
+                northward.first(row),
+                northward.last(row),
+                eastward.first(column),
+                eastward.last(column),
                 what);
           } else {
             fill(north(column, row), east(column, row), what);
           }
+        }
+      }
+    }
+  }
+
+  /** Draws anew the plan's cells under those of the grid that say something else than before. */
+  private void redraw(byte[] before) {
+    int[] from = new int[frame.rows()]; // by row of the plan: what has changed, in its columns
+    int[] to = new int[frame.rows()];
+    Arrays.fill(from, frame.columns());
+    Arrays.fill(to, -1);
+    RowChange change = new RowChange();
+    for (int row = 0; row < rows; row++) {
+      if (change.find(before, cells, row * columns, columns)) {
+        int west = eastward.first(change.first());
+        int east = eastward.last(change.last());
+        for (int planned = northward.first(row); planned <= northward.last(row); planned++) {
+          from[planned] = Math.min(from[planned], west);
+          to[planned] = Math.max(to[planned], east);
+        }
+      }
+    }
+    for (int planned = 0; planned < frame.rows(); planned++) {
+      if (from[planned] <= to[planned]) {
+        redraw(planned, from[planned], to[planned]);
+      }
+    }
+  }
+
+  private void redraw(int planned, int from, int to) {
+    Arrays.fill(said, frame.index(planned, from), frame.index(planned, to) + 1, CostGrid.UNKNOWN);
+    int left = columns;
+    int right = -1;
+    for (int i = from; i <= to; i++) {
+      left = Math.min(left, eastward.firstOver(i));
+      right = Math.max(right, eastward.lastOver(i));
+    }
+    for (int row = northward.firstOver(planned); row <= northward.lastOver(planned); row++) {
+      for (int column = left; column <= right; column++) {
+        byte cell = cells[row * columns + column];
+        if (cell != OccupancyGrid.UNKNOWN) {
+          fill(
+              planned,
+              planned,
+              Math.max(from, eastward.first(column)),
+              Math.min(to, eastward.last(column)),
+              cell >= threshold ? CostGrid.OCCUPIED : FREE);
         }
       }
     }
@@ -125,7 +222,8 @@ final class GridLayer {
 
   private void fill(int firstRow, int lastRow, int firstColumn, int lastColumn, byte what) {
     for (int row = firstRow; row <= lastRow; row++) {
-      for (int i = frame.index(row, firstColumn); i <= frame.index(row, lastColumn); i++) {
+      int end = frame.index(row, lastColumn);
+      for (int i = frame.index(row, firstColumn); i <= end; i++) {
         if (said[i] == CostGrid.UNKNOWN || what == CostGrid.OCCUPIED) { // it overrules free
           said[i] = what;
         }
@@ -141,39 +239,5 @@ final class GridLayer {
   /** Where the middle of a cell lies on the plane. */
   private Point middle(int column, int row) {
     return plane.ned(grid.referenceFrame(), grid.centerOf(column, row));
-  }
-
-  /** Which rows (or columns) of the plan each row (or column) of the grid covers. */
-  private final class Spans {
-    private final int[] first;
-    private final int[] last; // below the first if it lies outside
-    private final boolean[] fits; // false: not the same from end to end, as the axes differ
-
-    /**
-     * @param lines how many rows or columns the grid has
-     * @param begin where the first cell of one lies [m]
-     * @param end where the last one does; all others lie between both
-     * @param index of the plan's row or column there
-     * @param limit how many of them the plan has
-     */
-    Spans(
-        int lines,
-        IntToDoubleFunction begin,
-        IntToDoubleFunction end,
-        DoubleToIntFunction index,
-        int limit) {
-      first = new int[lines];
-      last = new int[lines];
-      fits = new boolean[lines];
-      for (int i = 0; i < lines; i++) {
-        double from = begin.applyAsDouble(i);
-        double to = end.applyAsDouble(i);
-        int low = index.applyAsInt(from - half);
-        int high = index.applyAsInt(from + half);
-        fits[i] = low == index.applyAsInt(to - half) && high == index.applyAsInt(to + half);
-        first[i] = Math.max(0, low);
-        last[i] = Math.min(limit - 1, high);
-      }
-    }
   }
 }

@@ -112,6 +112,46 @@ class GridLayerTest {
     assertThat(said(layer(grid, plane, frame), frame)).isEqualTo(expected(grid, plane, frame));
   }
 
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+  void of_cellsThatChangeFromGridToGrid_saysWhatEachCellSays(long seed) {
+    Random random = new Random(seed);
+    Point anchor = Point.of(random.nextDouble(), random.nextDouble() - 0.5, 0.0);
+    double resolution = 0.04 + 0.3 * random.nextDouble();
+    byte[] cells = random(random, 17 * 13);
+    GridFrame frame = new GridFrame(-1.0, -1.5, 0.1, 19, 23);
+    GridLayer layer = null;
+    for (int step = 0; step < 20; step++) {
+      byte[] other = random(random, cells.length);
+      for (int i = random.nextInt(9); i > 0; i--) {
+        int changed = random.nextInt(cells.length);
+        cells[changed] = other[changed];
+      }
+      OccupancyGrid grid = grid(ReferenceFrame.LOCAL_ENU, anchor, resolution, 17, cells);
+
+      layer = GridLayer.of(grid, local, frame, THRESHOLD, layer);
+
+      assertThat(said(layer, frame)).isEqualTo(expected(grid, local, frame));
+    }
+  }
+
+  @Test
+  void of_gridThatRollsOn_isDrawnWhereItLiesNow() {
+    GridFrame frame = new GridFrame(-1.0, -1.0, 0.1, 20, 20);
+    OccupancyGrid grid = grid(ReferenceFrame.LOCAL_ENU, Point.of(0, 0, 0), 0.1, 2, FULL, EMPTY);
+    OccupancyGrid rolled =
+        grid(ReferenceFrame.LOCAL_ENU, Point.of(0, 0, 0), 0.1, 2, FULL, EMPTY).corner(0.3, -0.5);
+    OccupancyGrid carried =
+        grid(ReferenceFrame.LOCAL_ENU, Point.of(0.4, 0, 0), 0.1, 2, FULL, EMPTY);
+    GridLayer before = layer(grid, local, frame);
+
+    for (OccupancyGrid moved : new OccupancyGrid[] {rolled, carried}) {
+      assertThat(said(GridLayer.of(moved, local, frame, THRESHOLD, before), frame))
+          .isEqualTo(expected(moved, local, frame))
+          .isNotEqualTo(said(before, frame));
+    }
+  }
+
   @Test
   void of_gridBesideThePlan_saysNothing() {
     GridFrame frame = new GridFrame(100.0, 100.0, 0.1, 5, 5);

@@ -1,0 +1,170 @@
+package org.u2sa.scenarios.campaign;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.ProgramVersion;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.gcs.terminal.Terminal;
+import org.u2sa.gcs.terminal.TextTable;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.scenarios.report.RunReport;
+import org.u2sa.scenarios.run.Interruption;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa campaign}: many runs of one demo, on all cores. */
+@Command(
+    name = "campaign",
+    description = {
+      "Run a demo with many seeds and parameters, on all cores, and report how its figures are spread.",
+      "",
+      "Each run is as good as one by itself: the same seed gives the same result, whatever else runs. A campaign that was broken off goes "
+          + "on where it was, by the same command with the same --out.",
+      "",
+      "Examples:",
+      "  u2sa campaign ugv --runs 200",
+      "  u2sa campaign cessna --runs 50 --sweep wind=calm,breezy,gusty -- --world missions/cessna/obstructed.xml"
+    })
+final class CampaignCommand implements Callable<Integer> {
+  private static final SystemClock CLOCK = new SystemClock();
+
+  @Mixin private CampaignOptions options;
+  @Spec private CommandSpec command;
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    List<Experiment> experiments = options.experiments();
+    Path directory = options.directory();
+    RunReport.prepare(directory);
+    String campaign = "u2sa " + ProgramVersion.text() + ": " + options.inWords();
+    List<Outcome> outcomes = new ArrayList<>();
+    try (Interruption interruption = new Interruption();
+        Journal journal =
+            Journal.open(directory.resolve("runs.jsonl"), campaign, experiments, outcomes)) {
+      run(experiments, outcomes, journal, directory, interruption);
+      if (outcomes.isEmpty()) {
+        throw new RunFailedException("interrupted before the first run was done");
+      }
+      return report(campaign, outcomes, experiments.size(), directory);
+    }
+  }
+
+  private void run(
+      List<Experiment> experiments,
+      List<Outcome> outcomes,
+      Journal journal,
+      Path directory,
+      Interruption interruption)
+      throws InterruptedException {
+    Terminal terminal = options.terminal();
+    List<Experiment> left = new ArrayList<>(experiments);
+    outcomes.forEach(outcome -> left.remove(outcome.experiment()));
+    if (!outcomes.isEmpty()) {
+      terminal
+          .out()
+          .printf("%d of %d runs were done before.%n", outcomes.size(), experiments.size());
+    }
+    terminal
+        .out()
+        .printf("%d runs on %d processes; files: %s%n", left.size(), options.jobs(), directory);
+    Progress progress = new Progress(terminal, CLOCK::micros, experiments.size(), outcomes.size());
+    WorkerPool pool =
+        new WorkerPool(
+            options.jobs(),
+            directory.resolve("workers.log"),
+            experiment ->
+                options.machineArguments(experiment, runDirectory(directory, experiment)));
+    interruption.onRequest(pool::stop);
+    pool.run(
+        left,
+        outcome -> {
+          journal.add(outcome);
+          outcomes.add(outcome);
+          progress.done(outcome);
+          if (outcome.success() && !options.keepsFiles()) {
+            delete(runDirectory(directory, outcome.experiment()));
+          }
+        });
+  }
+
+  private static Path runDirectory(Path directory, Experiment experiment) {
+    return directory.resolve(String.format(Locale.ROOT, "run-%05d", experiment.number()));
+  }
+
+  private static void delete(Path directory) {
+    try (Stream<Path> files = Files.walk(directory)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    } catch (IOException e) {
+      throw new RunFailedException("cannot delete " + directory + ": " + ReportFile.reason(e), e);
+    }
+  }
+
+  private Integer report(String campaign, List<Outcome> outcomes, int runs, Path directory)
+      throws IOException {
+    Terminal terminal = options.terminal();
+    Results results = new Results(outcomes, options.ranking());
+    ReportFile.writeText(directory.resolve("runs.csv"), results::writeCsv);
+    ReportFile.writeText(
+        directory.resolve("campaign.html"),
+        out -> out.write(CampaignPage.of(campaign, results, options.sweeps(), options.worst())));
+    String summary = results.json(campaign, options.worst()).toString();
+    ReportFile.writeText(directory.resolve(RunReport.SUMMARY), out -> out.write(summary + "\n"));
+    spreads(terminal, results.spreads());
+    for (Outcome outcome : results.worst(options.worst())) {
+      if (!outcome.success()) {
+        terminal.out().println(terminal.bad("failed: ") + outcome.experiment().command());
+      }
+    }
+    terminal
+        .out()
+        .printf(
+            "%d of %d runs succeeded (%s). SHA-256 of the results %s%n",
+            results.succeeded(), outcomes.size(), results.share(), results.hash());
+    terminal.out().println("Report: " + directory.resolve("campaign.html"));
+    if (outcomes.size() < runs) {
+      terminal
+          .out()
+          .printf(
+              "Broken off after %d of %d runs; the same command goes on from there.%n",
+              outcomes.size(), runs);
+    }
+    if (options.json()) {
+      command.commandLine().getOut().println(summary);
+    }
+    return results.succeeded() == runs ? ExitCode.DONE : ExitCode.FAILED;
+  }
+
+  private static void spreads(Terminal terminal, Map<String, Spread> spreads) {
+    TextTable table = new TextTable("figure", "least", "median", "95 %", "greatest");
+    spreads.forEach(
+        (name, spread) -> {
+          if (!spread.isConstant()) {
+            table.add(
+                name,
+                number(spread.least()),
+                number(spread.median()),
+                number(spread.quantile(0.95)),
+                number(spread.greatest()));
+          }
+        });
+    table.lines().forEach(terminal.out()::println);
+  }
+
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.3f", value);
+  }
+}

@@ -1,0 +1,12 @@
+package org.u2sa.scenarios.campaign;
+
+import java.util.List;
+import org.u2sa.gcs.command.CommandProvider;
+
+/** Adds {@code u2sa campaign} to the command line. */
+public final class CampaignCommands implements CommandProvider {
+  @Override
+  public List<Contribution> commands() {
+    return List.of(new Contribution(Group.TOP_LEVEL, new CampaignCommand()));
+  }
+}

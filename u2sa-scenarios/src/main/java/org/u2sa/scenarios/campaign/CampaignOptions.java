@@ -1,0 +1,192 @@
+package org.u2sa.scenarios.campaign;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.gcs.terminal.Terminal;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** The options of {@code u2sa campaign}, and the runs that they ask for. */
+final class CampaignOptions {
+  private static final int MOST_RUNS = 1_000_000;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  private int seeds = 100;
+  private int jobs = Runtime.getRuntime().availableProcessors();
+  private final List<Sweep> sweeps = new ArrayList<>();
+
+  @Parameters(
+      index = "0",
+      paramLabel = "DEMO",
+      description = "What to run, such as ugv, cessna or igvc.")
+  private String demo;
+
+  @Parameters(
+      index = "1..*",
+      paramLabel = "OPTION",
+      description = "After --: options of the demo, for all runs.")
+  private List<String> told = List.of();
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "First seed; others count up. Default: ${DEFAULT-VALUE}.")
+  private long firstSeed = 1;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Output folder. Default: out/campaign-<demo>.")
+  private Path out;
+
+  @Option(
+      names = "--rank",
+      paramLabel = "FIGURE",
+      description =
+          "Figure of summary.json by which runs are called bad, the greater the worse. Default: ${DEFAULT-VALUE}.")
+  private String ranking = "worstMissM";
+
+  @Option(
+      names = "--worst",
+      paramLabel = "N",
+      description = "How many of the worst runs to list. Default: ${DEFAULT-VALUE}.")
+  private int worst = 10;
+
+  @Option(
+      names = "--keep",
+      description =
+          "Keep the files of all runs, pictures included; without it, those of failed runs, without pictures.")
+  private boolean keep;
+
+  @Option(names = "--json", description = "Print the summary to standard output, and nothing else.")
+  private boolean json;
+
+  @Option(
+      names = "--runs",
+      paramLabel = "N",
+      description = "Number of seeds, for each combination of swept values. Default: 100.")
+  private void runs(int value) {
+    seeds = atLeastOne("--runs", value);
+  }
+
+  @Option(
+      names = "--jobs",
+      paramLabel = "N",
+      description = "Number of processes that work side by side. Default: one for each core.")
+  private void jobs(int value) {
+    jobs = atLeastOne("--jobs", value);
+  }
+
+  @Option(
+      names = "--sweep",
+      paramLabel = "NAME=VALUE,…",
+      description = {
+        "Try each of the values of a demo's option (payload=0,5,10) or a service's variable (\"PathPlanner:LOOK AHEAD=0.8,1.2\").",
+        "Several: all combinations."
+      })
+  private void sweep(String text) {
+    Sweep sweep = Sweep.of(text);
+    if (sweeps.stream().anyMatch(earlier -> earlier.name().equals(sweep.name()))) {
+      throw refused("--sweep \"" + text + "\": " + sweep.name() + " is swept already");
+    }
+    sweeps.add(sweep);
+  }
+
+  private int atLeastOne(String option, int value) {
+    if (value < 1) {
+      throw refused(option + " " + value + ": expected 1 or more");
+    }
+    return value;
+  }
+
+  private ParameterException refused(String why) {
+    return new ParameterException(command.commandLine(), why);
+  }
+
+  /** All runs. */
+  List<Experiment> experiments() {
+    CommandLine demos = command.root().commandLine().getSubcommands().get("demo");
+    if (!demos.getSubcommands().containsKey(demo)) {
+      throw refused(
+          "DEMO \""
+              + demo
+              + "\": no such demo; expected one of "
+              + demos.getSubcommands().keySet());
+    }
+    long combinations = seeds;
+    for (Sweep sweep : sweeps) {
+      combinations *= sweep.values().size();
+      if (combinations > MOST_RUNS) {
+        throw refused("these are more than " + MOST_RUNS + " runs; expected fewer");
+      }
+    }
+    return Experiment.all(base(), firstSeed, seeds, sweeps);
+  }
+
+  private List<String> base() {
+    List<String> base = new ArrayList<>(List.of("demo", demo));
+    base.addAll(told);
+    return base;
+  }
+
+  /** What is run, in words: the same words, the same runs. */
+  String inWords() {
+    StringBuilder words = new StringBuilder(String.join(" ", base()));
+    words.append(", seeds ").append(firstSeed).append(" to ").append(firstSeed + seeds - 1);
+    for (Sweep sweep : sweeps) {
+      words.append(", ").append(sweep.name()).append(" ").append(sweep.values());
+    }
+    return words.toString();
+  }
+
+  /** What a process is told to make one of the runs. */
+  List<String> machineArguments(Experiment experiment, Path directory) {
+    List<String> arguments = new ArrayList<>(experiment.arguments());
+    arguments.addAll(List.of("--out", directory.toString(), "--json", "--port", "0"));
+    if (!keep) {
+      arguments.add("--summary-only");
+    }
+    return arguments;
+  }
+
+  List<Sweep> sweeps() {
+    return sweeps;
+  }
+
+  int jobs() {
+    return jobs;
+  }
+
+  int worst() {
+    return worst;
+  }
+
+  String ranking() {
+    return ranking;
+  }
+
+  boolean keepsFiles() {
+    return keep;
+  }
+
+  boolean json() {
+    return json;
+  }
+
+  Path directory() {
+    return out == null ? Path.of("out", "campaign-" + demo) : out;
+  }
+
+  /** Where messages for people go. */
+  Terminal terminal() {
+    CommandLine line = command.commandLine();
+    return Terminal.detect(json ? line.getErr() : line.getOut(), System.getenv());
+  }
+}

@@ -1,0 +1,144 @@
+package org.u2sa.scenarios.campaign;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.gcs.command.RunFailedException;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.JsonText;
+
+/**
+ * Results of a campaign on disk, a line a run as they come, so that one that was broken off goes on
+ * from there. The first line says which campaign it is.
+ */
+final class Journal implements AutoCloseable {
+  private static final JsonFactory FACTORY = new JsonFactory();
+
+  private final Path file;
+  private final BufferedWriter out;
+
+  private Journal(Path file, BufferedWriter out) {
+    this.file = file;
+    this.out = out;
+  }
+
+  /**
+   * Opens the file to add to it, and begins it where there is none.
+   *
+   * @param campaign what is run, in words
+   * @param done takes what was done before
+   * @throws BadInputException if another campaign is in it, or it cannot be written
+   */
+  static Journal open(
+      Path file, String campaign, List<Experiment> experiments, List<Outcome> done) {
+    try {
+      boolean isNew = !Files.exists(file) || Files.size(file) == 0;
+      if (!isNew) {
+        read(file, campaign, experiments, done);
+      }
+      Journal journal =
+          new Journal(
+              file,
+              Files.newBufferedWriter(
+                  file,
+                  StandardCharsets.UTF_8,
+                  StandardOpenOption.CREATE,
+                  StandardOpenOption.APPEND));
+      if (isNew) {
+        journal.line(new JsonText().put("campaign", campaign));
+      }
+      return journal;
+    } catch (IOException e) {
+      throw new BadInputException("cannot write to " + file + ": " + ReportFile.reason(e), e);
+    }
+  }
+
+  private static void read(
+      Path file, String campaign, List<Experiment> experiments, List<Outcome> done)
+      throws IOException {
+    List<String> lines = whole(file);
+    String said = lines.isEmpty() ? "" : fields(lines.get(0)).getOrDefault("campaign", "");
+    if (!said.equals(campaign)) {
+      throw new BadInputException(
+          file
+              + ": holds the campaign \""
+              + said
+              + "\", not \""
+              + campaign
+              + "\"; expected the same one, or another --out");
+    }
+    for (String line : lines.subList(1, lines.size())) {
+      Map<String, String> fields = fields(line);
+      int exit = Integer.parseInt(fields.get("exit"));
+      Experiment experiment = experiments.get(Integer.parseInt(fields.get("run")) - 1);
+      if (exit != Outcome.LOST) {
+        done.add(new Outcome(experiment, exit, fields.get("summary"), fields.get("trouble")));
+      }
+    }
+  }
+
+  /** Its lines; cuts off one that was being written when the power went. */
+  private static List<String> whole(Path file) throws IOException {
+    String text = Files.readString(file, StandardCharsets.UTF_8);
+    int end = text.lastIndexOf('\n') + 1;
+    if (end < text.length()) {
+      Files.writeString(file, text.substring(0, end), StandardCharsets.UTF_8);
+    }
+    return new ArrayList<>(text.substring(0, end).lines().toList());
+  }
+
+  private static Map<String, String> fields(String line) throws IOException {
+    Map<String, String> fields = new HashMap<>();
+    try (JsonParser json = FACTORY.createParser(line)) {
+      while (json.nextToken() != null) {
+        if (json.currentToken().isScalarValue()) {
+          fields.put(json.currentName(), json.getText());
+        }
+      }
+    }
+    return fields;
+  }
+
+  /**
+   * Adds a result.
+   *
+   * @throws RunFailedException if it cannot be written
+   */
+  void add(Outcome outcome) {
+    try {
+      line(
+          new JsonText()
+              .put("run", outcome.experiment().number())
+              .put("exit", outcome.exit())
+              .put("summary", outcome.summary())
+              .put("trouble", outcome.trouble()));
+    } catch (IOException e) {
+      throw new RunFailedException("cannot write to " + file + ": " + ReportFile.reason(e), e);
+    }
+  }
+
+  private void line(JsonText text) throws IOException {
+    out.write(text.line());
+    out.write('\n');
+    out.flush();
+  }
+
+  @Override
+  public void close() {
+    try {
+      out.close();
+    } catch (IOException e) {
+      throw new RunFailedException("cannot write to " + file + ": " + ReportFile.reason(e), e);
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.u2sa.scenarios.campaign;
+
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import org.u2sa.gcs.command.ExitCode;
+
+/**
+ * What came of one run.
+ *
+ * @param experiment which
+ * @param exit code of the demo, {@link ExitCode}; −1: its process died, twice
+ * @param summary its {@code summary.json}; empty if there is none
+ * @param trouble what the demo said went wrong; empty if nothing
+ */
+record Outcome(Experiment experiment, int exit, String summary, String trouble) {
+  static final int LOST = -1;
+
+  private static final List<String> OF_THE_MACHINE = List.of("wallSeconds", "simSecondsPerSecond");
+
+  /** Whether the run did all that was asked of it. */
+  boolean success() {
+    return exit == ExitCode.DONE;
+  }
+
+  /** What the summary counts and measures, by name. */
+  Map<String, Double> figures() {
+    Map<String, Double> figures = SummaryFigures.of(summary);
+    OF_THE_MACHINE.forEach(figures::remove);
+    return figures;
+  }
+
+  /** One figure; empty if the summary lacks it. */
+  OptionalDouble figure(String name) {
+    Double value = figures().get(name);
+    return value == null ? OptionalDouble.empty() : OptionalDouble.of(value);
+  }
+
+  /** All that does not depend on the machine, for comparison. */
+  String repeatable() {
+    String lines =
+        summary
+            .lines()
+            .filter(
+                line -> OF_THE_MACHINE.stream().noneMatch(name -> line.contains('"' + name + '"')))
+            .collect(Collectors.joining("\n"));
+    return experiment.command() + "\n" + exit + "\n" + lines + "\n";
+  }
+}

@@ -1,0 +1,53 @@
+package org.u2sa.scenarios.campaign;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * The numbers of a {@code summary.json}: those at its top by their names, and of what it lists the
+ * one that matters: {@code worstMissM} of the waypoints and {@code leastDistanceM} of the
+ * obstacles.
+ */
+final class SummaryFigures {
+  private static final JsonFactory FACTORY = new JsonFactory();
+  private static final String MISS = "missM";
+  private static final String DISTANCE = "leastDistanceM";
+
+  private SummaryFigures() {}
+
+  /** An empty text has none. */
+  static Map<String, Double> of(String summary) {
+    Map<String, Double> figures = new TreeMap<>();
+    try (JsonParser json = FACTORY.createParser(summary)) {
+      int depth = 0;
+      for (JsonToken token = json.nextToken(); token != null; token = json.nextToken()) {
+        if (token.isStructStart()) {
+          depth++;
+        } else if (token.isStructEnd()) {
+          depth--;
+        } else if (token.isNumeric()) {
+          take(json.currentName(), json.getDoubleValue(), depth, figures);
+        }
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException("summary.json of a run: " + e.getMessage(), e);
+    }
+    figures.remove("seed");
+    return figures;
+  }
+
+  private static void take(String name, double value, int depth, Map<String, Double> figures) {
+    if (depth == 1) {
+      figures.put(name, value);
+    } else if (MISS.equals(name)) {
+      figures.merge("worstMissM", value, Math::max);
+    } else if (DISTANCE.equals(name)) {
+      figures.merge(DISTANCE, value, Math::min);
+    }
+  }
+}

@@ -1,0 +1,45 @@
+package org.u2sa.scenarios.campaign;
+
+import java.util.List;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * A parameter and the values that a campaign gives it, one after the other.
+ *
+ * @param name of a demo's option without its dashes, such as {@code payload}, or a service's
+ *     variable, such as {@code Control:SPEED GAIN}
+ * @param values as they are written, at least one, none twice
+ */
+record Sweep(String name, List<String> values) {
+  /**
+   * Reads {@code NAME=VALUE,VALUE,…}.
+   *
+   * @throws BadInputException if it does not say that
+   */
+  static Sweep of(String text) {
+    int equals = text.indexOf('=');
+    String name = equals < 0 ? "" : text.substring(0, equals).strip();
+    List<String> values =
+        equals < 0 ? List.of() : List.of(text.substring(equals + 1).split(",", -1));
+    boolean clear =
+        !name.isEmpty()
+            && !name.startsWith("-")
+            && values.stream().noneMatch(String::isBlank)
+            && values.stream().map(String::strip).distinct().count() == values.size();
+    if (!clear) {
+      throw new BadInputException(
+          "--sweep \""
+              + text
+              + "\": expected NAME=VALUE,VALUE,… with different values, such as payload=0,5,10 or"
+              + " \"PathPlanner:LOOK AHEAD=0.8,1.2\"");
+    }
+    return new Sweep(name, values.stream().map(String::strip).toList());
+  }
+
+  /** What a demo is told for one of the values. */
+  List<String> arguments(String value) {
+    return name.contains(":")
+        ? List.of("--set", name + "=" + value)
+        : List.of("--" + name + "=" + value);
+  }
+}
