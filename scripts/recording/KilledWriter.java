@@ -15,11 +15,10 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Publishes numbered messages, 500 a second, on a bus that is recorded, until it is killed ({@code kill.py}). Says the number and the time
- * [µs] of each fiftieth. Argument: the recording's folder.
+ * [µs] of each once it is published. Argument: the recording's folder.
  */
 public final class KilledWriter {
   private static final long PERIOD_MICROS = 2_000;
-  private static final int SAY_EVERY = 50;
 
   private KilledWriter() {}
 
@@ -37,14 +36,12 @@ public final class KilledWriter {
     System.out.println("begun");
     long due = clock.micros();
     for (long number = 0; ; number++) {
-      StateInformation message = new StateInformation().sensorName("gps").x(11.0).y(48.0);
+      StateInformation message = new StateInformation().sensorName("gps").x(11.0).y(48.0).z(number);
       message.systemId("rover");
-      message.timestamp(number);
+      message.timestamp(clock.micros());
       message.freeze();
       publisher.publish(Channels.STATE, message);
-      if (number % SAY_EVERY == 0) {
-        System.out.println(number + " " + clock.micros());
-      }
+      System.out.println(number + " " + message.timestamp().getAsLong());
       due += PERIOD_MICROS;
       while (clock.micros() < due) {
         waiter.await(due);

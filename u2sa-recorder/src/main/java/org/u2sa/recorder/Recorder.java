@@ -102,6 +102,15 @@ public final class Recorder extends EventDrivenService implements Execution.Keep
             + recording.written());
   }
 
+  /**
+   * Ends the service, and returns when its last file is whole. {@link #kill} waits for a service's
+   * thread only for a while, in which a busy machine may not have written all.
+   */
+  public void finish() {
+    kill();
+    recording.close();
+  }
+
   /** The files, oldest first; for when the service has ended. */
   public List<Path> files() {
     return recording.written();

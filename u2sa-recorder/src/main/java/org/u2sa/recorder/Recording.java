@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
@@ -32,6 +33,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long LOOK_UP_EVERY_MS = 100;
   private static final long SAVE_EVERY_MICROS = 250_000;
   private static final long END_WITHIN_MS = 60_000;
+  private static final long STOPPED_WITHIN_MS = 3_000;
 
   /** What waits to be written. */
   private interface Waiting {
@@ -63,7 +65,8 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private long failedToWrite; // by the writing thread, as are the following
   private long savedMicros;
   private long lastNanos; // of the run's clock
-  private volatile boolean closing;
+  private final CountDownLatch toClose = new CountDownLatch(1);
+  private final Thread atExit = new Thread(this::endWithProgram, "u2sa-recorder-exit");
 
   /**
    * @param clock the run's
@@ -90,6 +93,24 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     savedMicros = stopwatch.micros();
     lastNanos = clock.micros() * NANOS_PER_MICRO;
     thread.start();
+    Runtime.getRuntime().addShutdownHook(atExit);
+  }
+
+  private boolean isClosing() {
+    return toClose.getCount() == 0;
+  }
+
+  /**
+   * The program ends, and with it the writing thread. Whoever stops the services is given a moment
+   * for their last messages; then the file is made whole, whether somebody has closed it or not.
+   */
+  private void endWithProgram() {
+    try {
+      toClose.await(STOPPED_WITHIN_MS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // closes it at once
+    }
+    close();
   }
 
   @Override
@@ -112,7 +133,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     if (waiting.offer(one)) {
       return; // also of a thread that was interrupted
     }
-    if (inRealTime || closing) {
+    if (inRealTime || isClosing()) {
       drop();
       return;
     }
@@ -157,7 +178,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private void write() {
     files.at(lastNanos, this::nextFile); // attachments come first, and there is a file at once
     try (DiskSync sync = new DiskSync(trouble)) {
-      while (!(closing && waiting.isEmpty())) {
+      while (!(isClosing() && waiting.isEmpty())) {
         Waiting next = waiting.poll(LOOK_UP_EVERY_MS, TimeUnit.MILLISECONDS);
         if (next != null) {
           lastNanos = next.micros() * NANOS_PER_MICRO;
@@ -264,7 +285,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   /** Writes all that was taken, and ends the file. Safe to call twice. */
   @Override
   public void close() {
-    closing = true;
+    toClose.countDown();
     try {
       thread.join(END_WITHIN_MS);
       if (thread.isAlive()) {
@@ -272,6 +293,15 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+    forgetExit();
+  }
+
+  private void forgetExit() {
+    try {
+      Runtime.getRuntime().removeShutdownHook(atExit);
+    } catch (IllegalStateException e) {
+      return; // the program ends already
     }
   }
 }

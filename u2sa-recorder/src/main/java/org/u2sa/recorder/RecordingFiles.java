@@ -79,7 +79,7 @@ final class RecordingFiles {
 
   private boolean isFull(long nanos) {
     return writer.position() >= settings.splitBytes()
-        || nanos - begunNanos >= settings.splitNanos();
+        || Math.abs(nanos - begunNanos) >= settings.splitNanos(); // a clock may jump back, too
   }
 
   private void begin(long nanos) {

@@ -50,7 +50,7 @@ class RecorderTest {
   private final Connection publisher = bus.connect("Publisher", new Silent());
 
   /** Receives nothing. */
-  private static final class Silent implements Receiver {
+  static final class Silent implements Receiver {
     @Override
     public void receive(Channel<?> channel, U2SAData message) {
       throw new IllegalStateException("subscribed to nothing");
@@ -163,6 +163,62 @@ class RecorderTest {
     state.systemId("rover");
     state.timestamp(1_000);
     return state;
+  }
+
+  @Test
+  void record_clockJumpsForwardAndBack_everyMessageIsFoundInOrderOfTime() throws IOException {
+    Map<String, Object> values = Map.of("SPLIT TIME", 600.0);
+    RecordingFiles files =
+        new RecordingFiles(
+            folder.resolve("r.mcap"),
+            XmlConfiguration.inMemory("Recorder", values).settings(RecorderSettings.class).get(),
+            "test",
+            new RecordingFacts(),
+            RecorderTest::fail);
+    RecordedChannels channels = new RecordedChannels();
+    for (long second : new long[] {5_000, 5_001, 8_601, 8_602, 1_402, 1_403, 1_500}) {
+      StateInformation message = state(second);
+      message.freeze();
+      long nanos = second * 1_000_000_000L;
+      channels.write(
+          files.at(nanos, channels::nextFile),
+          channels.of("rover", Channels.STATE, message),
+          nanos,
+          nanos,
+          message.serialize());
+    }
+    files.end(0, Map.of());
+    List<List<Long>> found = new ArrayList<>();
+    for (Path file : files.written()) {
+      List<Long> seconds = new ArrayList<>();
+      try (McapReader reader = McapReader.open(file)) {
+        McapCursor cursor = reader.messages(Long.MIN_VALUE, channel -> true);
+        for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
+          seconds.add(m.get().logTimeNanos() / 1_000_000_000L);
+        }
+      }
+      found.add(seconds);
+    }
+    assertThat(found)
+        .containsExactly(
+            List.of(5_000L, 5_001L), List.of(8_601L, 8_602L), List.of(1_402L, 1_403L, 1_500L));
+  }
+
+  @Test
+  void record_programExitsWithoutStoppingIt_fileIsWhole() throws Exception {
+    Process program =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("java.class.path"),
+                ExitingProgram.class.getName(),
+                folder.toString())
+            .inheritIO()
+            .start();
+    assertThat(program.waitFor()).isEqualTo(7);
+    assertThat(read(folder.resolve("recording.mcap")).get("u2sa/rover/state/StateInformation"))
+        .hasSize(ExitingProgram.MESSAGES);
   }
 
   @Test

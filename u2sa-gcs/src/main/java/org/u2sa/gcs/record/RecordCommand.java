@@ -92,7 +92,7 @@ public final class RecordCommand implements Callable<Integer> {
 
   /** Called when the time is over, and when the program is interrupted, whichever comes first. */
   private void end(Recorder recorder, PrintWriter printer) {
-    recorder.kill();
+    recorder.finish();
     if (ended.getAndSet(true)) {
       return;
     }

@@ -20,7 +20,6 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.recorder.execution.ExecutionStart;
 import org.u2sa.recorder.execution.Rerun;
-import org.u2sa.recorder.mcap.McapReader;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -67,22 +66,21 @@ final class RerunOptions {
   }
 
   int run(Path file) throws IOException, InterruptedException {
-    try (McapReader reader = McapReader.open(file)) {
-      Map<String, ExecutionStart> chosen = chosen(file, ExecutionStart.all(reader));
-      ServiceChanges changed = ServiceChanges.parse(changes, chosen.values());
-      long began = clock.micros();
-      List<Rerun.Outcome> outcomes = executed(file, chosen, changed);
-      double wallS = Clock.seconds(clock.micros() - began);
-      PrintWriter out = command.commandLine().getOut();
-      RerunReport report = new RerunReport(outcomes, wallS, !changes.isEmpty());
-      (json ? report.json() : report.lines()).forEach(out::println);
-      return report.isIdentical() || !changes.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
-    }
+    List<Path> files = RecordingParts.beginningWith(file);
+    Map<String, ExecutionStart> chosen = chosen(file, ExecutionStart.all(files));
+    ServiceChanges changed = ServiceChanges.parse(changes, chosen.values());
+    long began = clock.micros();
+    List<Rerun.Outcome> outcomes = executed(files, chosen, changed);
+    double wallS = Clock.seconds(clock.micros() - began);
+    PrintWriter out = command.commandLine().getOut();
+    RerunReport report = new RerunReport(outcomes, wallS, !changes.isEmpty());
+    (json ? report.json() : report.lines()).forEach(out::println);
+    return report.isIdentical() || !changes.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }
 
   /** Executes the services side by side, as far as the machine has processors. */
   private static List<Rerun.Outcome> executed(
-      Path file, Map<String, ExecutionStart> chosen, ServiceChanges changed)
+      List<Path> files, Map<String, ExecutionStart> chosen, ServiceChanges changed)
       throws IOException, InterruptedException {
     ExecutorService threads =
         Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
@@ -90,7 +88,8 @@ final class RerunOptions {
       List<Future<Rerun.Outcome>> begun = new ArrayList<>();
       for (Map.Entry<String, ExecutionStart> one : chosen.entrySet()) {
         ExecutionStart start = changed.configurationOf(one.getValue());
-        begun.add(threads.submit(() -> executed(file, one.getKey(), start, changed)));
+        Rerun rerun = new Rerun(files, one.getKey(), start);
+        begun.add(threads.submit(() -> rerun.run(context -> changed.make(start, context))));
       }
       List<Rerun.Outcome> outcomes = new ArrayList<>();
       for (Future<Rerun.Outcome> one : begun) {
@@ -107,14 +106,6 @@ final class RerunOptions {
       throw new IllegalStateException(e.getCause());
     } finally {
       threads.shutdownNow();
-    }
-  }
-
-  private static Rerun.Outcome executed(
-      Path file, String execution, ExecutionStart start, ServiceChanges changed)
-      throws IOException, InterruptedException {
-    try (McapReader reader = McapReader.open(file)) {
-      return new Rerun(reader, execution, start).run(context -> changed.make(start, context));
     }
   }
 

@@ -79,6 +79,12 @@ public final class RunFacts {
     return this;
   }
 
+  /** Attaches the file that says what stands and moves around the vehicle. */
+  public RunFacts world(Path file) {
+    attach("world/" + file.getFileName(), file);
+    return this;
+  }
+
   private void attach(Path file) {
     Path absolute = file.toAbsolutePath().normalize();
     attach(name(absolute), absolute);

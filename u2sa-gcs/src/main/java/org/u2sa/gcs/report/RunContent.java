@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.gcs.record.RecordedMessages;
+import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.communication.Channels;
@@ -22,13 +24,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PercentageCommand;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.schema.MalformedMessageException;
-import org.u2sa.messages.schema.MessageCodec;
-import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.recorder.mcap.McapChannel;
-import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
 
@@ -85,44 +81,12 @@ final class RunContent {
     } else if (Files.isRegularFile(beside)) {
       truth = TruthTrack.read(beside);
     }
-    try (McapReader reader = McapReader.open(file)) {
+    try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
+      McapReader reader = recording.reader();
       RunContent content = new RunContent(file, reader, truth);
-      content.read(file, reader);
+      content.facts(file, reader);
+      recording.forEach(recording.channels(List.of()), RecordedSpan.all(reader), content::take);
       return content;
-    }
-  }
-
-  private void read(Path file, McapReader reader) throws IOException {
-    Map<Integer, Topic> topics = new LinkedHashMap<>();
-    for (McapChannel channel : reader.channels().values()) {
-      if (channel.messageEncoding().equals("cbor")) {
-        topics.put(channel.id(), topic(file, channel));
-      }
-    }
-    if (topics.isEmpty()) {
-      throw new BadInputException(
-          file
-              + ": holds no message as it was published; expected one recorded with --form u2sa or both");
-    }
-    facts(file, reader);
-    MessageCodec codec = new MessageCodec(MessageTypes.discovered());
-    McapCursor cursor =
-        reader.messages(Long.MIN_VALUE, channel -> topics.containsKey(channel.id()));
-    for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
-      Topic topic = topics.get(m.get().channelId());
-      try {
-        take(topic, codec.decode(topic.typeChain(), m.get().data()), m.get().logTimeNanos());
-      } catch (MalformedMessageException e) {
-        throw new BadInputException(file + ": a message on " + topic + ": " + e, e);
-      }
-    }
-  }
-
-  private static Topic topic(Path file, McapChannel channel) {
-    try {
-      return Topic.parse(channel.topic());
-    } catch (IllegalArgumentException e) {
-      throw new BadInputException(file + ": " + e.getMessage(), e);
     }
   }
 

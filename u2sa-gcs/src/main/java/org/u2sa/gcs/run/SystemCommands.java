@@ -8,6 +8,7 @@ import org.u2sa.gcs.configuration.ConfigCommand;
 import org.u2sa.gcs.dependencies.DependenciesCommand;
 import org.u2sa.gcs.describe.DescribeCommand;
 import org.u2sa.gcs.doctor.DoctorCommand;
+import org.u2sa.gcs.export.ExportCommand;
 import org.u2sa.gcs.look.EchoCommand;
 import org.u2sa.gcs.look.LogCommand;
 import org.u2sa.gcs.look.MeasureCommand;
@@ -39,6 +40,7 @@ public final class SystemCommands implements CommandProvider {
             new RecordCommand(),
             new RecoverCommand(),
             new ReplayCommand(),
+            new ExportCommand(),
             new ViewCommand(),
             new ReportCommand(),
             new CompareCommand(),

@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.UUID;
@@ -14,12 +13,13 @@ import java.util.function.BooleanSupplier;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.look.ListeningTime;
 import org.u2sa.gcs.look.MessageStream;
+import org.u2sa.gcs.record.RecordedMessages;
+import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.remote.RemoteSystem;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.recorder.mcap.McapReader;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -82,12 +82,7 @@ public final class ViewCommand implements Callable<Integer> {
           "Of a recording: how many times as fast as recorded. Default: ${DEFAULT-VALUE}.")
   private double rate;
 
-  @Option(
-      names = "--start",
-      paramLabel = "S",
-      defaultValue = "0",
-      description = "Of a recording: begin so many seconds after its first message. Default: 0.")
-  private double startS;
+  @Mixin private RecordedSpan.Options part;
 
   @Option(names = "--loop", description = "Of a recording: begin anew at the end.")
   private boolean loop;
@@ -100,8 +95,8 @@ public final class ViewCommand implements Callable<Integer> {
         live(link);
       }
     } else {
-      try (McapReader reader = McapReader.open(file)) {
-        recorded(reader);
+      try (RecordedMessages recording = RecordedMessages.open(file)) {
+        recorded(recording);
       }
     }
     return ExitCode.DONE;
@@ -111,17 +106,11 @@ public final class ViewCommand implements Callable<Integer> {
     if (file != null && connect) {
       throw wrong("--connect and " + file + ": expected one of them");
     }
-    if (file != null && !Files.isRegularFile(file)) {
-      throw wrong(file + ": no such file; expected a recording (MCAP)");
-    }
     if (port < 0 || port > 65_535) {
       throw wrong("--port " + port + ": expected 0…65535");
     }
     if (!(rate > 0.0 && rate <= 1e6)) {
       throw wrong("--rate " + rate + ": expected more than 0, at most 1000000");
-    }
-    if (!(startS >= 0.0)) {
-      throw wrong("--start " + startS + ": expected 0 s or more");
     }
   }
 
@@ -141,12 +130,13 @@ public final class ViewCommand implements Callable<Integer> {
     }
   }
 
-  private void recorded(McapReader reader) throws IOException, InterruptedException {
+  private void recorded(RecordedMessages recording) throws IOException, InterruptedException {
     Clock clock = new SystemClock();
     long began = clock.micros();
     BooleanSupplier isOver = () -> time.isOver(began, clock.micros());
     try (ViewServer server = server("u2sa " + file.getFileName(), true)) {
-      new RecordedView(file, reader, clock, isOver).play(server, rate, startS, loop);
+      new RecordedView(recording, clock, isOver)
+          .play(server, rate, part.of(recording.reader()), loop);
     }
   }
 

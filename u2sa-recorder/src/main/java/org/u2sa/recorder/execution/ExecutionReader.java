@@ -1,9 +1,11 @@
 package org.u2sa.recorder.execution;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
@@ -16,18 +18,21 @@ import org.u2sa.recorder.mcap.McapMessage;
 import org.u2sa.recorder.mcap.McapReader;
 
 /**
- * Reads one execution from a recording, entry by entry, and with it the messages that it is about.
- * Holds some ten thousand messages at a time. Belongs to one thread.
+ * Reads one execution from a recording, of one file or of several that follow one another, entry by
+ * entry, and with it the messages that it is about. Holds some ten thousand messages at a time.
+ * Belongs to one thread.
  */
-final class ExecutionReader {
+final class ExecutionReader implements AutoCloseable {
   /** A part may come before messages that it refers to, where threads ran side by side. */
   private static final int AHEAD = 2048;
 
-  private final Map<Integer, McapChannel> channels;
+  private final Deque<Path> files; // that follow the present one
+  private final Map<Integer, McapChannel> channels = new HashMap<>(); // the same in all files
   private final Map<Integer, RecordedMessage.Track> tracks = new HashMap<>();
   private final MessageCodec codec;
   private final String topic;
-  private final McapCursor cursor;
+  private McapReader reader; // of the present file
+  private McapCursor cursor;
   private final Map<Long, McapMessage> near = new HashMap<>();
   private final Deque<Long> nearInOrder = new ArrayDeque<>();
   private final Deque<McapMessage> parts = new ArrayDeque<>();
@@ -45,11 +50,26 @@ final class ExecutionReader {
    */
   record Next(ExecutionEntry entry, RecordedMessage message) {}
 
-  ExecutionReader(McapReader reader, MessageCodec codec, String execution) {
-    channels = reader.channels();
+  /**
+   * @param files of the recording, oldest first
+   * @throws IOException if the first cannot be read
+   */
+  ExecutionReader(List<Path> files, MessageCodec codec, String execution) throws IOException {
+    this.files = new ArrayDeque<>(files);
     this.codec = codec;
     topic = ExecutionPart.TOPIC + execution;
+    open();
+  }
+
+  private void open() throws IOException {
+    reader = McapReader.open(files.remove());
+    channels.putAll(reader.channels());
     cursor = reader.messages(Long.MIN_VALUE, this::isWanted);
+  }
+
+  /** Log time of the recording's first message [ns], as long as the first file is read. */
+  long startNanos() {
+    return reader.statistics().startNanos();
   }
 
   private boolean isWanted(McapChannel channel) {
@@ -102,8 +122,13 @@ final class ExecutionReader {
 
   private boolean readOne() throws IOException {
     Optional<McapMessage> read = cursor.next();
-    if (read.isEmpty()) {
-      return false;
+    while (read.isEmpty()) {
+      if (files.isEmpty()) {
+        return false;
+      }
+      reader.close();
+      open();
+      read = cursor.next();
     }
     McapMessage message = read.get();
     if (channel(message.channelId()).topic().equals(topic)) {
@@ -156,5 +181,10 @@ final class ExecutionReader {
     } catch (IllegalArgumentException e) {
       throw new McapException("a message on " + messageTopic + ": " + e.getMessage(), e);
     }
+  }
+
+  @Override
+  public void close() throws IOException {
+    reader.close();
   }
 }

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -161,9 +162,20 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   /**
    * Reads all of a recording, by the executions' names.
    *
-   * @throws IOException if it cannot be read
+   * @param files of the recording, oldest first
+   * @throws IOException if one cannot be read
    */
-  public static Map<String, ExecutionStart> all(McapReader reader) throws IOException {
+  public static Map<String, ExecutionStart> all(List<Path> files) throws IOException {
+    Map<String, ExecutionStart> all = new LinkedHashMap<>();
+    for (Path file : files) {
+      try (McapReader reader = McapReader.open(file)) {
+        all.putAll(of(reader));
+      }
+    }
+    return all;
+  }
+
+  private static Map<String, ExecutionStart> of(McapReader reader) throws IOException {
     Map<String, ExecutionStart> all = new LinkedHashMap<>();
     for (McapMetadata metadata : reader.metadata()) {
       if (metadata.name().startsWith(PREFIX)) {

@@ -13,7 +13,6 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
-import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -21,7 +20,7 @@ import org.u2sa.service.U2SAService;
 public final class Rerun {
   private static final long HANGS_AFTER_MS = 60_000;
 
-  private final McapReader reader;
+  private final List<Path> files;
   private final String execution;
   private final ExecutionStart start;
   private final MessageTypes types = MessageTypes.discovered();
@@ -48,11 +47,11 @@ public final class Rerun {
   }
 
   /**
-   * @param reader of the recording
+   * @param files of the recording, oldest first
    * @param execution its name there
    */
-  public Rerun(McapReader reader, String execution, ExecutionStart start) {
-    this.reader = reader;
+  public Rerun(List<Path> files, String execution, ExecutionStart start) {
+    this.files = List.copyOf(files);
     this.execution = execution;
     this.start = start;
   }
@@ -67,22 +66,23 @@ public final class Rerun {
   public Outcome run(Function<ServiceContext, U2SAService> maker)
       throws IOException, InterruptedException {
     Path folder = Files.createTempDirectory("u2sa-rerun");
-    try {
-      return run(maker, folder);
+    try (ExecutionReader recorded =
+        new ExecutionReader(files, new MessageCodec(types), execution)) {
+      return run(maker, folder, recorded);
     } finally {
       delete(folder);
     }
   }
 
-  private Outcome run(Function<ServiceContext, U2SAService> maker, Path folder)
+  private Outcome run(
+      Function<ServiceContext, U2SAService> maker, Path folder, ExecutionReader recorded)
       throws IOException, InterruptedException {
     Clock machine = new SystemClock();
     OutputComparison outputs = new OutputComparison();
-    ExecutionReader recorded = new ExecutionReader(reader, new MessageCodec(types), execution);
     RepeatedExecution repeated =
         new RepeatedExecution(recorded, outputs, machine, start.threadId());
     RecordedCourse course = repeated.course();
-    long fromMicros = reader.statistics().startNanos() / 1_000L;
+    long fromMicros = recorded.startNanos() / 1_000L;
     ServiceContext context = new MadeAgain(start, folder).context(types).with(repeated);
     U2SAService service;
     try {

@@ -1,11 +1,11 @@
 package org.u2sa.recorder.mcap;
 
-import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
+import java.util.Objects;
 import java.util.zip.CRC32;
 
 /** The chunk that is being filled: its records, and where in it each channel's messages are. */
@@ -15,10 +15,10 @@ final class ChunkBuilder {
 
   private final McapOptions options;
   private final RecordBuffer records = new RecordBuffer(FIRST_CAPACITY, false);
-  private final Map<Integer, Entries> entries = new TreeMap<>();
+  private final List<Entries> entries = new ArrayList<>(); // by channel; null: none yet
   private final List<McapSchema> schemas = new ArrayList<>();
   private final List<McapChannel> channels = new ArrayList<>();
-  private MessageCount count = new MessageCount();
+  private final MessageCount count = new MessageCount();
 
   /** Log time and offset of each message of a channel, in turn. */
   private static final class Entries {
@@ -27,7 +27,7 @@ final class ChunkBuilder {
 
     void add(long logTimeNanos, long offset) {
       if (size == values.length) {
-        values = java.util.Arrays.copyOf(values, 2 * size);
+        values = Arrays.copyOf(values, 2 * size);
       }
       values[size++] = logTimeNanos;
       values[size++] = offset;
@@ -50,12 +50,22 @@ final class ChunkBuilder {
 
   void add(McapMessage message) {
     if (options.has(McapFeature.MESSAGE_INDEX)) {
-      entries
-          .computeIfAbsent(message.channelId(), id -> new Entries())
-          .add(message.logTimeNanos(), records.length());
+      entriesOf(message.channelId()).add(message.logTimeNanos(), records.length());
     }
     message.write(records);
     count.add(message.channelId(), message.logTimeNanos());
+  }
+
+  private Entries entriesOf(int channel) {
+    while (entries.size() <= channel) {
+      entries.add(null);
+    }
+    Entries list = entries.get(channel);
+    if (list == null) {
+      list = new Entries();
+      entries.set(channel, list);
+    }
+    return list;
   }
 
   boolean isEmpty() {
@@ -86,25 +96,27 @@ final class ChunkBuilder {
    *
    * @param position where in the file the first byte will be
    */
-  ChunkIndex write(RecordBuffer out, long position) throws IOException {
+  ChunkIndex write(RecordBuffer out, long position) {
     int length = records.length();
     CRC32 crc = new CRC32();
     crc.update(records.array(), 0, length);
-    byte[] compressed = options.compression().compress(records.array(), length);
     String compression = options.compression().inFile();
     long offset = position + out.length();
     out.begin(Opcode.CHUNK).uint64(count.startNanos()).uint64(count.endNanos());
     out.uint64(length).uint32(crc.getValue()).string(compression);
-    out.uint64(compressed.length).bytes(compressed, 0, compressed.length).endAsIs();
+    int from = out.beginLongLength();
+    options.compression().compress(records.array(), length, out);
+    int compressed = out.endLongLength(from);
+    out.endAsIs();
     long indexesAt = position + out.length();
     Map<Integer, Long> indexes = new LinkedHashMap<>();
-    entries.forEach(
-        (channel, list) -> {
-          if (list.size > 0) {
-            indexes.put(channel, position + out.length());
-            writeIndex(out, channel, list);
-          }
-        });
+    for (int channel = 0; channel < entries.size(); channel++) {
+      Entries list = entries.get(channel);
+      if (list != null && list.size > 0) {
+        indexes.put(channel, position + out.length());
+        writeIndex(out, channel, list);
+      }
+    }
     return new ChunkIndex(
         count.startNanos(),
         count.endNanos(),
@@ -113,7 +125,7 @@ final class ChunkBuilder {
         indexes,
         position + out.length() - indexesAt,
         compression,
-        compressed.length,
+        compressed,
         length);
   }
 
@@ -129,9 +141,9 @@ final class ChunkBuilder {
 
   void clear() {
     records.clear();
-    entries.values().forEach(list -> list.size = 0);
+    entries.stream().filter(Objects::nonNull).forEach(list -> list.size = 0);
     schemas.clear();
     channels.clear();
-    count = new MessageCount();
+    count.clear();
   }
 }

@@ -4,13 +4,10 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
-import java.util.Arrays;
 import java.util.zip.CRC32;
 import net.jpountz.lz4.LZ4Exception;
 import net.jpountz.lz4.LZ4Factory;
 import net.jpountz.lz4.LZ4FrameInputStream;
-import net.jpountz.lz4.LZ4FrameOutputStream;
 import net.jpountz.xxhash.XXHashFactory;
 
 /**
@@ -20,8 +17,8 @@ public enum ChunkCompression {
   /** Not at all. */
   NONE("") {
     @Override
-    byte[] compress(byte[] bytes, int length) {
-      return Arrays.copyOf(bytes, length);
+    void compress(byte[] bytes, int length, RecordBuffer out) {
+      out.bytes(bytes, 0, length);
     }
 
     @Override
@@ -33,19 +30,8 @@ public enum ChunkCompression {
   /** LZ4 frames of independent blocks: of a broken one all whole blocks can be read. */
   LZ4("lz4") {
     @Override
-    byte[] compress(byte[] bytes, int length) throws IOException {
-      ByteArrayOutputStream compressed = new ByteArrayOutputStream(length / 2 + 64);
-      try (OutputStream frame =
-          new LZ4FrameOutputStream(
-              compressed,
-              LZ4FrameOutputStream.BLOCKSIZE.SIZE_64KB,
-              -1L,
-              LZ4Factory.safeInstance().fastCompressor(),
-              XXHashFactory.safeInstance().hash32(),
-              LZ4FrameOutputStream.FLG.Bits.BLOCK_INDEPENDENCE)) {
-        frame.write(bytes, 0, length);
-      }
-      return compressed.toByteArray();
+    void compress(byte[] bytes, int length, RecordBuffer out) {
+      out.fill(Lz4Frame.longest(length), (to, at) -> Lz4Frame.write(bytes, length, to, at));
     }
 
     @Override
@@ -70,7 +56,7 @@ public enum ChunkCompression {
     return inFile;
   }
 
-  abstract byte[] compress(byte[] bytes, int length) throws IOException;
+  abstract void compress(byte[] bytes, int length, RecordBuffer out);
 
   abstract InputStream decompressing(byte[] compressed) throws IOException;
 

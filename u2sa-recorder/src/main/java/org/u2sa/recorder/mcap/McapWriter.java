@@ -84,9 +84,7 @@ public final class McapWriter implements AutoCloseable {
     if (chunk == null) {
       message.write(out);
       write();
-      MessageCount one = new MessageCount();
-      one.add(message.channelId(), message.logTimeNanos());
-      summary.add(one);
+      summary.add(message);
       return;
     }
     try {

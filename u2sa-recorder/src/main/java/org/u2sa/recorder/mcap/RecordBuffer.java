@@ -95,6 +95,32 @@ final class RecordBuffer {
     return this;
   }
 
+  /** Writes into an array from some place on, and returns where it ended. */
+  @FunctionalInterface
+  interface Filler {
+    int fill(byte[] array, int from);
+  }
+
+  /** Adds what the filler writes, at most so many bytes. */
+  RecordBuffer fill(int atMost, Filler filler) {
+    room(atMost);
+    place(bytes).position(filler.fill(bytes.array(), bytes.position()));
+    return this;
+  }
+
+  /** Leaves room for the 64-bit length of what follows; to be handed to {@link #endLongLength}. */
+  int beginLongLength() {
+    uint64(0);
+    return bytes.position();
+  }
+
+  /** Returns that length. */
+  int endLongLength(int from) {
+    int length = bytes.position() - from;
+    bytes.putLong(from - Long.BYTES, length);
+    return length;
+  }
+
   /** Of all that the present record holds so far. */
   long crcOfContent() {
     CRC32 crc = new CRC32();

@@ -37,6 +37,10 @@ final class Summary {
     metadata.add(index);
   }
 
+  void add(McapMessage one) {
+    messages.add(one.channelId(), one.logTimeNanos());
+  }
+
   void add(MessageCount more) {
     messages.add(more);
   }

@@ -28,7 +28,6 @@ import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.Recorder;
 import org.u2sa.recorder.execution.ChannelComparison.Difference;
-import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -40,6 +39,8 @@ class RerunTest {
   @TempDir Path folder;
 
   private final LocalBus bus = new LocalBus("rover");
+  private List<Path> files; // of the recording
+  private final Map<String, Object> recorderValues = new HashMap<>();
 
   /** Receives nothing. */
   private static final class Silent implements Receiver {
@@ -141,7 +142,7 @@ class RerunTest {
       throws InterruptedException, IOException {
     Recorder recorder =
         new Recorder(
-            ServiceContext.of("rover", XmlConfiguration.inMemory("Recorder", Map.of()))
+            ServiceContext.of("rover", XmlConfiguration.inMemory("Recorder", recorderValues))
                 .clock(clock)
                 .transport(bus)
                 .logDirectory(folder)
@@ -178,9 +179,9 @@ class RerunTest {
     }
     service.kill();
     service.join(); // a kill does not wait for ever
-    recorder.kill();
-    recorder.join();
-    return recorder.files().get(0);
+    recorder.finish();
+    files = recorder.files();
+    return files.get(0);
   }
 
   private static void publish(Connection by, Channel<?> channel, U2SAData message, long micros) {
@@ -198,10 +199,13 @@ class RerunTest {
 
   private static Rerun.Outcome rerun(Path file, Function<ServiceContext, U2SAService> maker)
       throws IOException, InterruptedException {
-    try (McapReader reader = McapReader.open(file)) {
-      ExecutionStart start = ExecutionStart.all(reader).get("Amplifier");
-      return new Rerun(reader, "Amplifier", start).run(maker);
-    }
+    return rerun(List.of(file), maker);
+  }
+
+  private static Rerun.Outcome rerun(List<Path> files, Function<ServiceContext, U2SAService> maker)
+      throws IOException, InterruptedException {
+    ExecutionStart start = ExecutionStart.all(files).get("Amplifier");
+    return new Rerun(files, "Amplifier", start).run(maker);
   }
 
   private static ChannelComparison state(Rerun.Outcome outcome) {
@@ -224,6 +228,26 @@ class RerunTest {
     assertThat(outcome.isIdentical()).isTrue();
     assertThat(state(outcome).recorded()).isBetween(45L, 55L);
     assertThat(state(outcome).same()).isEqualTo(state(outcome).recorded());
+  }
+
+  @Test
+  void rerun_severalFiles_isIdenticalOverAll() throws Exception {
+    recorderValues.put("SPLIT TIME", 0.3);
+    recordInLockstep(Amplifier::new);
+    assertThat(files).hasSizeGreaterThan(2);
+    Rerun.Outcome outcome = rerun(files, Amplifier::new);
+    assertThat(outcome.remarks()).isEmpty();
+    assertThat(outcome.isIdentical()).isTrue();
+    assertThat(state(outcome).recorded()).isBetween(45L, 55L);
+  }
+
+  @Test
+  void rerun_secondOfSeveralFilesAlone_saysThatTheFirstIsMissing() throws Exception {
+    recorderValues.put("SPLIT TIME", 0.3);
+    recordInLockstep(Amplifier::new);
+    ExecutionStart start = ExecutionStart.all(files).get("Amplifier");
+    Rerun.Outcome outcome = new Rerun(files.subList(1, 2), "Amplifier", start).run(Amplifier::new);
+    assertThat(outcome.remarks()).anyMatch(remark -> remark.contains("first file"));
   }
 
   @Test

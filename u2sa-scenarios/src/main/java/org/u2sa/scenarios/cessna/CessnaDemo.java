@@ -3,6 +3,7 @@ package org.u2sa.scenarios.cessna;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
@@ -119,6 +120,11 @@ final class CessnaDemo implements Callable<Integer>, Demo {
     RunwayStart start = EmbeddedStart.of(mission);
     return new RunPlan.Start(
         start.longitudeDeg(), start.latitudeDeg(), start.elevationM(), start.headingRad());
+  }
+
+  @Override
+  public Optional<Path> world() {
+    return Optional.ofNullable(worldFile);
   }
 
   @Override

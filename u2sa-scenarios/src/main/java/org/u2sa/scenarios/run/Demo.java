@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.run;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -58,6 +59,11 @@ public interface Demo {
   /** What truly stands and moves around the vehicle: for the score and the picture. */
   default Surroundings surroundings() {
     return Surroundings.none();
+  }
+
+  /** The file that says what stands and moves around the vehicle, if one was given. */
+  default Optional<Path> world() {
+    return Optional.empty();
   }
 
   /**

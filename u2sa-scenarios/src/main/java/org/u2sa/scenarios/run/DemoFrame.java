@@ -92,12 +92,13 @@ public final class DemoFrame {
                       interruption,
                       changes.swaps());
               LaunchOptions launch = launch(system, trial);
-              record(launch, system, trial.mission(), run);
+              record(launch, system, trial.mission(), demo.world(), run);
               return run(run, launch, trial, seed, realTime, patience);
             });
   }
 
-  private void record(LaunchOptions launch, SystemFile system, Mission pursued, DemoRun run) {
+  private void record(
+      LaunchOptions launch, SystemFile system, Mission pursued, Optional<Path> world, DemoRun run) {
     if (recording.isWanted()) {
       RecordOptions.deleteEarlier(run.directory());
     }
@@ -107,6 +108,7 @@ public final class DemoFrame {
             .mission(Path.of(pursued.origin()))
             .system(system)
             .logs(run.directory().resolve("logs"));
+    world.ifPresent(facts::world);
     recording.addTo(launch, "../", changes.addTo(facts));
   }
 

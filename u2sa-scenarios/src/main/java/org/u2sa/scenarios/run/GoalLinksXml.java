@@ -4,9 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.gcs.command.EscapedXml;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalResult;
-import org.u2sa.scenarios.report.EscapedXml;
 
 /** What a mission says of the order and the time of its goals, as its XML. */
 final class GoalLinksXml {

@@ -7,12 +7,12 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.u2sa.core.mission.Home;
 import org.u2sa.core.mission.Mission;
+import org.u2sa.gcs.command.EscapedXml;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.scenarios.report.EscapedXml;
 
 /**
  * A mission that goes several times round another one's waypoints, in the order of its file: one

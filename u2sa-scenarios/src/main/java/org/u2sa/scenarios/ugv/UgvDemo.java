@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.mission.Mission;
@@ -180,6 +181,11 @@ final class UgvDemo implements Callable<Integer>, Demo {
     if (!holds) {
       throw new ParameterException(command.commandLine(), otherwise);
     }
+  }
+
+  @Override
+  public Optional<Path> world() {
+    return Optional.ofNullable(worldFile);
   }
 
   @Override

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.report;
+package org.u2sa.gcs.command;
 
 /** Text for XML files that are written as text. */
 public final class EscapedXml {

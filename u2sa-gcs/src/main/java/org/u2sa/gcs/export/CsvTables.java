@@ -1,0 +1,106 @@
+package org.u2sa.gcs.export;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.u2sa.gcs.record.RecordedMessages;
+import org.u2sa.gcs.record.RecordedSpan;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapChannel;
+
+/**
+ * A table for each topic of a recording (RFC 4180, UTF-8). The recording is read twice: first to
+ * learn which columns there are.
+ */
+final class CsvTables {
+  private static final String SUFFIX = ".csv";
+
+  private final RecordedMessages recording;
+  private final RecordedSpan span;
+  private final Predicate<McapChannel> wanted;
+  private final double everyS;
+  private final Map<Topic, CsvColumns> columns = new LinkedHashMap<>();
+
+  /**
+   * @param everyS least time between two rows of a table [s]
+   */
+  CsvTables(
+      RecordedMessages recording, RecordedSpan span, Predicate<McapChannel> wanted, double everyS) {
+    this.recording = recording;
+    this.span = span;
+    this.wanted = wanted;
+    this.everyS = everyS;
+  }
+
+  /** Writes them into a folder; returns the files and how many rows each has. */
+  Map<Path, Long> write(Path folder) throws IOException {
+    forEach((topic, message, timeS) -> columnsOf(topic).learn(message));
+    Files.createDirectories(folder);
+    Map<Topic, Path> files = new LinkedHashMap<>();
+    Map<Topic, Writer> writers = new HashMap<>();
+    Map<Path, Long> rows = new LinkedHashMap<>();
+    try {
+      for (Map.Entry<Topic, CsvColumns> table : columns.entrySet()) {
+        String name = name(table.getKey());
+        Path file = folder.resolve(name + SUFFIX);
+        for (int i = 2; rows.containsKey(file); i++) { // sources may differ in what is no letter
+          file = folder.resolve(name + "-" + i + SUFFIX);
+        }
+        BufferedWriter writer = Files.newBufferedWriter(file);
+        files.put(table.getKey(), file);
+        writers.put(table.getKey(), writer);
+        rows.put(file, 0L);
+        writer.write(table.getValue().head());
+      }
+      forEach(
+          (topic, message, timeS) -> {
+            writers.get(topic).write(columns.get(topic).row(timeS, message));
+            rows.merge(files.get(topic), 1L, Long::sum);
+          });
+    } finally {
+      for (Writer writer : writers.values()) {
+        writer.close();
+      }
+    }
+    return rows;
+  }
+
+  private CsvColumns columnsOf(Topic topic) {
+    return columns.computeIfAbsent(topic, key -> new CsvColumns());
+  }
+
+  private interface Row {
+    void take(Topic topic, U2SAData message, double timeS) throws IOException;
+  }
+
+  private void forEach(Row row) throws IOException {
+    Spacing spacing = new Spacing(everyS);
+    recording.forEach(
+        wanted,
+        span,
+        (topic, message, nanos) -> {
+          double timeS = span.seconds(nanos);
+          if (spacing.takes(topic, timeS)) {
+            row.take(topic, message, timeS);
+          }
+        });
+  }
+
+  /** Such as {@code sensed-state-StateInformation-gps}. */
+  private static String name(Topic topic) {
+    String type = topic.typeChain().get(topic.typeChain().size() - 1);
+    String name =
+        topic.channel() + "-" + type + (topic.source().isEmpty() ? "" : "-" + topic.source());
+    return name.codePoints()
+        .mapToObj(c -> Character.isLetterOrDigit(c) || c == '-' ? Character.toString(c) : "_")
+        .collect(Collectors.joining());
+  }
+}

@@ -1,0 +1,127 @@
+package org.u2sa.gcs.export;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.gcs.record.RecordedMessages;
+import org.u2sa.gcs.record.RecordedSpan;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code u2sa export}: a recording as tables, or as tracks for maps. */
+@Command(
+    name = "export",
+    description = {
+      "Write a recording as CSV, KML, GPX or GeoJSON.",
+      "",
+      "  ./u2sa export recording.mcap --format csv --channel state,actuation --out tables",
+      "  ./u2sa export recording.mcap --format kml",
+      "",
+      "csv: a folder with a table for each topic: time of recording [s], then each field that any message of the topic has, with "
+          + "its unit. Lists and messages within a message are JSON.",
+      "kml, gpx, geojson: tracks of the states in the frame GLOBAL, one for each source, and the goals. Default channel: state."
+    })
+public final class ExportCommand implements Callable<Integer> {
+  @Spec private CommandSpec command;
+  @Mixin private RecordedSpan.Options part;
+
+  @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
+  private Path file;
+
+  enum Format {
+    csv,
+    kml,
+    gpx,
+    geojson
+  }
+
+  @Option(
+      names = "--format",
+      required = true,
+      paramLabel = "FORMAT",
+      description = "One of ${COMPLETION-CANDIDATES}.")
+  private Format format;
+
+  @Option(
+      names = "--channel",
+      paramLabel = "NAME",
+      split = ",",
+      description = "Only these channels, for example state,actuation.")
+  private List<String> channels = List.of();
+
+  @Option(
+      names = "--every",
+      paramLabel = "S",
+      defaultValue = "0",
+      description = "Of each topic at most one message in so many seconds. Default: all.")
+  private double everyS;
+
+  @Option(
+      names = {"-o", "--out"},
+      paramLabel = "PATH",
+      description =
+          "Where to: a file; of csv, a folder. Default: beside the recording, with its name.")
+  private Path out;
+
+  @Override
+  public Integer call() throws IOException {
+    if (!(everyS >= 0.0)) {
+      throw new ParameterException(
+          command.commandLine(), "--every " + everyS + ": expected 0 s or more");
+    }
+    try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
+      RecordedSpan span = part.of(recording.reader());
+      if (format == Format.csv) {
+        tables(recording, span);
+      } else {
+        map(recording, span);
+      }
+    }
+    return ExitCode.DONE;
+  }
+
+  private Path target(String suffix) {
+    String name = file.getFileName().toString().replaceFirst("\\.mcap$", "");
+    return out == null ? file.resolveSibling(name + suffix) : out;
+  }
+
+  private void tables(RecordedMessages recording, RecordedSpan span) throws IOException {
+    CsvTables tables = new CsvTables(recording, span, recording.channels(channels), everyS);
+    PrintWriter printer = command.commandLine().getOut();
+    for (Map.Entry<Path, Long> table : tables.write(target("-csv")).entrySet()) {
+      printer.println(table.getKey() + " (" + table.getValue() + " rows)");
+    }
+  }
+
+  private void map(RecordedMessages recording, RecordedSpan span) throws IOException {
+    GeoRun run = GeoRun.read(recording, span, channels, everyS);
+    String title = file.getFileName().toString();
+    Path target = target("." + format);
+    ReportFile.writeText(target, text -> write(text, title, run));
+    command
+        .commandLine()
+        .getOut()
+        .printf(
+            "%s (%d tracks, %d points, %d goals)%n",
+            target, run.tracks().size(), run.points(), run.goals().size());
+  }
+
+  private void write(Writer text, String title, GeoRun run) throws IOException {
+    switch (format) {
+      case kml -> KmlText.write(text, title, run);
+      case gpx -> GpxText.write(text, title, run);
+      default -> GeoJsonText.write(text, run);
+    }
+  }
+}

@@ -1,0 +1,155 @@
+package org.u2sa.gcs.export;
+
+import java.io.IOException;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Predicate;
+import org.u2sa.gcs.record.RecordedMessages;
+import org.u2sa.gcs.record.RecordedSpan;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.GoalInformation;
+import org.u2sa.messages.GoalList;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.Waypoint;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.McapChannel;
+
+/** What of a recording has a place on the earth: tracks, and goals. */
+final class GeoRun {
+  private static final long NANOS = 1_000_000_000L;
+  private static final double NANOS_PER_MICRO = 1e3;
+
+  private final Map<String, List<Fix>> tracks = new LinkedHashMap<>();
+  private final Map<String, Goal> goals = new LinkedHashMap<>();
+
+  /**
+   * A place of the vehicle.
+   *
+   * @param nanos when it was measured [ns of the run's clock]
+   * @param altitudeM above mean sea level [m]; empty: not known
+   */
+  record Fix(long nanos, double longitudeDeg, double latitudeDeg, OptionalDouble altitudeM) {
+    /** In simulated time, the run begins with the year 1970. */
+    Instant time() {
+      return Instant.ofEpochSecond(Math.floorDiv(nanos, NANOS), Math.floorMod(nanos, NANOS));
+    }
+  }
+
+  /**
+   * A goal, as it was heard of last.
+   *
+   * @param altitudeM above mean sea level [m]; empty: at any
+   */
+  record Goal(
+      String name,
+      double longitudeDeg,
+      double latitudeDeg,
+      OptionalDouble altitudeM,
+      double thresholdM,
+      boolean isReached) {}
+
+  private GeoRun() {}
+
+  /**
+   * Reads it.
+   *
+   * @param channels of the states; empty: state
+   * @param everyS least time between two places of a track [s]
+   * @throws BadInputException if there is no state with a place on the earth
+   */
+  static GeoRun read(
+      RecordedMessages recording, RecordedSpan span, List<String> channels, double everyS)
+      throws IOException {
+    List<String> ofStates = channels.isEmpty() ? List.of(Channels.STATE.name()) : channels;
+    Predicate<McapChannel> states = recording.channels(ofStates);
+    List<String> ofGoals = List.of(Channels.GOALS.name(), Channels.GOAL_REPORTS.name());
+    GeoRun run = new GeoRun();
+    Spacing spacing = new Spacing(everyS);
+    recording.forEach(
+        channel ->
+            states.test(channel)
+                || recording.topic(channel).filter(t -> ofGoals.contains(t.channel())).isPresent(),
+        span,
+        (topic, message, nanos) -> {
+          if (message instanceof GoalList list) {
+            list.goals().forEach(run::take);
+          } else if (message instanceof GoalInformation goal) {
+            run.take(goal);
+          } else if (message instanceof StateInformation state
+              && ofStates.contains(topic.channel())) {
+            run.take(topic, state, nanos, spacing);
+          }
+        });
+    if (run.tracks.isEmpty()) {
+      throw new BadInputException(
+          String.format(
+              "no message on %s says where the vehicle is on the earth (frame GLOBAL, x and y); --channel chooses others",
+              String.join(", ", ofStates)));
+    }
+    return run;
+  }
+
+  private void take(Topic topic, StateInformation state, long logNanos, Spacing spacing) {
+    boolean isPlace =
+        state.referenceFrame().equals(ReferenceFrame.GLOBAL)
+            && state.x().isPresent()
+            && state.y().isPresent();
+    String source = topic.source().isEmpty() ? state.sensorName() : topic.source();
+    String name = topic.channel() + (source.isEmpty() ? "" : " " + source);
+    if (isPlace && spacing.takes(name, logNanos / (double) NANOS)) {
+      tracks
+          .computeIfAbsent(name, key -> new ArrayList<>())
+          .add(
+              new Fix(
+                  measuredNanos(state, logNanos),
+                  state.x().getAsDouble(),
+                  state.y().getAsDouble(),
+                  state.z()));
+    }
+  }
+
+  private static long measuredNanos(U2SAData message, long logNanos) {
+    return message.timestamp().isPresent()
+        ? Math.round(message.timestamp().getAsLong() * NANOS_PER_MICRO)
+        : logNanos;
+  }
+
+  private void take(GoalInformation goal) {
+    if (goal instanceof Waypoint waypoint
+        && waypoint.referenceFrame().equals(ReferenceFrame.GLOBAL)
+        && waypoint.x().isPresent()
+        && waypoint.y().isPresent()) {
+      goals.put(
+          waypoint.uid(),
+          new Goal(
+              waypoint.uid(),
+              waypoint.x().getAsDouble(),
+              waypoint.y().getAsDouble(),
+              waypoint.z(),
+              waypoint.horizontalThreshold(),
+              waypoint.completed() && !waypoint.abandoned()));
+    }
+  }
+
+  /** Places by track, each track in the order of recording. */
+  Map<String, List<Fix>> tracks() {
+    return tracks;
+  }
+
+  /** Places of all tracks. */
+  int points() {
+    return tracks.values().stream().mapToInt(List::size).sum();
+  }
+
+  /** Goals in the order in which they were first heard of. */
+  List<Goal> goals() {
+    return List.copyOf(goals.values());
+  }
+}

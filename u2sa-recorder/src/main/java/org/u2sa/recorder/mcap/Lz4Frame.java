@@ -1,0 +1,59 @@
+package org.u2sa.recorder.mcap;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import net.jpountz.lz4.LZ4Compressor;
+import net.jpountz.lz4.LZ4Factory;
+
+/**
+ * LZ4 frames of independent blocks of 64 KiB, without checksums, written from array to array
+ * (lz4_Frame_format.md 1.6.4). The compressor is pure Java: it runs on phones, and the bytes are
+ * everywhere the same.
+ */
+final class Lz4Frame {
+  private static final byte[] HEADER = {0x04, 0x22, 0x4D, 0x18, 0x60, 0x40, (byte) 0x82};
+  private static final int BLOCK = 1 << 16;
+  private static final int AS_IT_IS = 1 << 31; // of a block that does not become shorter
+  private static final LZ4Compressor COMPRESSOR = LZ4Factory.safeInstance().fastCompressor();
+
+  private Lz4Frame() {}
+
+  /** The most bytes that a frame of so many may have. */
+  static int longest(int length) {
+    int blocks = (length + BLOCK - 1) / BLOCK;
+    return HEADER.length
+        + blocks * (Integer.BYTES + COMPRESSOR.maxCompressedLength(BLOCK))
+        + Integer.BYTES;
+  }
+
+  /**
+   * Writes a frame.
+   *
+   * @param from what it holds
+   * @param length of that [B]
+   * @param to where to; has room for {@link #longest}
+   * @param at where in it the frame begins
+   * @return where it ends
+   */
+  static int write(byte[] from, int length, byte[] to, int at) {
+    ByteBuffer out = ByteBuffer.wrap(to).order(ByteOrder.LITTLE_ENDIAN);
+    System.arraycopy(HEADER, 0, to, at, HEADER.length);
+    int end = at + HEADER.length;
+    for (int begin = 0; begin < length; begin += BLOCK) {
+      int size = Math.min(BLOCK, length - begin);
+      int data = end + Integer.BYTES;
+      int compressed =
+          COMPRESSOR.compress(from, begin, size, to, data, COMPRESSOR.maxCompressedLength(size));
+      if (compressed < size) {
+        out.putInt(end, compressed);
+        end = data + compressed;
+      } else {
+        System.arraycopy(from, begin, to, data, size);
+        out.putInt(end, size | AS_IT_IS);
+        end = data + size;
+      }
+    }
+    out.putInt(end, 0);
+    return end + Integer.BYTES;
+  }
+}

@@ -1,0 +1,53 @@
+package org.u2sa.recorder.mcap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Arrays;
+import java.util.Random;
+import net.jpountz.lz4.LZ4Factory;
+import net.jpountz.lz4.LZ4FrameOutputStream;
+import net.jpountz.xxhash.XXHashFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class Lz4FrameTest {
+  /** Bytes of which so many in 256 are random, the others repeat. */
+  private static byte[] bytes(int length, int random) {
+    Random source = new Random(length);
+    byte[] bytes = new byte[length];
+    for (int i = 0; i < length; i++) {
+      bytes[i] = (byte) (source.nextInt(256) < random ? source.nextInt(256) : i / 7);
+    }
+    return bytes;
+  }
+
+  /** The library's own frame, by its compressor with all checks. */
+  private static byte[] expected(byte[] bytes) throws IOException {
+    ByteArrayOutputStream frame = new ByteArrayOutputStream();
+    try (OutputStream out =
+        new LZ4FrameOutputStream(
+            frame,
+            LZ4FrameOutputStream.BLOCKSIZE.SIZE_64KB,
+            -1L,
+            LZ4Factory.safeInstance().fastCompressor(),
+            XXHashFactory.safeInstance().hash32(),
+            LZ4FrameOutputStream.FLG.Bits.BLOCK_INDEPENDENCE)) {
+      out.write(bytes);
+    }
+    return frame.toByteArray();
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 11, 65_535, 65_536, 65_537, 300_000})
+  void write_anyLength_isTheLibrarysFrame(int length) throws IOException {
+    for (int random : new int[] {0, 64, 256}) {
+      byte[] bytes = bytes(length, random);
+      byte[] to = new byte[3 + Lz4Frame.longest(length)];
+      int end = Lz4Frame.write(bytes, length, to, 3);
+      assertThat(Arrays.copyOfRange(to, 3, end)).isEqualTo(expected(bytes));
+    }
+  }
+}
