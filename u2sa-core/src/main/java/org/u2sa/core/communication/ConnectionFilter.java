@@ -50,6 +50,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final RetainedTable retained;
   private final Allowance.PerUser questions;
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
+  private final MessageRouter router;
   private volatile boolean ending;
 
   /**
@@ -65,6 +66,7 @@ final class ConnectionFilter implements AutoCloseable {
         users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
+    router = new MessageRouter(subscriptions, retained, connections);
     questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
   }
 
@@ -229,6 +231,11 @@ final class ConnectionFilter implements AutoCloseable {
   /** The subscriptions of remote clients. */
   RemoteSubscriptions subscriptions() {
     return subscriptions;
+  }
+
+  /** The way of messages past Moquette. */
+  MessageRouter router() {
+    return router;
   }
 
   /** How many questions each user may still ask. */

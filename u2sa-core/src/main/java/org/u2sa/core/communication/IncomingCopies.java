@@ -1,5 +1,10 @@
 package org.u2sa.core.communication;
 
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.ByteBufUtil;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
@@ -12,12 +17,16 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What remote clients publish, on its way to the bus. Counts what cannot be read or was lost. */
-final class IncomingCopies {
+final class IncomingCopies implements MessageRouter.Reader {
+  private static final int TOPICS_REMEMBERED = 1_024;
+
   private final LocalBus bus;
   private final MessageCodec codec;
   private final Consumer<String> log;
   private final Gaps gaps = new Gaps();
   private final AtomicLong unreadable = new AtomicLong();
+  private final Map<String, Topic> topics = new ConcurrentHashMap<>(); // read before
+  private final Set<String> heard = ConcurrentHashMap.newKeySet(); // topics with numbers in gaps
 
   IncomingCopies(LocalBus bus, MessageCodec codec, Consumer<String> log) {
     this.bus = bus;
@@ -25,10 +34,43 @@ final class IncomingCopies {
     this.log = log;
   }
 
+  @Override
+  public boolean wants(String topicName) {
+    Topic topic = topics.get(topicName);
+    if (topic == null) {
+      return true; // that shows when it is read
+    }
+    boolean wanted = bus.isHeard(topic.channel()) || isRetained(topic);
+    if (!wanted && heard.remove(topicName)) {
+      gaps.forget(topicName::equals); // what comes meanwhile is not missed
+    }
+    return wanted && topic.systemId().equals(bus.systemId());
+  }
+
+  private static boolean isRetained(Topic topic) {
+    return Channels.named(topic.channel()).filter(Channel::isRetained).isPresent();
+  }
+
+  @Override
+  public void read(String topic, ByteBuf payload) {
+    deliver(topic, ByteBufUtil.getBytes(payload));
+  }
+
+  private Topic parsed(String topicName) {
+    Topic known = topics.get(topicName);
+    if (known == null) {
+      known = Topic.parse(topicName);
+      if (topics.size() < TOPICS_REMEMBERED) {
+        topics.put(topicName, known);
+      }
+    }
+    return known;
+  }
+
   /** Hands a packet's message to the services of this process; of another vehicle, to nobody. */
   void deliver(String topicName, byte[] payload) {
     try {
-      Topic topic = Topic.parse(topicName);
+      Topic topic = parsed(topicName);
       if (topic.systemId().equals(bus.systemId())) {
         deliver(topic, topicName, payload);
       }
@@ -55,6 +97,9 @@ final class IncomingCopies {
     if (!channel.carries(message)) {
       throw new IllegalArgumentException(
           "it is not of the channel's type " + channel.type().name());
+    }
+    if (heard.size() < TOPICS_REMEMBERED) {
+      heard.add(topicName);
     }
     long missed = gaps.arrived(topicName, message.origin());
     if (missed > 0) {
