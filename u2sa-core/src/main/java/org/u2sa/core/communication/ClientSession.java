@@ -146,15 +146,23 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
    * Sends a message that comes past Moquette. Called on the connection's thread.
    *
    * @param eachMatters whether the client is to acknowledge it
+   * @return whether so much waits for the client that its publisher should slow down
    */
-  void deliver(Publication publication, boolean eachMatters) {
+  boolean deliver(Publication publication, boolean eachMatters) {
     ChannelHandlerContext ctx = context;
-    if (stage == Stage.IN) {
-      String why = outflow.deliver(ctx, publication, eachMatters);
-      if (why != null) {
-        putOut(ctx, TOO_SLOW, why);
-      }
+    if (stage != Stage.IN) {
+      return false;
     }
+    String why = outflow.deliver(ctx, publication, eachMatters);
+    if (why != null) {
+      putOut(ctx, TOO_SLOW, why);
+    }
+    return why == null && Outflow.isBehind(ctx);
+  }
+
+  /** Takes note whether a subscriber of the client's last message is behind. */
+  void subscriberIsBehind(boolean behind) {
+    inflow.subscriberIsBehind(behind);
   }
 
   /** Acknowledges a message of the client that went past Moquette. */

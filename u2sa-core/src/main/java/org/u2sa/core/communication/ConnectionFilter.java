@@ -1,5 +1,6 @@
 package org.u2sa.core.communication;
 
+import io.netty.channel.AdaptiveRecvByteBufAllocator;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
@@ -10,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Base64;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -31,6 +33,11 @@ final class ConnectionFilter implements AutoCloseable {
    * Beyond it Moquette would drop without a word; the connection filter drops earlier, and counts.
    */
   private static final int NEVER_UNWRITABLE = 64 << 20;
+
+  private static final int LEAST_READ = 512;
+
+  /** They log and count each packet, and nobody reads it. */
+  private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
 
   private final BrokerLimits limits;
   private final MessageCodec codec;
@@ -124,6 +131,14 @@ final class ConnectionFilter implements AutoCloseable {
           .setOption(
               ChannelOption.WRITE_BUFFER_WATER_MARK,
               new WriteBufferWaterMark(NEVER_UNWRITABLE / 2, NEVER_UNWRITABLE));
+      // One thread reads all clients in turn: none is to keep it long.
+      child
+          .config()
+          .setOption(
+              ChannelOption.RCVBUF_ALLOCATOR,
+              new AdaptiveRecvByteBufAllocator(
+                      LEAST_READ, BrokerLimits.READ_AT_ONCE / 2, BrokerLimits.READ_AT_ONCE)
+                  .maxMessagesPerRead(1));
       child.pipeline().addFirst(new Furnisher());
       ctx.fireChannelRead(message);
     }
@@ -137,6 +152,9 @@ final class ConnectionFilter implements AutoCloseable {
       ClientSession session = new ClientSession(ConnectionFilter.this, outflow);
       Inflow inflow = new Inflow(ConnectionFilter.this, session);
       session.inflow(inflow);
+      for (String unused : MOQUETTES_OBSERVERS) {
+        ctx.pipeline().remove(unused);
+      }
       ctx.pipeline().addFirst(new FirstPacketLimit(session));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-session", session);

@@ -20,12 +20,20 @@ import org.u2sa.messages.schema.U2SAData;
 final class IncomingCopies implements MessageRouter.Reader {
   private static final int TOPICS_REMEMBERED = 1_024;
 
+  /**
+   * What a topic means here.
+   *
+   * @param isOurs whether it is of this process's system
+   * @param isKept whether the bus keeps the last message, for those who will ask later
+   */
+  private record Source(Topic topic, boolean isOurs, boolean isKept) {}
+
   private final LocalBus bus;
   private final MessageCodec codec;
   private final Consumer<String> log;
   private final Gaps gaps = new Gaps();
   private final AtomicLong unreadable = new AtomicLong();
-  private final Map<String, Topic> topics = new ConcurrentHashMap<>(); // read before
+  private final Map<String, Source> sources = new ConcurrentHashMap<>(); // by topic
   private final Set<String> heard = ConcurrentHashMap.newKeySet(); // topics with numbers in gaps
 
   IncomingCopies(LocalBus bus, MessageCodec codec, Consumer<String> log) {
@@ -36,19 +44,15 @@ final class IncomingCopies implements MessageRouter.Reader {
 
   @Override
   public boolean wants(String topicName) {
-    Topic topic = topics.get(topicName);
-    if (topic == null) {
+    Source source = sources.get(topicName);
+    if (source == null) {
       return true; // that shows when it is read
     }
-    boolean wanted = bus.isHeard(topic.channel()) || isRetained(topic);
+    boolean wanted = source.isOurs && (source.isKept || bus.isHeard(source.topic.channel()));
     if (!wanted && heard.remove(topicName)) {
       gaps.forget(topicName::equals); // what comes meanwhile is not missed
     }
-    return wanted && topic.systemId().equals(bus.systemId());
-  }
-
-  private static boolean isRetained(Topic topic) {
-    return Channels.named(topic.channel()).filter(Channel::isRetained).isPresent();
+    return wanted;
   }
 
   @Override
@@ -56,12 +60,14 @@ final class IncomingCopies implements MessageRouter.Reader {
     deliver(topic, ByteBufUtil.getBytes(payload));
   }
 
-  private Topic parsed(String topicName) {
-    Topic known = topics.get(topicName);
+  private Source source(String topicName) {
+    Source known = sources.get(topicName);
     if (known == null) {
-      known = Topic.parse(topicName);
-      if (topics.size() < TOPICS_REMEMBERED) {
-        topics.put(topicName, known);
+      Topic topic = Topic.parse(topicName);
+      boolean isKept = Channels.named(topic.channel()).filter(Channel::isRetained).isPresent();
+      known = new Source(topic, topic.systemId().equals(bus.systemId()), isKept);
+      if (sources.size() < TOPICS_REMEMBERED) {
+        sources.put(topicName, known);
       }
     }
     return known;
@@ -70,9 +76,9 @@ final class IncomingCopies implements MessageRouter.Reader {
   /** Hands a packet's message to the services of this process; of another vehicle, to nobody. */
   void deliver(String topicName, byte[] payload) {
     try {
-      Topic topic = parsed(topicName);
-      if (topic.systemId().equals(bus.systemId())) {
-        deliver(topic, topicName, payload);
+      Source source = source(topicName);
+      if (source.isOurs) {
+        deliver(source.topic, topicName, payload);
       }
     } catch (MalformedMessageException | IllegalArgumentException e) {
       long count = unreadable.incrementAndGet();

@@ -62,9 +62,10 @@ final class MessageRouter {
   /**
    * Hands a client's message to all that listen. Called on the client's thread.
    *
+   * @param publisher the client
    * @return whether it was done; otherwise Moquette has to
    */
-  boolean route(MqttPublishMessage publish) {
+  boolean route(MqttPublishMessage publish, ClientSession publisher) {
     String topic = publish.variableHeader().topicName();
     if (publish.fixedHeader().isRetain() || retained.topics().contains(topic)) {
       return false;
@@ -78,7 +79,7 @@ final class MessageRouter {
       services.read(topic, publish.content());
     }
     boolean eachMatters = publish.fixedHeader().qosLevel() != MqttQoS.AT_MOST_ONCE;
-    send(route, eachMatters, publish.content());
+    publisher.subscriberIsBehind(send(route, eachMatters, publish.content()));
     return true;
   }
 
@@ -111,20 +112,23 @@ final class MessageRouter {
     }
   }
 
-  private void send(Route route, boolean eachMatters, ByteBuf payload) {
+  /** Returns whether a listener is behind. */
+  private boolean send(Route route, boolean eachMatters, ByteBuf payload) {
     if (!route.isWanted()) {
-      return;
+      return false;
     }
+    boolean isBehind = false;
     Publication publication = new Publication(route, payload);
     try {
       for (Route.Listener listener : route.listeners()) {
         ClientSession session = connections.get(listener.connection());
         if (session != null) {
-          session.deliver(publication, eachMatters && listener.eachMatters());
+          isBehind |= session.deliver(publication, eachMatters && listener.eachMatters());
         }
       }
     } finally {
       publication.release();
     }
+    return isBehind;
   }
 }

@@ -230,6 +230,11 @@ final class Outflow extends ChannelDuplexHandler {
     }
   }
 
+  /** Whether so much waits for the client that those who publish to it should slow down. */
+  static boolean isBehind(ChannelHandlerContext ctx) {
+    return unread(ctx) > BrokerLimits.BEHIND_BYTES;
+  }
+
   /** Why to disconnect the client; empty to keep it. Asked about once a second. */
   Optional<String> tooSlow(ChannelHandlerContext ctx) {
     long now = filter.nowMicros();

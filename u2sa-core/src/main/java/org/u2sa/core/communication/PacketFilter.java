@@ -82,7 +82,7 @@ final class PacketFilter {
     if (qos == MqttQoS.AT_LEAST_ONCE) {
       filter.backlog().keep(publish.content().readableBytes());
     }
-    if (filter.router().route(publish)) {
+    if (filter.router().route(publish, session)) {
       if (qos == MqttQoS.AT_LEAST_ONCE) {
         session.acknowledge(publish.variableHeader().packetId());
       }
