@@ -3,7 +3,7 @@ package org.u2sa.core.communication;
 import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
-/** A rate limit with bursts of up to a quarter of a second's worth. For one thread. */
+/** A rate limit with bursts, usually of up to a quarter of a second's worth. For one thread. */
 final class Allowance {
   private static final double BURST_S = 0.25;
   private static final double LEAST_BURST = 1.0; // even of a slow one
@@ -14,9 +14,16 @@ final class Allowance {
   private long asOfMicros;
 
   Allowance(double perS, long nowMicros) {
+    this(perS, perS * BURST_S, nowMicros);
+  }
+
+  /**
+   * @param burst how many may come at once; one at least
+   */
+  Allowance(double perS, double burst, long nowMicros) {
     this.perS = perS;
-    burst = Math.max(LEAST_BURST, perS * BURST_S);
-    left = burst;
+    this.burst = Math.max(LEAST_BURST, burst);
+    left = this.burst;
     asOfMicros = nowMicros;
   }
 

@@ -10,16 +10,16 @@ record BrokerLimits(
     @Variable(
             min = 10,
             max = 10_000_000,
-            ifAbsent = 10_000,
+            ifAbsent = 100_000,
             text =
-                "Packets per second that the embedded broker reads from one client; the client has to wait with more.")
+                "Packets per second that the embedded broker reads from one client; the client has to wait with more. A tenth while a subscriber of its messages is behind.")
         int clientMessagesPerSecond,
     @Variable(
             min = 10_000,
             max = 2_000_000_000,
-            ifAbsent = 20_000_000,
+            ifAbsent = 200_000_000,
             text =
-                "Payload bytes per second that the embedded broker reads from one client; the client has to wait with more.")
+                "Payload bytes per second that the embedded broker reads from one client; the client has to wait with more. A tenth while a subscriber of its messages is behind.")
         int clientBytesPerSecond,
     @Variable(
             min = 1,
@@ -111,6 +111,12 @@ record BrokerLimits(
 
   /** Bytes that wait for one client before messages of QoS 0 to it are dropped. */
   static final long UNREAD_BYTES = 256 * 1_024;
+
+  /** Bytes that wait for one client before those who publish to it are read more slowly. */
+  static final long BEHIND_BYTES = UNREAD_BYTES / 4;
+
+  /** Bytes read from one client before the next has its turn. */
+  static final int READ_AT_ONCE = 16 * 1_024;
 
   /** {@link #clientPatience} [µs]. */
   long patienceMicros() {

@@ -37,6 +37,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private static final MqttMessage FAREWELL =
       new MqttMessage(
           new MqttFixedHeader(MqttMessageType.DISCONNECT, false, MqttQoS.AT_MOST_ONCE, false, 0));
+  private static final String TOO_SLOW = "client put out, it is too slow";
   private static final long FAREWELL_WITHIN_S = 10;
   private static final long LOOK_AGAIN_MS = 2;
 
@@ -141,6 +142,34 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
   }
 
+  /**
+   * Sends a message that comes past Moquette. Called on the connection's thread.
+   *
+   * @param eachMatters whether the client is to acknowledge it
+   * @return whether so much waits for the client that its publisher should slow down
+   */
+  boolean deliver(Publication publication, boolean eachMatters) {
+    ChannelHandlerContext ctx = context;
+    if (stage != Stage.IN) {
+      return false;
+    }
+    String why = outflow.deliver(ctx, publication, eachMatters);
+    if (why != null) {
+      putOut(ctx, TOO_SLOW, why);
+    }
+    return why == null && Outflow.isBehind(ctx);
+  }
+
+  /** Takes note whether a subscriber of the client's last message is behind. */
+  void subscriberIsBehind(boolean behind) {
+    inflow.subscriberIsBehind(behind);
+  }
+
+  /** Acknowledges a message of the client that went past Moquette. */
+  void acknowledge(int packet) {
+    outflow.acknowledge(context, packet);
+  }
+
   /** Whether it has not identified itself yet. */
   boolean isPending() {
     return stage == Stage.STRANGER;
@@ -186,7 +215,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
         && filter.nowMicros() - since > 1_000 * BrokerLimits.CONNECT_WITHIN_MS) {
       putOut(ctx, "connection closed, it does not say who it is", "");
     } else if (stage == Stage.IN) {
-      outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, "client put out, it is too slow", why));
+      outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, TOO_SLOW, why));
       if (user != null
           && !filter.users().flatMap(all -> all.named(name)).equals(Optional.of(user))) {
         putOut(ctx, "client put out, its user was changed or removed", "");

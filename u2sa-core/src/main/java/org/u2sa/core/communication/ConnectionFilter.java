@@ -1,5 +1,6 @@
 package org.u2sa.core.communication;
 
+import io.netty.channel.AdaptiveRecvByteBufAllocator;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
@@ -10,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Base64;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -32,6 +34,11 @@ final class ConnectionFilter implements AutoCloseable {
    */
   private static final int NEVER_UNWRITABLE = 64 << 20;
 
+  private static final int LEAST_READ = 512;
+
+  /** They log and count each packet, and nobody reads it. */
+  private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
+
   private final BrokerLimits limits;
   private final MessageCodec codec;
   private final Clock clock;
@@ -50,6 +57,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final RetainedTable retained;
   private final Allowance.PerUser questions;
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
+  private final MessageRouter router;
   private volatile boolean ending;
 
   /**
@@ -65,6 +73,7 @@ final class ConnectionFilter implements AutoCloseable {
         users == null || !users.havePasswords() ? null : new Authenticator(users, clock);
     refusals = new Refusals(log);
     retained = new RetainedTable(limits);
+    router = new MessageRouter(subscriptions, retained, connections);
     questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
   }
 
@@ -122,6 +131,14 @@ final class ConnectionFilter implements AutoCloseable {
           .setOption(
               ChannelOption.WRITE_BUFFER_WATER_MARK,
               new WriteBufferWaterMark(NEVER_UNWRITABLE / 2, NEVER_UNWRITABLE));
+      // One thread reads all clients in turn: none is to keep it long.
+      child
+          .config()
+          .setOption(
+              ChannelOption.RCVBUF_ALLOCATOR,
+              new AdaptiveRecvByteBufAllocator(
+                      LEAST_READ, BrokerLimits.READ_AT_ONCE / 2, BrokerLimits.READ_AT_ONCE)
+                  .maxMessagesPerRead(1));
       child.pipeline().addFirst(new Furnisher());
       ctx.fireChannelRead(message);
     }
@@ -135,6 +152,9 @@ final class ConnectionFilter implements AutoCloseable {
       ClientSession session = new ClientSession(ConnectionFilter.this, outflow);
       Inflow inflow = new Inflow(ConnectionFilter.this, session);
       session.inflow(inflow);
+      for (String unused : MOQUETTES_OBSERVERS) {
+        ctx.pipeline().remove(unused);
+      }
       ctx.pipeline().addFirst(new FirstPacketLimit(session));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-session", session);
@@ -229,6 +249,11 @@ final class ConnectionFilter implements AutoCloseable {
   /** The subscriptions of remote clients. */
   RemoteSubscriptions subscriptions() {
     return subscriptions;
+  }
+
+  /** The way of messages past Moquette. */
+  MessageRouter router() {
+    return router;
   }
 
   /** How many questions each user may still ask. */

@@ -41,6 +41,7 @@ final class EmbeddedBroker implements AutoCloseable {
   private final OutgoingCopies copies;
   private final ConnectionFilter filter;
   private final Runnable died;
+  private volatile boolean closing;
 
   private EmbeddedBroker(
       LocalBus bus,
@@ -55,14 +56,7 @@ final class EmbeddedBroker implements AutoCloseable {
     incoming = new IncomingCopies(bus, codec, log);
     this.address = address;
     this.log = log;
-    copies =
-        new OutgoingCopies(
-            server,
-            bus.systemId(),
-            filter.subscriptions(),
-            filter.retained(),
-            filter.backlog(),
-            log);
+    copies = new OutgoingCopies(server, bus.systemId(), filter, log);
   }
 
   /**
@@ -95,6 +89,7 @@ final class EmbeddedBroker implements AutoCloseable {
       filter.close();
       throw cannotListen(address, e);
     }
+    filter.router().join(broker.incoming);
     broker.copies.start();
     bus.attach(broker.copies);
     return broker;
@@ -159,6 +154,7 @@ final class EmbeddedBroker implements AutoCloseable {
       notTaken.addAndGet(owed);
       log.accept(owed + " messages or more were not taken by remote subscribers before the end");
     }
+    closing = true;
     FilterInstaller.takeDown(server);
     server.stopServer();
     filter.close();
@@ -179,6 +175,9 @@ final class EmbeddedBroker implements AutoCloseable {
 
     @Override
     public void onSessionLoopError(Throwable error) {
+      if (closing) {
+        return; // its threads end in no order, and meet what has ended already
+      }
       log.accept("the broker failed: " + error);
       died.run();
     }

@@ -4,6 +4,7 @@ import static java.util.concurrent.TimeUnit.SECONDS;
 
 import io.moquette.broker.Server;
 import io.netty.channel.Channel;
+import io.netty.channel.ChannelHandler;
 import io.netty.channel.EventLoop;
 import io.netty.channel.EventLoopGroup;
 import io.netty.channel.ServerChannel;
@@ -65,13 +66,29 @@ final class FilterInstaller {
     return field.get(owner);
   }
 
+  /**
+   * Has one thread serve all connections, so that a message changes threads nowhere between two of
+   * them: to wake another takes longer than to route a message. Netty would spread them over
+   * several.
+   */
+  private static EventLoop putOnOneThread(Channel listening) throws ReflectiveOperationException {
+    ChannelHandler acceptor = listening.pipeline().last();
+    Field group = acceptor.getClass().getDeclaredField("childGroup");
+    group.setAccessible(true);
+    EventLoop one = ((EventLoopGroup) group.get(acceptor)).next();
+    group.set(acceptor, one);
+    return one;
+  }
+
   /** On the loop's own thread, as its channels may be looked at there only. */
-  private static int install(ConnectionFilter filter, EventLoop loop) {
+  private static int install(ConnectionFilter filter, EventLoop loop)
+      throws ReflectiveOperationException {
     int installed = 0;
     Iterator<Channel> channels = ((SingleThreadEventLoop) loop).registeredChannelsIterator();
     while (channels.hasNext()) {
       Channel channel = channels.next();
       if (channel instanceof ServerChannel) {
+        filter.router().runOn(putOnOneThread(channel));
         channel.pipeline().addFirst(filter.new Acceptor());
         loop.scheduleAtFixedRate(filter::tidy, 1, 1, SECONDS);
         installed++;

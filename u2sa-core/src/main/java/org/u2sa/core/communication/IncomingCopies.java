@@ -1,5 +1,10 @@
 package org.u2sa.core.communication;
 
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.ByteBufUtil;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
@@ -12,12 +17,24 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /** What remote clients publish, on its way to the bus. Counts what cannot be read or was lost. */
-final class IncomingCopies {
+final class IncomingCopies implements MessageRouter.Reader {
+  private static final int TOPICS_REMEMBERED = 1_024;
+
+  /**
+   * What a topic means here.
+   *
+   * @param isOurs whether it is of this process's system
+   * @param isKept whether the bus keeps the last message, for those who will ask later
+   */
+  private record Source(Topic topic, boolean isOurs, boolean isKept) {}
+
   private final LocalBus bus;
   private final MessageCodec codec;
   private final Consumer<String> log;
   private final Gaps gaps = new Gaps();
   private final AtomicLong unreadable = new AtomicLong();
+  private final Map<String, Source> sources = new ConcurrentHashMap<>(); // by topic
+  private final Set<String> heard = ConcurrentHashMap.newKeySet(); // topics with numbers in gaps
 
   IncomingCopies(LocalBus bus, MessageCodec codec, Consumer<String> log) {
     this.bus = bus;
@@ -25,12 +42,43 @@ final class IncomingCopies {
     this.log = log;
   }
 
+  @Override
+  public boolean wants(String topicName) {
+    Source source = sources.get(topicName);
+    if (source == null) {
+      return true; // that shows when it is read
+    }
+    boolean wanted = source.isOurs && (source.isKept || bus.isHeard(source.topic.channel()));
+    if (!wanted && heard.remove(topicName)) {
+      gaps.forget(topicName::equals); // what comes meanwhile is not missed
+    }
+    return wanted;
+  }
+
+  @Override
+  public void read(String topic, ByteBuf payload) {
+    deliver(topic, ByteBufUtil.getBytes(payload));
+  }
+
+  private Source source(String topicName) {
+    Source known = sources.get(topicName);
+    if (known == null) {
+      Topic topic = Topic.parse(topicName);
+      boolean isKept = Channels.named(topic.channel()).filter(Channel::isRetained).isPresent();
+      known = new Source(topic, topic.systemId().equals(bus.systemId()), isKept);
+      if (sources.size() < TOPICS_REMEMBERED) {
+        sources.put(topicName, known);
+      }
+    }
+    return known;
+  }
+
   /** Hands a packet's message to the services of this process; of another vehicle, to nobody. */
   void deliver(String topicName, byte[] payload) {
     try {
-      Topic topic = Topic.parse(topicName);
-      if (topic.systemId().equals(bus.systemId())) {
-        deliver(topic, topicName, payload);
+      Source source = source(topicName);
+      if (source.isOurs) {
+        deliver(source.topic, topicName, payload);
       }
     } catch (MalformedMessageException | IllegalArgumentException e) {
       long count = unreadable.incrementAndGet();
@@ -55,6 +103,9 @@ final class IncomingCopies {
     if (!channel.carries(message)) {
       throw new IllegalArgumentException(
           "it is not of the channel's type " + channel.type().name());
+    }
+    if (heard.size() < TOPICS_REMEMBERED) {
+      heard.add(topicName);
     }
     long missed = gaps.arrived(topicName, message.origin());
     if (missed > 0) {

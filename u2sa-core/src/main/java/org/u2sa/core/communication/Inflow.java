@@ -15,11 +15,19 @@ import java.util.concurrent.TimeUnit;
 final class Inflow extends ChannelInboundHandlerAdapter {
   private static final long LOOK_AGAIN_MS = 2;
 
+  /** What part of its rates a client has while a subscriber of its messages is behind. */
+  private static final double SLOWER = 0.1;
+
+  private static final double SLOWER_BURST_MESSAGES = 20.0; // as many come between two looks
+
   private final ConnectionFilter filter;
   private final ClientSession session;
   private final Deque<Object> held = new ArrayDeque<>(); // what was read already
   private final Allowance messages;
   private final Allowance bytes;
+  private final Allowance slowMessages;
+  private final Allowance slowBytes;
+  private boolean isBehind; // a subscriber
   private boolean paused;
   private ChannelHandlerContext context;
 
@@ -27,8 +35,12 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     this.filter = filter;
     this.session = session;
     long now = filter.nowMicros();
-    messages = new Allowance(filter.limits().clientMessagesPerSecond(), now);
-    bytes = new Allowance(filter.limits().clientBytesPerSecond(), now);
+    double messagesPerS = filter.limits().clientMessagesPerSecond();
+    double bytesPerS = filter.limits().clientBytesPerSecond();
+    messages = new Allowance(messagesPerS, now);
+    bytes = new Allowance(bytesPerS, now);
+    slowMessages = new Allowance(SLOWER * messagesPerS, SLOWER_BURST_MESSAGES, now);
+    slowBytes = new Allowance(SLOWER * bytesPerS, BrokerLimits.BEHIND_BYTES, now);
   }
 
   @Override
@@ -56,6 +68,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     return session.isReady()
         && messages.isOpen(now)
         && bytes.isOpen(now)
+        && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now))
         && !filter.backlog().isFull();
   }
 
@@ -65,10 +78,26 @@ final class Inflow extends ChannelInboundHandlerAdapter {
         || filter.questions().take(session.name(), filter.nowMicros());
   }
 
+  /**
+   * Takes note whether a subscriber of the client's last message is behind. Until none is, the
+   * client is read more slowly, so that a burst is not lost; but not stopped, since a subscriber
+   * that reads little or nothing must not hold up who publishes.
+   */
+  void subscriberIsBehind(boolean behind) {
+    isBehind = behind;
+  }
+
   private void letIn(ChannelHandlerContext ctx, Object message) {
     messages.take(1.0);
+    if (isBehind) {
+      slowMessages.take(1.0);
+    }
     if (message instanceof MqttPublishMessage publish) {
-      bytes.take(publish.content().readableBytes());
+      int length = publish.content().readableBytes();
+      bytes.take(length);
+      if (isBehind) {
+        slowBytes.take(length);
+      }
     }
     ctx.fireChannelRead(message);
   }

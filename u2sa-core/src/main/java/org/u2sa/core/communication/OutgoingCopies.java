@@ -46,6 +46,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final Server server;
   private final String systemId;
   private final RemoteSubscriptions subscriptions;
+  private final MessageRouter router;
   private final RetainedTable retained;
   private final Backlog backlog;
   private final Consumer<String> log;
@@ -57,21 +58,14 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private final Thread sender = new Thread(this::send, "u2sa-outgoing-copies");
   private volatile boolean closing;
 
-  /**
-   * @param retained told of each topic of which the broker will hold a message, before it does
-   */
-  OutgoingCopies(
-      Server server,
-      String systemId,
-      RemoteSubscriptions subscriptions,
-      RetainedTable retained,
-      Backlog backlog,
-      Consumer<String> log) {
+  /** Takes the messages of one system to the clients of a broker. */
+  OutgoingCopies(Server server, String systemId, ConnectionFilter filter, Consumer<String> log) {
     this.server = server;
     this.systemId = systemId;
-    this.subscriptions = subscriptions;
-    this.retained = retained;
-    this.backlog = backlog;
+    subscriptions = filter.subscriptions();
+    router = filter.router();
+    retained = filter.retained();
+    backlog = filter.backlog();
     this.log = log;
     sender.setDaemon(true);
   }
@@ -157,11 +151,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     }
     Semaphore place = onTheWay;
     try {
-      RoutingResults results = publish(copy);
-      if (!results.isAllSuccess()) {
-        drop("a subscriber's queue is full");
-      }
-      results.completableFuture().whenComplete((done, error) -> place.release());
+      publish(copy, place::release);
     } catch (
         RuntimeException e) { // this one cannot be sent, such as a message too long; others can
       place.release();
@@ -169,26 +159,36 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     }
   }
 
-  private RoutingResults publish(Copy copy) {
+  private void publish(Copy copy, Runnable sent) {
     boolean eachMatters =
         copy.channel.deliversEvery()
             || copy.channel.isRetained()
             || closing; // the last words are to be confirmed, whatever they are
     byte[] payload = copy.message.serialize(copy.origin);
+    Route route = copy.channel.isRetained() ? null : router.routeOf(copy.topic);
     if (copy.channel.isRetained()) {
       retained.enterLocal(copy.topic, payload.length);
     }
     if (eachMatters) {
       backlog.keep(payload.length);
     }
-    return server.internalPublish(
-        MqttMessageBuilders.publish()
-            .topicName(copy.topic)
-            .qos(eachMatters ? MqttQoS.AT_LEAST_ONCE : MqttQoS.AT_MOST_ONCE)
-            .retained(copy.channel.isRetained())
-            .payload(Unpooled.wrappedBuffer(payload))
-            .build(),
-        SENDER);
+    if (route != null) {
+      router.send(route, eachMatters, payload, sent);
+      return;
+    }
+    RoutingResults results =
+        server.internalPublish(
+            MqttMessageBuilders.publish()
+                .topicName(copy.topic)
+                .qos(eachMatters ? MqttQoS.AT_LEAST_ONCE : MqttQoS.AT_MOST_ONCE)
+                .retained(copy.channel.isRetained())
+                .payload(Unpooled.wrappedBuffer(payload))
+                .build(),
+            SENDER);
+    if (!results.isAllSuccess()) {
+      drop("a subscriber's queue is full");
+    }
+    results.completableFuture().whenComplete((done, error) -> sent.run());
   }
 
   private void drop(String why) {

@@ -27,7 +27,7 @@ final class PacketFilter {
   }
 
   /**
-   * Looks at a packet and hands it on if it may pass.
+   * Looks at a packet and, if it may pass, routes it or hands it on to Moquette.
    *
    * @return whether it was handed on; otherwise it is the caller's still
    */
@@ -79,10 +79,16 @@ final class PacketFilter {
       }
       return false;
     }
-    filter.backlog().in(publish.content().readableBytes());
     if (qos == MqttQoS.AT_LEAST_ONCE) {
       filter.backlog().keep(publish.content().readableBytes());
     }
+    if (filter.router().route(publish, session)) {
+      if (qos == MqttQoS.AT_LEAST_ONCE) {
+        session.acknowledge(publish.variableHeader().packetId());
+      }
+      return false;
+    }
+    filter.backlog().in(publish.content().readableBytes());
     ctx.fireChannelRead(publish);
     return true;
   }

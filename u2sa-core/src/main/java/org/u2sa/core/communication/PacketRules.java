@@ -204,7 +204,13 @@ final class PacketRules {
       filters.add(filter);
     }
     for (MqttTopicSubscription wanted : subscribe.payload().topicSubscriptions()) {
-      this.filter.subscriptions().add(connection, name, wanted.topicFilter());
+      this.filter
+          .subscriptions()
+          .add(
+              connection,
+              name,
+              wanted.topicFilter(),
+              wanted.qualityOfService() != MqttQoS.AT_MOST_ONCE);
     }
     return Optional.empty();
   }

@@ -2,51 +2,38 @@ package org.u2sa.core.communication;
 
 import io.moquette.broker.subscriptions.Topic;
 import java.util.HashMap;
-import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiPredicate;
 
 /**
  * The subscriptions of remote clients, by connection, so that nothing is encoded without a
- * subscriber. A filter is entered before Moquette sees it: when its client has the answer, it
- * misses nothing any more. A change is compared with the topics on the thread of the client that
- * changed it, so that no number of filters costs the services' threads anything. Safe for several
- * threads.
+ * subscriber, and messages find theirs at once. A filter is entered before Moquette sees it: when
+ * its client has the answer, it misses nothing any more. A change is compared with the topics on
+ * the thread of the client that changed it, so that no number of filters costs the services'
+ * threads anything. Safe for several threads.
  */
 final class RemoteSubscriptions {
   private static final int TOPICS_REMEMBERED = 4_096;
 
-  private record Client(String user, Set<String> filters) {}
+  /** Opens filters whose subscribers take turns, which only Moquette arranges. */
+  private static final String SHARED = "$share/";
 
-  private static final class Filter {
-    private final Topic parsed;
-    private int clients;
+  /** One connection's filters, and whether each message matters to it there. */
+  private record Client(String user, Map<String, Boolean> filters) {}
 
-    Filter(Topic parsed) {
-      this.parsed = parsed;
-    }
-  }
-
-  /** A topic, and how many filters it matches. */
-  private static final class Wish {
-    private final Topic topic;
-    private volatile int filters; // written under the lock of all
-
-    Wish(Topic topic, int filters) {
-      this.topic = topic;
-      this.filters = filters;
-    }
-  }
+  /** A filter, and for each connection that has it whether each message matters to it. */
+  private record Filter(Topic parsed, Map<String, Boolean> clients) {}
 
   private final BiPredicate<Topic, Topic> matches;
   private final Map<String, Client> clients = new HashMap<>(); // by connection; guarded by this
   private final Map<String, Integer> byUser = new HashMap<>(); // filters; guarded by this
   private final Map<String, Filter> filters = new HashMap<>(); // each once; guarded by this
-  private final Map<String, Wish> wishes = new ConcurrentHashMap<>(); // by topic
+  private final Map<String, Route> routes = new ConcurrentHashMap<>(); // by topic
   private final AtomicInteger version = new AtomicInteger();
+  private final AtomicInteger shared = new AtomicInteger(); // filters
 
   RemoteSubscriptions() {
     this(Topic::match);
@@ -59,52 +46,71 @@ final class RemoteSubscriptions {
     this.matches = matches;
   }
 
-  /** Enters a filter; one that is none is left to Moquette to refuse. */
-  synchronized void add(String connection, String user, String filter) {
+  /**
+   * Enters a filter, or a new quality for one that is there; one that is none is left to Moquette
+   * to refuse.
+   *
+   * @param eachMatters whether the client asks for QoS 1 or more
+   */
+  synchronized void add(String connection, String user, String filter, boolean eachMatters) {
     Topic parsed = new Topic(filter);
-    if (!parsed.isValid()
-        || !clients
-            .computeIfAbsent(connection, id -> new Client(user, new HashSet<>()))
-            .filters
-            .add(filter)) {
+    if (!parsed.isValid()) {
       return;
     }
-    byUser.merge(user, 1, Integer::sum);
-    Filter entry = filters.computeIfAbsent(filter, text -> new Filter(parsed));
-    entry.clients++;
-    if (entry.clients == 1) {
-      count(parsed, 1);
+    Client client =
+        clients.computeIfAbsent(connection, id -> new Client(user, new LinkedHashMap<>()));
+    Boolean before = client.filters.get(filter);
+    if (before != null && before == eachMatters) {
+      return;
     }
+    if (before != null) {
+      remove(connection, filter);
+    }
+    client.filters.put(filter, eachMatters);
+    byUser.merge(user, 1, Integer::sum);
+    if (filter.startsWith(SHARED)) {
+      shared.incrementAndGet();
+    }
+    filters
+        .computeIfAbsent(filter, text -> new Filter(parsed, new LinkedHashMap<>()))
+        .clients
+        .put(connection, eachMatters);
+    for (Route route : routes.values()) {
+      if (matches.test(route.topic(), parsed)) {
+        route.add(connection, eachMatters);
+      }
+    }
+    version.incrementAndGet();
   }
 
   synchronized void remove(String connection, String filter) {
     Client client = clients.get(connection);
-    if (client != null && client.filters.remove(filter)) {
-      removed(client.user, filter);
+    if (client != null && client.filters.containsKey(filter)) {
+      removed(connection, client, filter, client.filters.remove(filter));
     }
   }
 
   synchronized void remove(String connection) {
     Client client = clients.remove(connection);
     if (client != null) {
-      client.filters.forEach(filter -> removed(client.user, filter));
+      client.filters.forEach(
+          (filter, eachMatters) -> removed(connection, client, filter, eachMatters));
     }
   }
 
-  private void removed(String user, String filter) {
-    byUser.computeIfPresent(user, (name, count) -> count > 1 ? count - 1 : null);
+  private void removed(String connection, Client client, String filter, boolean eachMatters) {
+    byUser.computeIfPresent(client.user, (name, count) -> count > 1 ? count - 1 : null);
+    if (filter.startsWith(SHARED)) {
+      shared.decrementAndGet();
+    }
     Filter entry = filters.get(filter);
-    entry.clients--;
-    if (entry.clients == 0) {
+    entry.clients.remove(connection);
+    if (entry.clients.isEmpty()) {
       filters.remove(filter);
-      count(entry.parsed, -1);
     }
-  }
-
-  private void count(Topic filter, int change) {
-    for (Wish wish : wishes.values()) {
-      if (matches.test(wish.topic, filter)) {
-        wish.filters += change;
+    for (Route route : routes.values()) {
+      if (matches.test(route.topic(), entry.parsed)) {
+        route.remove(connection, eachMatters);
       }
     }
     version.incrementAndGet();
@@ -122,20 +128,39 @@ final class RemoteSubscriptions {
 
   /** Whether any client listens to the topic. */
   boolean wants(String topic) {
-    Wish known = wishes.get(topic);
-    return known != null ? known.filters > 0 : wantsNew(topic);
+    Route known = routes.get(topic);
+    return known != null ? known.isWanted() : newRoute(topic).isWanted();
   }
 
-  private synchronized boolean wantsNew(String topic) {
-    Topic published = new Topic(topic);
-    int count =
-        (int)
-            filters.values().stream()
-                .filter(filter -> matches.test(published, filter.parsed))
-                .count();
-    if (wishes.size() < TOPICS_REMEMBERED) {
-      wishes.put(topic, new Wish(published, count));
+  /**
+   * Who listens to a topic; null if Moquette has to find out, as there are too many topics, or
+   * subscribers that take turns.
+   */
+  Route route(String topic) {
+    if (shared.get() > 0) {
+      return null;
     }
-    return count > 0;
+    Route known = routes.get(topic);
+    if (known == null && routes.size() < TOPICS_REMEMBERED) {
+      known = newRoute(topic);
+    }
+    return known;
+  }
+
+  private synchronized Route newRoute(String topic) {
+    Route known = routes.get(topic);
+    if (known != null) {
+      return known;
+    }
+    Route route = new Route(topic);
+    for (Filter filter : filters.values()) {
+      if (matches.test(route.topic(), filter.parsed)) {
+        filter.clients.forEach(route::add);
+      }
+    }
+    if (routes.size() < TOPICS_REMEMBERED) {
+      routes.put(topic, route);
+    }
+    return route;
   }
 }

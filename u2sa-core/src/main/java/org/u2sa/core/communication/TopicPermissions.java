@@ -44,10 +44,10 @@ final class TopicPermissions {
 
   /** A topic's verdict does not change, and a client has few topics. */
   Verdict judge(String topic) {
-    if (BrokerLimits.isTooLong(topic)) {
+    Verdict known = verdicts.get(topic);
+    if (known == null && BrokerLimits.isTooLong(topic)) {
       return new Verdict("its topic is too long", null, null);
     }
-    Verdict known = verdicts.get(topic);
     if (known == null) {
       known = judgeAnew(topic);
       if (verdicts.size() < TOPICS_REMEMBERED) {

@@ -1,12 +1,13 @@
 package org.u2sa.core.communication;
 
 import java.util.Map;
+import org.u2sa.interfaces.communication.MqttClient;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.testkit.FreePort;
 
-/** MQTT through the embedded broker. */
+/** MQTT through the embedded broker, by our own client. */
 class EmbeddedBrokerContractTest extends TransportContract {
   private final int port = FreePort.find();
   private final CommunicationManager manager =
@@ -18,9 +19,13 @@ class EmbeddedBrokerContractTest extends TransportContract {
             throw new AssertionError(line);
           });
 
+  int port() {
+    return port;
+  }
+
   @Override
   Transport transport() {
-    return TestManager.transport(port);
+    return TestManager.transport(port).by(MqttClient.DIRECT);
   }
 
   @Override

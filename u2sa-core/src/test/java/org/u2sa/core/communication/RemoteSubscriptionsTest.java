@@ -21,13 +21,13 @@ class RemoteSubscriptionsTest {
   @Test
   void wants_asLongAsAnyConnectionListens() {
     assertThat(subscriptions.wants(TOPIC)).isFalse();
-    subscriptions.add("1", "screen", "u2sa/cessna/state/#");
-    subscriptions.add("1", "screen", "u2sa/cessna/state/#");
-    subscriptions.add("2", "screen", "u2sa/cessna/state/#");
+    subscriptions.add("1", "screen", "u2sa/cessna/state/#", false);
+    subscriptions.add("1", "screen", "u2sa/cessna/state/#", false);
+    subscriptions.add("2", "screen", "u2sa/cessna/state/#", false);
     assertThat(subscriptions.wants(TOPIC)).isTrue();
     subscriptions.remove("1");
     assertThat(subscriptions.wants(TOPIC)).isTrue();
-    subscriptions.add("3", "screen", "u2sa/+/state/+");
+    subscriptions.add("3", "screen", "u2sa/+/state/+", false);
     subscriptions.remove("2", "u2sa/cessna/state/#");
     assertThat(subscriptions.wants(TOPIC)).isTrue();
     subscriptions.remove("3");
@@ -38,13 +38,13 @@ class RemoteSubscriptionsTest {
   @Test
   void wants_afterEachOfManyChanges_comparesNothingOnTheServicesThread() {
     for (int i = 0; i < 5_000; i++) {
-      subscriptions.add("connection " + i / 200, "screen", "u2sa/cessna/state/Type" + i);
+      subscriptions.add("connection " + i / 200, "screen", "u2sa/cessna/state/Type" + i, false);
     }
     assertThat(subscriptions.wants(TOPIC)).isFalse();
     int version = subscriptions.version();
     int before = compared.get();
     for (int i = 0; i < 100; i++) {
-      subscriptions.add("churn", "screen", "u2sa/cessna/goals/#");
+      subscriptions.add("churn", "screen", "u2sa/cessna/goals/#", false);
       int onTheClientsThread = compared.get();
       assertThat(subscriptions.wants(TOPIC)).isFalse();
       assertThat(compared.get()).isEqualTo(onTheClientsThread);
@@ -56,9 +56,9 @@ class RemoteSubscriptionsTest {
 
   @Test
   void ofUser_countsAllConnections() {
-    subscriptions.add("1", "screen", "a/#");
-    subscriptions.add("2", "screen", "a/#");
-    subscriptions.add("3", "pilot", "b/#");
+    subscriptions.add("1", "screen", "a/#", false);
+    subscriptions.add("2", "screen", "a/#", false);
+    subscriptions.add("3", "pilot", "b/#", false);
     assertThat(subscriptions.ofUser("screen")).isEqualTo(2);
     subscriptions.remove("2");
     assertThat(subscriptions.ofUser("screen")).isEqualTo(1);
@@ -69,7 +69,7 @@ class RemoteSubscriptionsTest {
 
   @Test
   void add_whatIsNoFilter_isLeftOut() {
-    subscriptions.add("1", "screen", "a/#/b");
+    subscriptions.add("1", "screen", "a/#/b", false);
     assertThat(subscriptions.ofUser("screen")).isZero();
     assertThat(new Topic("a/#/b").isValid()).isFalse();
   }

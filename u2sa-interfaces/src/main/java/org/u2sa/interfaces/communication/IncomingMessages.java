@@ -33,7 +33,7 @@ final class IncomingMessages {
       }
     } catch (MalformedMessageException | IllegalArgumentException e) {
       refuse("a message on " + topic + " cannot be read: " + e.getMessage());
-    } catch (RuntimeException e) { // Paho would cut the connection
+    } catch (RuntimeException e) { // the session would end
       refuse("receiving a message on " + topic + " failed: " + e);
     }
   }

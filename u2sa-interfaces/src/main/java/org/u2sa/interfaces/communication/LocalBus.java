@@ -68,6 +68,12 @@ public final class LocalBus implements Transport {
     route(channel).deliver(channel, message, null);
   }
 
+  /** Whether any service of this process is subscribed to the channel of that name. */
+  public boolean isHeard(String channelName) {
+    Route route = routes.get(channelName);
+    return route != null && !route.subscriptions.isEmpty();
+  }
+
   /** Counts messages of other processes that were lost on their way to the bus. */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {

@@ -22,6 +22,7 @@ import org.u2sa.messages.schema.U2SAData;
  */
 final class MqttConnection implements Connection {
   private static final int AT_LEAST_ONCE = 1;
+  private static final int TOPICS_REMEMBERED = 1_024;
 
   private final String address;
   private final String systemId;
@@ -33,13 +34,19 @@ final class MqttConnection implements Connection {
   private final RetainedTopics retained;
   private final MqttSubscriptions subscriptions;
   private final TopicNames topics;
+  private final Map<String, Topic> parsed = new ConcurrentHashMap<>(); // topics that came before
   private final MqttLink link;
   private volatile long refusedBefore; // when the link broke
   private volatile boolean closed;
 
   /** Takes what the connection needs; {@link #open} makes it. */
   MqttConnection(
-      String address, String systemId, String serviceName, MessageCodec codec, Receiver receiver) {
+      String address,
+      String systemId,
+      String serviceName,
+      MessageCodec codec,
+      Receiver receiver,
+      MqttClient client) {
     this.address = address;
     this.systemId = systemId;
     this.serviceName = serviceName;
@@ -52,7 +59,8 @@ final class MqttConnection implements Connection {
     // predecessor's, while a connection that comes back takes its own from the broken session.
     // Nor may it be guessed from what is published, as the instance is: a broker that lets any user
     // take any ID, such as Mosquitto, would let a reader throw the service out.
-    link = new MqttLink(address, systemId + "/" + serviceName + "/" + UUID.randomUUID(), this);
+    link =
+        new MqttLink(address, systemId + "/" + serviceName + "/" + UUID.randomUUID(), this, client);
   }
 
   /**
@@ -113,7 +121,7 @@ final class MqttConnection implements Connection {
       if (channel.isRetained()) {
         byte[] payload = message.serialize(origin);
         RetainedTopics.Published last = retained.publishing(topic, payload);
-        sent = session != null && session.publish(topic, payload, true, true, last);
+        sent = session != null && session.publish(topic, payload, true, true, last::confirm);
         if (sent) {
           last.settle(session);
         }
@@ -178,14 +186,14 @@ final class MqttConnection implements Connection {
   }
 
   /**
-   * A message came in, on Paho's thread. Must not throw.
+   * A message came in, on the session's thread. Must not throw.
    *
    * @param isOld whether it was published before the subscription that brings it
    */
   void arrived(String topicName, byte[] payload, boolean isOld) {
     Topic topic;
     try {
-      topic = Topic.parse(topicName);
+      topic = parsed(topicName);
     } catch (IllegalArgumentException e) {
       incoming.refuse("a message cannot be read: " + e.getMessage());
       return;
@@ -202,7 +210,18 @@ final class MqttConnection implements Connection {
     }
   }
 
-  /** The session broke and will not be of use again. Called on Paho's threads. */
+  private Topic parsed(String topicName) {
+    Topic known = parsed.get(topicName);
+    if (known == null) {
+      known = Topic.parse(topicName);
+      if (parsed.size() < TOPICS_REMEMBERED) {
+        parsed.put(topicName, known);
+      }
+    }
+    return known;
+  }
+
+  /** The session broke and will not be of use again. Called on the session's threads. */
   void lost(MqttSession session, String why) {
     link.lost(session, why);
   }

@@ -29,6 +29,7 @@ final class MqttLink {
   private final String address;
   private final String clientId;
   private final MqttConnection owner;
+  private final MqttClient client;
   private final ScheduledThreadPoolExecutor linkThread;
   private volatile Supplier<MqttConnectOptions> options;
   private volatile Clock clock;
@@ -41,7 +42,8 @@ final class MqttLink {
   private long lostAtMicros; // touched by the link thread only
 
   /** A link that {@link #open} makes. */
-  MqttLink(String address, String clientId, MqttConnection owner) {
+  MqttLink(String address, String clientId, MqttConnection owner, MqttClient client) {
+    this.client = client;
     this.address = address;
     this.clientId = clientId;
     this.owner = owner;
@@ -113,7 +115,8 @@ final class MqttLink {
     if (closed || current.get() != null) {
       return false;
     }
-    MqttSession session = new MqttSession(address, clientId, linkThread, ANSWER_WITHIN_MS, owner);
+    MqttSession session =
+        client.session(address, clientId, linkThread, ANSWER_WITHIN_MS, owner, clock);
     boolean open = false;
     try {
       session.open(options.get());
@@ -175,7 +178,9 @@ final class MqttLink {
     return current.get();
   }
 
-  /** Takes note that a session broke, and begins to make a new one. Called on Paho's threads. */
+  /**
+   * Takes note that a session broke, and begins to make a new one. Called on the session's threads.
+   */
   void lost(MqttSession session, String why) {
     owner.unconfirmed(session.end());
     if (!current.compareAndSet(session, null) || closed) {

@@ -7,8 +7,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * The way to a Communication Manager in another process, or to any other MQTT broker, with Eclipse
- * Paho.
+ * The way to a Communication Manager in another process, or to any other MQTT broker.
  *
  * @param host the broker's name or address
  * @param port the broker's TCP port, 1…65535
@@ -17,6 +16,7 @@ import org.u2sa.messages.schema.MessageCodec;
  * @param codec what reads incoming messages
  * @param access how each client logs in
  * @param patienceS how long the first attempt to connect may last [s]
+ * @param client what speaks MQTT
  */
 public record MqttTransport(
     String host,
@@ -24,7 +24,8 @@ public record MqttTransport(
     String systemId,
     MessageCodec codec,
     BrokerAccess access,
-    double patienceS)
+    double patienceS,
+    MqttClient client)
     implements Transport {
   /** A dead link is found within twice this time here, and within 1.5 times it by the broker. */
   private static final int KEEP_ALIVE_S = 2;
@@ -41,6 +42,7 @@ public record MqttTransport(
     Objects.requireNonNull(host, "host");
     Objects.requireNonNull(codec, "codec");
     Objects.requireNonNull(access, "access");
+    Objects.requireNonNull(client, "client");
     if (!systemId.equals(Topic.ANY_SYSTEM)) {
       Topic.checkSystemId(systemId);
     }
@@ -54,7 +56,7 @@ public record MqttTransport(
   /** A transport that connects each service with a client of its own, at once. */
   public MqttTransport(
       String host, int port, String systemId, MessageCodec codec, BrokerAccess access) {
-    this(host, port, systemId, codec, access, 0.0);
+    this(host, port, systemId, codec, access, 0.0, MqttClient.ofProcess());
   }
 
   /**
@@ -64,7 +66,16 @@ public record MqttTransport(
    * @param seconds how long to try to reach a broker that is not there yet [s], at least 0
    */
   public MqttTransport waiting(double seconds) {
-    return new MqttTransport(host, port, systemId, codec, access, seconds);
+    return new MqttTransport(host, port, systemId, codec, access, seconds, client);
+  }
+
+  /**
+   * The same transport by another client.
+   *
+   * @param other what speaks MQTT, whatever the process has been told
+   */
+  public MqttTransport by(MqttClient other) {
+    return new MqttTransport(host, port, systemId, codec, access, patienceS, other);
   }
 
   /**
@@ -74,14 +85,19 @@ public record MqttTransport(
    * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to hear all
    */
   public MqttTransport ofSystem(String otherSystemId) {
-    return new MqttTransport(host, port, otherSystemId, codec, access, patienceS);
+    return new MqttTransport(host, port, otherSystemId, codec, access, patienceS, client);
   }
 
   @Override
   public Connection connect(String serviceName, Receiver receiver) {
     MqttConnection connection =
         new MqttConnection(
-            access.scheme() + "://" + host + ":" + port, systemId, serviceName, codec, receiver);
+            access.scheme() + "://" + host + ":" + port,
+            systemId,
+            serviceName,
+            codec,
+            receiver,
+            client);
     connection.open(this::options, patienceS, new SystemClock(), new Random());
     return connection;
   }

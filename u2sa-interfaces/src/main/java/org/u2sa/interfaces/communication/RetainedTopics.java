@@ -9,8 +9,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.eclipse.paho.client.mqttv3.IMqttActionListener;
-import org.eclipse.paho.client.mqttv3.IMqttToken;
 import org.eclipse.paho.client.mqttv3.MqttException;
 
 /**
@@ -36,7 +34,7 @@ final class RetainedTopics {
   }
 
   /** One message of this connection, and whether the broker has confirmed it. */
-  static final class Published implements IMqttActionListener {
+  static final class Published {
     private final byte[] payload;
     private volatile boolean confirmed;
     private volatile MqttSession settled; // the last one whose broker has it or a newer one
@@ -50,14 +48,9 @@ final class RetainedTopics {
       settled = session;
     }
 
-    @Override
-    public void onSuccess(IMqttToken token) {
+    /** Takes note that the broker has confirmed this message. */
+    void confirm() {
       confirmed = true;
-    }
-
-    @Override
-    public void onFailure(IMqttToken token, Throwable error) {
-      confirmed = false;
     }
   }
 
@@ -165,7 +158,7 @@ final class RetainedTopics {
   /** Returns false if the session cannot take it now. */
   private boolean publish(MqttSession session, String topic, Published last) throws MqttException {
     try {
-      if (!session.publish(topic, last.payload, true, true, last)) {
+      if (!session.publish(topic, last.payload, true, true, last::confirm)) {
         return false;
       }
       last.settle(session);

@@ -1,0 +1,83 @@
+package org.u2sa.core.communication;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.ByteBufAllocator;
+import io.netty.buffer.Unpooled;
+
+/**
+ * A message on its way to several clients, as packets of MQTT. What all get alike is composed once,
+ * and a long payload is copied for nobody. For one thread.
+ */
+final class Publication {
+  private static final int PUBLISH = 0x30;
+  private static final int AT_LEAST_ONCE = 0x02;
+  private static final int LENGTH_BITS = 7; // of each byte of a packet's length
+  private static final int MORE = 0x80;
+  private static final int LONGEST_HEADER = 9; // type, length, the topic's length, packet
+  private static final int COPIED_AT_MOST = 4_096; // cheaper than one more buffer to send
+
+  private final Route route;
+  private final ByteBuf payload;
+  private ByteBuf unconfirmed; // null until somebody wants it
+
+  /**
+   * @param payload stays the caller's
+   */
+  Publication(Route route, ByteBuf payload) {
+    this.route = route;
+    this.payload = payload;
+  }
+
+  String topic() {
+    return route.name();
+  }
+
+  int payloadBytes() {
+    return payload.readableBytes();
+  }
+
+  /** The packet of QoS 0. It is the caller's to release. */
+  ByteBuf packet(ByteBufAllocator memory) {
+    if (unconfirmed == null) {
+      unconfirmed = composed(memory, 0);
+    }
+    return unconfirmed.retainedDuplicate();
+  }
+
+  /**
+   * The packet of QoS 1. It is the caller's to release.
+   *
+   * @param packetId 1…65535
+   */
+  ByteBuf packet(ByteBufAllocator memory, int packetId) {
+    return composed(memory, packetId);
+  }
+
+  private ByteBuf composed(ByteBufAllocator memory, int packetId) {
+    byte[] topic = route.utf8();
+    int bytes = payload.readableBytes();
+    boolean isCopied = bytes <= COPIED_AT_MOST;
+    ByteBuf packet = memory.ioBuffer(LONGEST_HEADER + topic.length + (isCopied ? bytes : 0));
+    packet.writeByte(packetId == 0 ? PUBLISH : PUBLISH | AT_LEAST_ONCE);
+    int left = Short.BYTES + topic.length + (packetId == 0 ? 0 : Short.BYTES) + bytes;
+    for (; left >= MORE; left >>>= LENGTH_BITS) {
+      packet.writeByte(left % MORE | MORE);
+    }
+    packet.writeByte(left);
+    packet.writeShort(topic.length);
+    packet.writeBytes(topic);
+    if (packetId != 0) {
+      packet.writeShort(packetId);
+    }
+    return isCopied
+        ? packet.writeBytes(payload, payload.readerIndex(), bytes)
+        : Unpooled.wrappedBuffer(packet, payload.retainedDuplicate());
+  }
+
+  /** Gives back what is kept for further clients. */
+  void release() {
+    if (unconfirmed != null) {
+      unconfirmed.release();
+    }
+  }
+}

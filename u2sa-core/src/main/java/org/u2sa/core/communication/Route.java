@@ -1,0 +1,91 @@
+package org.u2sa.core.communication;
+
+import io.moquette.broker.subscriptions.Topic;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** A topic and the connections that listen to it. Safe for several threads. */
+final class Route {
+  /**
+   * A connection that listens.
+   *
+   * @param eachMatters whether it asked for QoS 1 or more
+   */
+  record Listener(String connection, boolean eachMatters) {}
+
+  /** How many filters of one connection the topic matches. */
+  private static final class Count {
+    private int all;
+    private int eachMatters;
+  }
+
+  private final String name;
+  private final Topic topic;
+  private final byte[] utf8;
+  private final Map<String, Count> counts = new LinkedHashMap<>(); // by connection; guarded by this
+  private volatile boolean wanted;
+  private volatile List<Listener> listeners = List.of(); // null: to be made anew
+
+  Route(String name) {
+    this.name = name;
+    topic = new Topic(name);
+    utf8 = name.getBytes(StandardCharsets.UTF_8);
+  }
+
+  String name() {
+    return name;
+  }
+
+  /** For comparison with filters. */
+  Topic topic() {
+    return topic;
+  }
+
+  /** The topic as it stands in a packet. Not to be changed. */
+  byte[] utf8() {
+    return utf8;
+  }
+
+  /** Whether anybody listens. */
+  boolean isWanted() {
+    return wanted;
+  }
+
+  /** Who listens, each connection once. */
+  List<Listener> listeners() {
+    List<Listener> known = listeners;
+    return known != null ? known : listed();
+  }
+
+  private synchronized List<Listener> listed() {
+    listeners =
+        counts.entrySet().stream()
+            .map(entry -> new Listener(entry.getKey(), entry.getValue().eachMatters > 0))
+            .collect(Collectors.toUnmodifiableList());
+    return listeners;
+  }
+
+  /** One more filter of a connection matches the topic. */
+  synchronized void add(String connection, boolean eachMatters) {
+    Count count = counts.computeIfAbsent(connection, id -> new Count());
+    count.all++;
+    count.eachMatters += eachMatters ? 1 : 0;
+    wanted = true;
+    listeners = null;
+  }
+
+  /** Takes {@link #add} back. */
+  synchronized void remove(String connection, boolean eachMatters) {
+    Count count = counts.get(connection);
+    count.all--;
+    count.eachMatters -= eachMatters ? 1 : 0;
+    if (count.all == 0) {
+      counts.remove(connection);
+    }
+    wanted = !counts.isEmpty();
+    listeners = null;
+  }
+}

@@ -1,0 +1,104 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.netty.buffer.Unpooled;
+import io.netty.channel.embedded.EmbeddedChannel;
+import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttQoS;
+import io.netty.util.ReferenceCountUtil;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+
+/** How fast a client is read. */
+class InflowTest {
+  private long nowMicros;
+
+  /** Time as this test has it; nobody waits. */
+  private final class TestClock implements Clock {
+    @Override
+    public long micros() {
+      return nowMicros;
+    }
+
+    @Override
+    public Waiter newWaiter(String name) {
+      throw new IllegalStateException(name + " does not wait");
+    }
+  }
+
+  private final ConnectionFilter filter =
+      new ConnectionFilter(
+          XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get(),
+          new MessageCodec(StandardTypes.registry()),
+          new TestClock(),
+          null,
+          line -> {});
+  private final Inflow inflow = new Inflow(filter, new ClientSession(filter, new Outflow(filter)));
+  private final EmbeddedChannel channel = new EmbeddedChannel(inflow);
+
+  @AfterEach
+  void close() {
+    channel.finishAndReleaseAll();
+  }
+
+  private void send(int messages) {
+    for (int i = 0; i < messages; i++) {
+      channel.writeInbound(
+          MqttMessageBuilders.publish()
+              .topicName("u2sa/cessna/state/StateInformation")
+              .qos(MqttQoS.AT_MOST_ONCE)
+              .payload(Unpooled.wrappedBuffer(new byte[100]))
+              .build());
+    }
+  }
+
+  private void pass(int milliseconds) {
+    nowMicros += 1_000L * milliseconds;
+    channel.advanceTimeBy(milliseconds, TimeUnit.MILLISECONDS);
+    channel.runScheduledPendingTasks();
+  }
+
+  private int letIn() {
+    int count = 0;
+    for (Object message = channel.readInbound(); message != null; message = channel.readInbound()) {
+      ReferenceCountUtil.release(message);
+      count++;
+    }
+    return count;
+  }
+
+  @Test
+  void channelRead_subscribersKeepUp_allAtOnce() {
+    send(1_000);
+
+    assertThat(letIn()).isEqualTo(1_000);
+    assertThat(channel.config().isAutoRead()).isTrue();
+  }
+
+  @Test
+  void channelRead_subscriberIsBehind_aTenthOfTheRateAndNothingIsLost() {
+    inflow.subscriberIsBehind(true);
+    send(1_000);
+
+    assertThat(letIn()).isEqualTo(20);
+    assertThat(channel.config().isAutoRead()).isFalse();
+    int inTenMilliseconds = 0;
+    for (int i = 0; i < 5; i++) {
+      pass(2);
+      inTenMilliseconds += letIn();
+    }
+    assertThat(inTenMilliseconds).isEqualTo(100);
+
+    inflow.subscriberIsBehind(false);
+    pass(2);
+    assertThat(letIn()).isEqualTo(1_000 - 20 - 100);
+    assertThat(channel.config().isAutoRead()).isTrue();
+  }
+}

@@ -1,0 +1,59 @@
+package org.u2sa.core.communication;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+/** Who gets what is published on a topic. */
+class RouteTest {
+  private static final String TOPIC = "u2sa/cessna/state/StateInformation";
+
+  private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
+
+  @Test
+  void listeners_severalFiltersOfOneConnection_isOneWithTheHighestQuality() {
+    Route route = subscriptions.route(TOPIC);
+    subscriptions.add("1", "screen", "u2sa/#", false);
+    subscriptions.add("1", "screen", "u2sa/cessna/state/#", true);
+    subscriptions.add("2", "screen", "u2sa/+/state/+", false);
+    subscriptions.add("3", "screen", "u2sa/boat/#", true);
+
+    assertThat(route.listeners())
+        .containsExactly(new Route.Listener("1", true), new Route.Listener("2", false));
+
+    subscriptions.remove("1", "u2sa/cessna/state/#");
+    assertThat(route.listeners())
+        .containsExactly(new Route.Listener("1", false), new Route.Listener("2", false));
+    subscriptions.remove("1");
+    subscriptions.remove("2");
+    assertThat(route.listeners()).isEmpty();
+    assertThat(route.isWanted()).isFalse();
+  }
+
+  @Test
+  void listeners_sameFilterAgainWithAnotherQuality_theNewOneCounts() {
+    subscriptions.add("1", "screen", "u2sa/#", false);
+    subscriptions.add("1", "screen", "u2sa/#", true);
+
+    assertThat(subscriptions.route(TOPIC).listeners())
+        .containsExactly(new Route.Listener("1", true));
+    assertThat(subscriptions.ofUser("screen")).isEqualTo(1);
+  }
+
+  @Test
+  void route_whileSubscribersTakeTurns_isLeftToMoquette() {
+    subscriptions.add("1", "screen", "$share/group/u2sa/#", false);
+    assertThat(subscriptions.route(TOPIC)).isNull();
+    subscriptions.remove("1");
+    assertThat(subscriptions.route(TOPIC)).isNotNull();
+  }
+
+  @Test
+  void route_ofMoreTopicsThanAreRemembered_isLeftToMoquette() {
+    for (int i = 0; i < 4_096; i++) {
+      assertThat(subscriptions.route(TOPIC + i)).isNotNull();
+    }
+    assertThat(subscriptions.route(TOPIC)).isNull();
+    assertThat(subscriptions.route(TOPIC + 1)).isNotNull();
+  }
+}

@@ -1,0 +1,433 @@
+package org.u2sa.interfaces.communication;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.CancelledKeyException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.SocketChannel;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
+import org.eclipse.paho.client.mqttv3.MqttException;
+import org.u2sa.interfaces.time.Clock;
+
+/**
+ * A session over a socket without encryption that a message leaves on its publisher's thread, and
+ * enters on the one thread that reads: two hand-offs between threads less than with Paho. Nobody
+ * waits for the network: what it does not take at once, the reading thread sends later.
+ */
+final class DirectSession implements MqttSession {
+  private static final int REFUSED = 0x80; // in the broker's answer to a subscription
+  private static final int OWED_AT_MOST = 4_096;
+  private static final int LAST_PACKET = 65_535;
+  private static final long FAREWELL_WITHIN_MS = 1_000;
+  private static final int PINGREQ = 0xc0;
+  private static final int DISCONNECT = 0xe0;
+  private static final Runnable NOBODY = () -> {};
+
+  private final String address;
+  private final String clientId;
+  private final MqttConnection owner;
+  private final long answerWithinMs;
+  private final Clock clock;
+  private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters that it answered
+  private final CompletableFuture<Integer> connected = new CompletableFuture<>();
+  private final Map<Integer, CompletableFuture<byte[]>> answers = new ConcurrentHashMap<>();
+  private final Map<Integer, Runnable> unconfirmed = new ConcurrentHashMap<>(); // by packet
+  private final CountDownLatch settled = new CountDownLatch(1);
+  private final CountDownLatch ended = new CountDownLatch(1); // the reading thread
+  private final Object lock = new Object(); // of what goes out
+  private SocketChannel channel; // set once, by open
+  private Selector selector; // likewise
+  private SelectionKey key; // likewise
+  private MqttOutbox outbox; // likewise; guarded by lock
+  private int waiting; // messages of QoS 0 that the network has not taken; guarded by lock
+  private int lastPacket; // guarded by lock
+  private volatile long sentMicros;
+  private volatile boolean over;
+  private volatile boolean closing;
+  private volatile boolean cut;
+
+  /**
+   * @param address {@code tcp://HOST:PORT}
+   */
+  DirectSession(
+      String address, String clientId, long answerWithinMs, MqttConnection owner, Clock clock) {
+    this.address = address;
+    this.clientId = clientId;
+    this.answerWithinMs = answerWithinMs;
+    this.owner = owner;
+    this.clock = clock;
+  }
+
+  @Override
+  public void open(MqttConnectOptions options) throws MqttException {
+    String hostAndPort = address.substring(address.indexOf("://") + 3);
+    int colon = hostAndPort.lastIndexOf(':');
+    String host = hostAndPort.substring(0, colon);
+    int port = Integer.parseInt(hostAndPort.substring(colon + 1));
+    try {
+      channel = SocketChannel.open();
+      channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+      InetSocketAddress broker = new InetSocketAddress(host, port);
+      channel
+          .socket()
+          .connect(broker, (int) TimeUnit.SECONDS.toMillis(options.getConnectionTimeout()));
+      channel.configureBlocking(false);
+      selector = Selector.open();
+      key = channel.register(selector, SelectionKey.OP_READ);
+    } catch (IOException | IllegalArgumentException e) {
+      throw new MqttException(MqttException.REASON_CODE_SERVER_CONNECT_ERROR, e);
+    }
+    outbox = new MqttOutbox(channel);
+    send(MqttPackets.connect(clientId, options));
+    long keepAliveMicros = TimeUnit.SECONDS.toMicros(options.getKeepAliveInterval());
+    Thread reader = new Thread(() -> read(keepAliveMicros), "u2sa-mqtt " + clientId);
+    reader.setDaemon(true);
+    reader.start();
+    int code = await(connected);
+    if (code != 0) {
+      throw new MqttException(code);
+    }
+  }
+
+  /** The broker's answer, from the reading thread. */
+  private <T> T await(CompletableFuture<T> answer) throws MqttException {
+    try {
+      return answer.get(answerWithinMs, TimeUnit.MILLISECONDS);
+    } catch (ExecutionException e) {
+      throw new MqttException(MqttException.REASON_CODE_CONNECTION_LOST, e.getCause());
+    } catch (TimeoutException e) {
+      throw new MqttException(MqttException.REASON_CODE_CLIENT_TIMEOUT);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new MqttException(e);
+    }
+  }
+
+  @Override
+  public boolean publish(
+      String topic, byte[] payload, boolean eachMatters, boolean retained, Runnable confirmed)
+      throws MqttException {
+    byte[] name = topicBytes(topic);
+    synchronized (lock) {
+      if (over || unconfirmed.size() >= OWED_AT_MOST) {
+        return false;
+      }
+      ByteBuffer room = outbox.room(MqttPackets.publishBytes(name, payload));
+      if (room == null) {
+        return false;
+      }
+      int packet = eachMatters ? nextPacket() : 0;
+      if (eachMatters) {
+        unconfirmed.put(packet, confirmed == null ? NOBODY : confirmed);
+      } else {
+        waiting++;
+      }
+      MqttPackets.putPublish(room, name, payload, packet, retained);
+      boolean sent = false;
+      try {
+        sendOutbox();
+        sent = true;
+      } finally {
+        if (!sent) { // told by the exception
+          unconfirmed.remove(packet);
+          waiting -= eachMatters ? 0 : 1;
+        }
+      }
+    }
+    return true;
+  }
+
+  private static byte[] topicBytes(String topic) {
+    try {
+      return MqttPackets.text(topic);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalStateException(e.getMessage(), e);
+    }
+  }
+
+  /** Called with the lock. */
+  private int nextPacket() {
+    do {
+      lastPacket = lastPacket % LAST_PACKET + 1;
+    } while (unconfirmed.containsKey(lastPacket) || answers.containsKey(lastPacket));
+    return lastPacket;
+  }
+
+  private void send(ByteBuffer packet) throws MqttException {
+    synchronized (lock) {
+      ByteBuffer room = outbox.room(packet.remaining());
+      if (room == null) {
+        throw new MqttException(MqttException.REASON_CODE_MAX_INFLIGHT);
+      }
+      room.put(packet);
+      sendOutbox();
+    }
+  }
+
+  /** Called with the lock. */
+  private void sendOutbox() throws MqttException {
+    try {
+      outbox.send();
+    } catch (IOException e) {
+      throw new MqttException(MqttException.REASON_CODE_CONNECTION_LOST, e);
+    }
+    sentMicros = clock.micros();
+    if (outbox.isEmpty()) {
+      waiting = 0;
+    } else {
+      selector.wakeup(); // who sends the rest
+    }
+  }
+
+  @Override
+  public Set<String> subscribe(boolean eachMatters, String... filters) throws MqttException {
+    byte[] granted = ask(packet -> MqttPackets.subscribe(packet, eachMatters ? 1 : 0, filters));
+    Set<String> refused = new LinkedHashSet<>();
+    for (int i = 0; i < filters.length; i++) {
+      if (i >= granted.length || (granted[i] & REFUSED) != 0) {
+        refused.add(filters[i]);
+      }
+    }
+    asked.addAll(Arrays.asList(filters));
+    return refused;
+  }
+
+  @Override
+  public void unsubscribe(String... filters) throws MqttException {
+    Arrays.asList(filters).forEach(asked::remove);
+    ask(packet -> MqttPackets.unsubscribe(packet, filters));
+  }
+
+  /** A packet that is answered, given its number. */
+  @FunctionalInterface
+  private interface Question {
+    ByteBuffer numbered(int packet);
+  }
+
+  private byte[] ask(Question question) throws MqttException {
+    CompletableFuture<byte[]> answer = new CompletableFuture<>();
+    int packet;
+    synchronized (lock) {
+      packet = nextPacket();
+      answers.put(packet, answer);
+      if (over) {
+        answer.completeExceptionally(new IOException("the session is over"));
+      }
+    }
+    try {
+      if (!answer.isDone()) {
+        send(question.numbered(packet));
+      }
+      return await(answer);
+    } finally {
+      answers.remove(packet);
+    }
+  }
+
+  @Override
+  public boolean hasAsked(String filter) {
+    return asked.contains(filter);
+  }
+
+  @Override
+  public boolean isOver() {
+    return over;
+  }
+
+  @Override
+  public long close() {
+    closing = true;
+    settle();
+    try {
+      settled.await(answerWithinMs, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // ends at once, then
+    }
+    long lost = end();
+    cut = true; // that the broker ends it now is no loss
+    try {
+      send(MqttPackets.empty(DISCONNECT));
+      ended.await(FAREWELL_WITHIN_MS, TimeUnit.MILLISECONDS);
+    } catch (MqttException e) {
+      return lost + abandon(); // it broke meanwhile
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    return lost + abandon();
+  }
+
+  @Override
+  public long abandon() {
+    cut = true;
+    long lost = end();
+    try {
+      if (channel != null) {
+        channel.close();
+      }
+      if (selector != null) {
+        selector.wakeup(); // the reading thread closes it
+      }
+    } catch (IOException e) {
+      return lost; // it is closed all the same
+    }
+    return lost;
+  }
+
+  @Override
+  public long end() {
+    synchronized (lock) {
+      if (over) {
+        return 0;
+      }
+      over = true;
+      return unconfirmed.size() + waiting;
+    }
+  }
+
+  private void settle() {
+    synchronized (lock) {
+      if (closing && unconfirmed.isEmpty() && outbox.isEmpty()) {
+        settled.countDown();
+      }
+    }
+  }
+
+  private void read(long keepAliveMicros) {
+    MqttPacketReader packets = new MqttPacketReader(new FromBroker());
+    String why;
+    try (Selector closed = selector;
+        SocketChannel closedToo = channel) {
+      KeepAlive link = new KeepAlive(keepAliveMicros);
+      while (true) {
+        synchronized (lock) {
+          key.interestOps(
+              outbox.isEmpty()
+                  ? SelectionKey.OP_READ
+                  : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
+        }
+        closed.select(link.waitMs());
+        closed.selectedKeys().clear();
+        if (key.isReadable()) {
+          while (packets.read(closedToo)) {
+            continue;
+          }
+          link.heard();
+        }
+        sendRest();
+        link.check();
+      }
+    } catch (IOException | CancelledKeyException e) {
+      why = e.getMessage();
+    } catch (MqttException e) {
+      why = MqttSession.reason(e);
+    }
+    broke(why);
+  }
+
+  /** Sends acknowledgements of what was read, and what the network did not take before. */
+  private void sendRest() throws MqttException {
+    synchronized (lock) {
+      if (!outbox.isEmpty()) {
+        sendOutbox();
+      }
+    }
+    if (closing) {
+      settle();
+    }
+  }
+
+  private void broke(String why) {
+    IOException broken = new IOException(why);
+    connected.completeExceptionally(broken);
+    if (!cut) {
+      owner.lost(this, why);
+    }
+    synchronized (lock) {
+      over = true;
+      answers.values().forEach(answer -> answer.completeExceptionally(broken));
+    }
+    settled.countDown();
+    ended.countDown();
+  }
+
+  /** Belongs to the reading thread. */
+  private final class FromBroker implements MqttPacketReader.Handler {
+    @Override
+    public void connected(int code) {
+      connected.complete(code);
+    }
+
+    @Override
+    public void message(String topic, byte[] payload, int packetId, boolean retained) {
+      if (!cut) {
+        owner.arrived(topic, payload, retained);
+      }
+      if (packetId != 0) {
+        synchronized (lock) {
+          ByteBuffer room = outbox.room(MqttPackets.PUBACK_BYTES);
+          if (room != null) { // otherwise the broker hears nothing anyway, and ends it
+            MqttPackets.putPubAck(room, packetId);
+          }
+        }
+      }
+    }
+
+    @Override
+    public void answered(int packetId, byte[] codes) {
+      Runnable confirmed = unconfirmed.remove(packetId);
+      if (confirmed != null) {
+        confirmed.run();
+      }
+      CompletableFuture<byte[]> answer = answers.get(packetId);
+      if (answer != null) {
+        answer.complete(codes);
+      }
+    }
+  }
+
+  /** Finds dead links: nothing came for twice the time. Belongs to the reading thread. */
+  private final class KeepAlive {
+    private final long everyMicros;
+    private long heardMicros = clock.micros();
+    private long askedMicros; // 0: nothing
+
+    KeepAlive(long everyMicros) {
+      this.everyMicros = everyMicros;
+    }
+
+    void heard() {
+      heardMicros = clock.micros();
+      askedMicros = 0;
+    }
+
+    long waitMs() {
+      long since = askedMicros != 0 ? askedMicros : Math.min(heardMicros, sentMicros);
+      return Math.max(1, (since + everyMicros - clock.micros()) / 1_000);
+    }
+
+    void check() throws IOException, MqttException {
+      long now = clock.micros();
+      if (askedMicros != 0 && now - askedMicros >= everyMicros) {
+        throw new IOException("the broker does not answer");
+      }
+      if (askedMicros == 0
+          && (now - heardMicros >= everyMicros || now - sentMicros >= everyMicros)) {
+        askedMicros = now;
+        send(MqttPackets.empty(PINGREQ));
+      }
+    }
+  }
+}

@@ -1,0 +1,162 @@
+package org.u2sa.interfaces.communication;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.ReadableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/** Takes apart what a broker sends. For one thread. */
+final class MqttPacketReader {
+  private static final int BUFFER = 1 << 16;
+  private static final int LONGEST_PACKET = (1 << 20) + (1 << 17); // a payload and its topic
+  private static final int LENGTH_BYTES = 4;
+  private static final int LENGTH_BITS = 7;
+  private static final int MORE = 0x80;
+  private static final int BYTE = 0xff;
+  private static final int SHORT = 0xffff;
+  private static final int TOPICS = 256; // a power of two
+
+  /** Told what a broker says. */
+  interface Handler {
+    /** The answer to CONNECT: 0, or why not. */
+    void connected(int code);
+
+    /**
+     * A message.
+     *
+     * @param packetId to be acknowledged; 0: not at all
+     */
+    void message(String topic, byte[] payload, int packetId, boolean retained);
+
+    /** The answer to a message, SUBSCRIBE or UNSUBSCRIBE. */
+    void answered(int packetId, byte[] codes);
+  }
+
+  private final Handler handler;
+  private final byte[][] topicBytes = new byte[TOPICS][]; // topics come again and again
+  private final String[] topics = new String[TOPICS];
+  private ByteBuffer in = ByteBuffer.allocate(BUFFER); // what is not taken apart yet, and room
+
+  MqttPacketReader(Handler handler) {
+    this.handler = handler;
+  }
+
+  /**
+   * Reads what there is.
+   *
+   * @return whether there may be more at once
+   * @throws IOException if the connection broke or ended, or what comes is no MQTT
+   */
+  boolean read(ReadableByteChannel from) throws IOException {
+    int read = from.read(in);
+    if (read < 0) {
+      throw new IOException("the broker ended the connection");
+    }
+    boolean wasFull = !in.hasRemaining();
+    MqttPackets.flip(in);
+    int needed = 0;
+    while (needed == 0) {
+      needed = takePacket();
+    }
+    in.compact();
+    if (needed > in.capacity()) {
+      ByteBuffer larger = ByteBuffer.allocate(needed);
+      MqttPackets.flip(in);
+      larger.put(in);
+      in = larger;
+    }
+    return wasFull;
+  }
+
+  /** Returns 0 if a packet was taken, or how many bytes the next one has at least. */
+  private int takePacket() throws IOException {
+    int at = in.position() + 1;
+    int length = 0;
+    for (int i = 0; ; i++) {
+      if (at >= in.limit()) {
+        return 2;
+      }
+      int digit = in.get(at);
+      at++;
+      length |= (digit & ~MORE & BYTE) << LENGTH_BITS * i;
+      if ((digit & MORE) == 0) {
+        break;
+      }
+      if (i == LENGTH_BYTES - 1) {
+        throw new IOException("the broker sent a packet's length of more than 4 bytes");
+      }
+    }
+    if (length > LONGEST_PACKET) {
+      throw new IOException(
+          "the broker sent a packet of " + length + " bytes; at most " + LONGEST_PACKET);
+    }
+    int end = at + length;
+    if (end > in.limit()) {
+      return end - in.position();
+    }
+    int head = in.get(in.position()) & BYTE;
+    MqttPackets.position(in, at);
+    try {
+      take(head, end);
+    } catch (RuntimeException e) { // shorter than it has to be
+      throw new IOException("the broker sent a broken packet of type " + (head >> 4), e);
+    }
+    MqttPackets.position(in, end);
+    return 0;
+  }
+
+  private void take(int head, int end) throws IOException {
+    switch (head >> 4) {
+      case 2 -> handler.connected(in.get(in.position() + 1));
+      case 3 -> takeMessage(head, end);
+      case 4, 9, 11 -> {
+        int packetId = in.getShort() & SHORT;
+        handler.answered(packetId, rest(end));
+      }
+      case 13 -> {
+        return; // that it came is enough
+      }
+      default -> throw new IOException("the broker sent a packet of type " + (head >> 4));
+    }
+  }
+
+  private void takeMessage(int head, int end) {
+    String topic = topic(in.getShort() & SHORT);
+    int packetId = (head >> 1 & 3) == 0 ? 0 : in.getShort() & SHORT;
+    handler.message(topic, rest(end), packetId, (head & 1) != 0);
+  }
+
+  private byte[] rest(int end) {
+    byte[] rest = new byte[end - in.position()];
+    in.get(rest);
+    return rest;
+  }
+
+  private String topic(int length) {
+    int from = in.arrayOffset() + in.position();
+    int hash = length;
+    for (int i = 0; i < length; i++) {
+      hash = 31 * hash + in.array()[from + i];
+    }
+    int slot = hash & TOPICS - 1;
+    if (!isSame(topicBytes[slot], from, length)) {
+      topicBytes[slot] = Arrays.copyOfRange(in.array(), from, from + length);
+      topics[slot] = new String(topicBytes[slot], StandardCharsets.UTF_8);
+    }
+    MqttPackets.position(in, in.position() + length);
+    return topics[slot];
+  }
+
+  private boolean isSame(byte[] known, int from, int length) {
+    if (known == null || known.length != length) {
+      return false;
+    }
+    for (int i = 0; i < length; i++) {
+      if (known[i] != in.array()[from + i]) {
+        return false;
+      }
+    }
+    return true;
+  }
+}
