@@ -27,6 +27,14 @@ public final class CompassSensor extends ProprioceptiveSensor {
               text = "Time without a readable heading after which the compass counts as silent.")
           double timeout,
       @Variable(
+              unit = "s",
+              min = 0,
+              max = 5,
+              ifAbsent = 0,
+              text =
+                  "Time from the moment that a heading is of to its arrival, from the data sheet; states get that moment's timestamp.")
+          double delay,
+      @Variable(
               unit = "rad",
               min = -Math.PI,
               max = Math.PI,
@@ -69,7 +77,8 @@ public final class CompassSensor extends ProprioceptiveSensor {
             tuning.timeout(),
             north,
             tuning.mountingAngle(),
-            tuning.headingSigma());
+            tuning.headingSigma(),
+            tuning.delay());
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.u2sa.device;
 
 import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.U2SAService;
 
@@ -9,24 +10,40 @@ public final class FixReader {
   private final U2SAService service;
   private final String sensorName;
   private final DeviceReader<GpsFix> reader;
+  private final long delayMicros;
   private boolean hasFix = true; // so that a receiver without a fix from the start is reported, too
 
   /**
    * @param sensorName in messages
    * @param silentAfterS time without a reading after which the receiver counts as silent [s]
+   * @param delayS from the moment that a fix is of to its reading's time [s]
    */
   public FixReader(
-      U2SAService service, GpsReceiver receiver, String sensorName, double silentAfterS) {
+      U2SAService service,
+      GpsReceiver receiver,
+      String sensorName,
+      double silentAfterS,
+      double delayS) {
     this.service = service;
     this.sensorName = sensorName;
     reader = new DeviceReader<>(service, "the GPS receiver", receiver, silentAfterS);
+    delayMicros = Clock.micros(delayS);
   }
 
-  /** The state of a new valid fix, in GLOBAL, to be published; at each step. */
+  /**
+   * The state of a new valid fix, in GLOBAL, at the moment that the fix is of, to be published; at
+   * each step.
+   */
   public Optional<StateInformation> next(long nowMicros) {
     Optional<GpsFix> fix = reader.next(nowMicros);
     fix.ifPresent(this::report);
-    return fix.filter(GpsFix::valid).map(valid -> valid.toState().sensorName(sensorName));
+    return fix.filter(GpsFix::valid).map(this::state);
+  }
+
+  private StateInformation state(GpsFix fix) {
+    StateInformation state = fix.toState().sensorName(sensorName);
+    state.timestamp(fix.measuredAtMicros() - delayMicros);
+    return state;
   }
 
   private void report(GpsFix fix) {

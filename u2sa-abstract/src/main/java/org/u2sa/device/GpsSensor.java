@@ -3,8 +3,6 @@ package org.u2sa.device;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
@@ -37,7 +35,6 @@ public final class GpsSensor extends ProprioceptiveSensor {
 
   private final GpsReceiver receiver;
   private final FixReader reader;
-  private final long delayMicros;
 
   /** Called by the launcher: the receiver is the one that the configuration names. */
   public GpsSensor(ServiceContext context) {
@@ -53,18 +50,12 @@ public final class GpsSensor extends ProprioceptiveSensor {
     super(context, "GpsSensor", STEPS_PER_S);
     receiver = Devices.open(GpsReceiver.class, USUAL, context, made);
     Tuning tuning = settings(Tuning.class).get();
-    delayMicros = Clock.micros(tuning.delay());
-    reader = new FixReader(this, receiver, sensorName(), tuning.timeout());
+    reader = new FixReader(this, receiver, sensorName(), tuning.timeout(), tuning.delay());
   }
 
   @Override
   protected void step(double nowS) {
-    reader.next(clock().micros()).ifPresent(this::publish);
-  }
-
-  private void publish(StateInformation state) {
-    state.timestamp(state.timestamp().orElseThrow() - delayMicros);
-    publish(Channels.SENSED_STATE, state);
+    reader.next(clock().micros()).ifPresent(state -> publish(Channels.SENSED_STATE, state));
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.u2sa.device;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.U2SAService;
@@ -13,6 +14,7 @@ public final class HeadingReader {
   private final TrueNorth north;
   private final double mountingRad;
   private final double sigmaRad;
+  private final long delayMicros;
   private boolean waits;
 
   /**
@@ -21,6 +23,7 @@ public final class HeadingReader {
    * @param north turns its headings into true ones
    * @param mountingRad where the compass's front points, clockwise from the vehicle's [rad]
    * @param sigmaRad standard deviation of a heading [rad]
+   * @param delayS from the moment that a heading is of to its reading's time [s]
    */
   public HeadingReader(
       U2SAService service,
@@ -29,12 +32,14 @@ public final class HeadingReader {
       double silentAfterS,
       TrueNorth north,
       double mountingRad,
-      double sigmaRad) {
+      double sigmaRad,
+      double delayS) {
     this.sensorName = sensorName;
     reader = new DeviceReader<>(service, "the compass", compass, silentAfterS);
     this.north = north;
     this.mountingRad = mountingRad;
     this.sigmaRad = sigmaRad;
+    delayMicros = Clock.micros(delayS);
   }
 
   /** Takes the vehicle's position for the declination, as {@link TrueNorth#at}. */
@@ -42,7 +47,10 @@ public final class HeadingReader {
     north.at(state, nowMicros);
   }
 
-  /** The state of a new heading, in GLOBAL, to be published; at each step. */
+  /**
+   * The state of a new heading, in GLOBAL, at the moment that the heading is of, to be published;
+   * at each step.
+   */
   public Optional<StateInformation> next(long nowMicros) {
     Optional<Heading> heading = reader.next(nowMicros);
     Optional<StateInformation> state = heading.flatMap(this::state);
@@ -66,7 +74,7 @@ public final class HeadingReader {
             .referenceFrame(ReferenceFrame.GLOBAL)
             .psi(psi.getAsDouble())
             .psiSigma(sigmaRad);
-    state.timestamp(heading.measuredAtMicros());
+    state.timestamp(heading.measuredAtMicros() - delayMicros);
     return Optional.of(state);
   }
 }

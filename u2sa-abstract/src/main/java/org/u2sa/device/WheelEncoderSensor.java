@@ -80,11 +80,7 @@ public final class WheelEncoderSensor extends ProprioceptiveSensor {
     dueMicros = at + everyMicros;
     odometry
         .moved(at, leftSign * ticks.left(), rightSign * ticks.right())
-        .ifPresent(
-            state -> {
-              state.timestamp(at);
-              publish(Channels.SENSED_STATE, state.sensorName(sensorName()));
-            });
+        .ifPresent(state -> publish(Channels.SENSED_STATE, state.sensorName(sensorName())));
   }
 
   @Override

@@ -204,11 +204,7 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
     int right = leftIsSecond ? counts.first() : counts.second();
     odometry
         .moved(counts.measuredAtMicros(), (int) leftSign * left, (int) rightSign * right)
-        .ifPresent(
-            state -> {
-              state.timestamp(counts.measuredAtMicros());
-              publish(Channels.SENSED_STATE, state.sensorName(getServiceName()));
-            });
+        .ifPresent(state -> publish(Channels.SENSED_STATE, state.sensorName(getServiceName())));
   }
 
   @Override

@@ -42,7 +42,7 @@ final class WheelOdometry {
 
   /**
    * The motion since the last call, in BODY: forward speed, none sideways, rate of turn to the
-   * left.
+   * left; a mean, at the time of the middle between the two calls.
    *
    * @param leftCounts forward positive; wraps at 32 bits
    * @param rightCounts likewise
@@ -52,6 +52,7 @@ final class WheelOdometry {
     double seconds = Clock.seconds(nowMicros - atMicros);
     double leftMps = (leftCounts - left) * metresPerCount / seconds;
     double rightMps = (rightCounts - right) * metresPerCount / seconds;
+    long middleMicros = nowMicros - (nowMicros - atMicros) / 2;
     boolean isSpan = hasBegun && seconds > 0.0;
     hasBegun = true;
     atMicros = nowMicros;
@@ -63,7 +64,7 @@ final class WheelOdometry {
     double forwardMps = (leftMps + rightMps) / 2.0;
     double countMps = COUNT_SIGMA * metresPerCount / seconds;
     double sigmaMps = Math.hypot(countMps, slip * Math.max(Math.abs(leftMps), Math.abs(rightMps)));
-    return Optional.of(
+    StateInformation state =
         new StateInformation()
             .referenceFrame(ReferenceFrame.BODY)
             .xDot(forwardMps)
@@ -71,6 +72,8 @@ final class WheelOdometry {
             .psiDot((rightMps - leftMps) / trackM)
             .xDotSigma(sigmaMps / Math.sqrt(2.0))
             .yDotSigma(sigmaMps)
-            .psiDotSigma(sigmaMps * Math.sqrt(2.0) / trackM));
+            .psiDotSigma(sigmaMps * Math.sqrt(2.0) / trackM);
+    state.timestamp(middleMicros);
+    return Optional.of(state);
   }
 }

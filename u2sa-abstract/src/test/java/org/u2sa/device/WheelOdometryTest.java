@@ -36,6 +36,12 @@ class WheelOdometryTest {
     assertThat(state.psiDot().getAsDouble()).isCloseTo(1.0, within(NEAR)); // 0.5 m/s over 0.5 m
   }
 
+  /** Else the estimate lags by half a span wherever the speed changes. */
+  @Test
+  void moved_aSpan_isAMeanOfTheTimeInItsMiddle() {
+    assertThat(after(0.1, 200, 200).orElseThrow().timestamp()).hasValue(50_000L);
+  }
+
   @Test
   void moved_countersWrap_goesOn() {
     odometry.moved(0, Integer.MAX_VALUE - 50, Integer.MIN_VALUE + 50);

@@ -45,6 +45,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private final FusionVariables variables;
   private final ErrorStateFilter filter;
   private final MeasurementReader reader;
+  private final LeverArms leverArms;
   private final Measurement measurement = new Measurement();
   private final LocalOdometry odometry = new LocalOdometry();
   private final Completeness completeness;
@@ -63,6 +64,7 @@ public final class FusingStateEstimator extends StateEstimator {
     variables = settings(FusionVariables.class).get(); // another one counts from the next start
     filter = new ErrorStateFilter(variables.tuning());
     reader = new MeasurementReader(variables.sigmas());
+    leverArms = new LeverArms(variables.leverArms());
     completeness =
         new Completeness(
             this,
@@ -86,7 +88,7 @@ public final class FusingStateEstimator extends StateEstimator {
       return Optional.empty();
     }
     newest.put(sensed.sensorName(), sensed);
-    if (filter.add(measurement) == ErrorStateFilter.Outcome.TOO_LATE) {
+    if (filter.add(leverArms.place(measurement)) == ErrorStateFilter.Outcome.TOO_LATE) {
       if (filter.late() % WARN_OF_LATE == 1) {
         log(LogLevelEnum.WARN, sensed.sensorName() + " is later than HORIZON: " + filter.late());
       }
@@ -202,7 +204,9 @@ public final class FusingStateEstimator extends StateEstimator {
     isStartTold = true; // it has left there
     if (!FilterMemory.read(filter, state::text)) {
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
-        filter.add(reader.read(each, measurement)); // of another estimator: a start at least
+        filter.add(
+            leverArms.place(
+                reader.read(each, measurement))); // of another estimator: a start at least
       }
     }
   }

@@ -131,6 +131,14 @@ record FusionVariables(
                 "Time for which errors of heading sources persist: a compass's deviation stays while the vehicle keeps its direction. 0: each error is new.")
         double headingCorrelation,
     @Variable(
+            unit = "s",
+            min = 0,
+            max = 1,
+            ifAbsent = 0.1,
+            text =
+                "How well the delays of position sources are known, 1 sigma: the filter estimates what their services' DELAY lacks. 0: exactly.")
+        double delaySigma,
+    @Variable(
             unit = "deg",
             min = -180,
             max = 180,
@@ -152,6 +160,11 @@ record FusionVariables(
             text =
                 "How well it is put there, 1 sigma; 0: nobody knows where it starts. A receiver that contradicts the place by more than the gate is believed instead.")
         double startSigma,
+    @Variable(
+            ifAbsentText = "",
+            text =
+                "Places of sensors that do not sit at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
+        String leverArms,
     @Variable(
             unit = "s",
             min = 0.1,
@@ -225,6 +238,11 @@ record FusionVariables(
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException("NEEDED: " + e.getMessage(), e);
     }
+    try {
+      new LeverArms(leverArms);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("LEVER ARMS: " + e.getMessage(), e);
+    }
   }
 
   FilterTuning tuning() {
@@ -246,6 +264,7 @@ record FusionVariables(
         trustWindow,
         positionCorrelation,
         headingCorrelation,
+        delaySigma,
         resetAfter,
         lostSigma,
         horizon,

@@ -30,7 +30,10 @@ final class PinSensors {
     gps =
         plan.gps()
             .map(pins -> variables.gps(gpsLink, pins))
-            .map(receiver -> new FixReader(service, receiver, name + " GPS", SILENT_AFTER_S));
+            .map(
+                receiver ->
+                    new FixReader(
+                        service, receiver, name + " GPS", SILENT_AFTER_S, variables.gpsDelay()));
     compass =
         plan.compass()
             .map(pins -> variables.compass(compassLink, pins))
@@ -43,7 +46,8 @@ final class PinSensors {
                         SILENT_AFTER_S,
                         north,
                         variables.compassMountingAngle(),
-                        variables.headingSigma()));
+                        variables.headingSigma(),
+                        variables.compassDelay()));
   }
 
   /** Takes note of the board's pins, or that there are none now. */

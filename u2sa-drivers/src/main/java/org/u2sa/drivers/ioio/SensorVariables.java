@@ -27,11 +27,27 @@ record SensorVariables(
             text = "Fixes per second of a u-blox receiver.")
         double gpsSolutionRate,
     @Variable(
+            unit = "s",
+            min = 0,
+            max = 5,
+            ifAbsent = 0,
+            text =
+                "Time from the moment that a fix is of to the arrival of its first message, from the data sheet; states get that moment's timestamp.")
+        double gpsDelay,
+    @Variable(
             ifAbsentText = "SPARTON",
             oneOf = {"NMEA", "SPARTON"},
             text =
                 "NMEA: any that sends HDG, HDM or HDT by itself; SPARTON: SP3004D and its successors, asked for each heading.")
         String compass,
+    @Variable(
+            unit = "s",
+            min = 0,
+            max = 5,
+            ifAbsent = 0,
+            text =
+                "Time from the moment that a heading is of to its arrival, from the data sheet; states get that moment's timestamp.")
+        double compassDelay,
     @Variable(
             unit = "rad",
             min = -Math.PI,

@@ -87,6 +87,24 @@ class IoioSensingTest {
   }
 
   @Test
+  void step_delaysAreKnown_measurementsHaveTheTimeThatTheyAreOf() {
+    on.kit.with("GPS DELAY", 0.5).with("COMPASS DELAY", 0.25);
+    on.start();
+    on.kit.advance(1.0);
+    long sentMicros = on.kit.clock().micros();
+    gps(1, 4.0, 90.0);
+    compass(90.0);
+    on.kit.advance(0.1);
+    gps(2, 4.0, 90.0); // the fix before is whole
+    on.kit.advance(0.1);
+
+    assertThat(measured("IoioService GPS").get(0).timestamp().getAsLong())
+        .isBetween(sentMicros - 500_000L, on.kit.clock().micros() - 500_000L);
+    assertThat(measured("IoioService compass").get(0).timestamp().getAsLong())
+        .isCloseTo(sentMicros - 250_000L, within(50_000L));
+  }
+
+  @Test
   void step_withoutCompass_oneStateForEachFix() {
     on.kit.with("COMPASS RX PIN", -1);
     on.start();

@@ -173,7 +173,9 @@ public final class SimulatedSensors {
     return plane.at(place.x(), place.y(), place.z()).altitudeM();
   }
 
+  /** With the receiver's latency as the service's DELAY, where its file says nothing else. */
   private SimulatedGps gps(ServiceContext context) {
+    unlessStated(context, "DELAY", receiver.latencyS());
     NoiseStreams streams = streams(context, "GpsSensor");
     return new SimulatedGps(receiver, plane, streams, this::truth, () -> false);
   }

@@ -5,9 +5,11 @@ import org.u2sa.sim.sensor.GpsParameters;
 /** Grade of the demo's GPS, in factory settings: the board's service configures it. */
 enum GpsGrade {
   /** Real-time kinematic: 2 cm. */
-  SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0, 0.0),
+  SURVEY("survey-grade GPS", GpsParameters.survey(), 1.0, 0.0, 60.0),
   /** A telephone's: errors of 3 m that drift, once a second, late. */
   PHONE("phone-grade GPS", GpsParameters.phone(), 2.5, 1.5, 120.0);
+
+  private static final double FIRST_MESSAGE_S = 36.0 * 10.0 / 9600.0;
 
   private final String words;
   private final GpsParameters parameters;
@@ -50,6 +52,14 @@ enum GpsGrade {
    */
   double leastThresholdM() {
     return leastThresholdM;
+  }
+
+  /**
+   * From the moment that a fix is of to the arrival of its first message at the board [s]:
+   * NAV-POSLLH has 36 bytes, at 9600 baud.
+   */
+  double delayS() {
+    return parameters.latencyS() + FIRST_MESSAGE_S;
   }
 
   /** The State Estimator's POSITION CORRELATION: for how long its errors persist [s]. */

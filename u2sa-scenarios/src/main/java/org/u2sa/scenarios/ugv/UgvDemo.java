@@ -248,6 +248,9 @@ final class UgvDemo implements Callable<Integer>, Demo {
           .override(FUSING, "START Y", start.latitudeDeg())
           .override(FUSING, "START SIGMA", START_SIGMA_M);
     }
+    if (estimator == EstimatorKind.FUSING && control != ControlKind.PROPORTIONAL) {
+      launch.override("IoioService", "GPS DELAY", receiver.delayS());
+    }
     launch
         .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
         .override(FUSING, "POSITION CORRELATION", receiver.correlationS())

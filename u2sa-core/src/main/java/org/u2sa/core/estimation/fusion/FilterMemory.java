@@ -11,11 +11,12 @@ import java.util.function.Function;
  * themselves is learnt anew.
  */
 public final class FilterMemory {
-  private static final String NOMINAL = "FILTER NOMINAL 2";
-  private static final String COVARIANCE = "FILTER COVARIANCE 2";
-  private static final String FLAGS = "FILTER FLAGS 2";
+  private static final String NOMINAL = "FILTER NOMINAL 3";
+  private static final String COVARIANCE = "FILTER COVARIANCE 3";
+  private static final String FLAGS = "FILTER FLAGS 3";
 
   private static final String PERSISTENT = "FILTER PERSISTENT ERRORS OF ";
+  private static final String DELAY = "FILTER DELAY OF ";
 
   private FilterMemory() {}
 
@@ -34,9 +35,15 @@ public final class FilterMemory {
     }
     flags.add(Long.toString(s.micros)).add(Long.toString(s.startedMicros));
     to.accept(FLAGS, flags.toString());
-    for (int slot = 0; slot < PersistentErrors.SLOTS; slot++) {
-      if (s.persistentSource[slot] >= 0) {
-        to.accept(PERSISTENT + slot, filter.trust().name(s.persistentSource[slot]));
+    names(filter, PERSISTENT, s.persistentSource, to);
+    names(filter, DELAY, s.delaySource, to);
+  }
+
+  private static void names(
+      ErrorStateFilter filter, String of, int[] sources, BiConsumer<String, String> to) {
+    for (int slot = 0; slot < sources.length; slot++) {
+      if (sources[slot] >= 0) {
+        to.accept(of + slot, filter.trust().name(sources[slot]));
       }
     }
   }
@@ -79,14 +86,20 @@ public final class FilterMemory {
     s.hasFlow = "1".equals(parts[5]);
     s.micros = Long.parseLong(parts[6]);
     s.startedMicros = Long.parseLong(parts[7]);
-    for (int slot = 0; slot < PersistentErrors.SLOTS; slot++) {
-      Optional<String> source = from.apply(PERSISTENT + slot);
-      s.persistentSource[slot] = source.map(filter.trust()::source).orElse(FilterState.NO_SOURCE);
-    }
+    sources(filter, PERSISTENT, s.persistentSource, from);
+    sources(filter, DELAY, s.delaySource, from);
     s.positionMicros = s.micros;
     s.velocityMicros = s.micros;
     filter.resume(s);
     return true;
+  }
+
+  private static void sources(
+      ErrorStateFilter filter, String of, int[] to, Function<String, Optional<String>> from) {
+    for (int slot = 0; slot < to.length; slot++) {
+      Optional<String> source = from.apply(of + slot);
+      to[slot] = source.map(filter.trust()::source).orElse(FilterState.NO_SOURCE);
+    }
   }
 
   private static void fill(String name, String text, double[] to) {

@@ -6,18 +6,19 @@ import org.ejml.data.DMatrixRMaj;
  * Nominal state, covariance of its error, and what the sources have shown of themselves so far, at
  * one time. Flat arrays, so that a moment is kept and brought back by copying them.
  *
- * <p>Error state, 30 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
+ * <p>Error state, 33 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
  * attitude (a small turn about north, east and down [rad]: Solà 2017, section 7, global angular
  * errors), gyroscope bias [rad/s], accelerometer bias [m/s²] and angular rate [rad/s] (each along
  * BODY_FRD), wind or current (north, east [m/s]), wheel-speed scale, {@link PersistentErrors} of
- * sources (positions, north and east [m]; headings [rad]).
+ * sources (positions, north and east [m]; headings [rad]), {@link DelayErrors} of position sources
+ * [s].
  *
  * <p>The nominal position is geodetic, in double precision, as soon as a source says where on earth
  * the vehicle is: error vectors are along north, east and down at the vehicle itself, so there is
  * no tangent plane to leave. North, east and down from the start are kept beside it.
  */
 final class FilterState {
-  static final int N = 21 + PersistentErrors.STATES;
+  static final int N = 21 + PersistentErrors.STATES + DelayErrors.SLOTS;
   static final int NO_SOURCE = -1;
   static final int RESUMED = -2; // some source, whose biases are known
   static final int POSITION = 0;
@@ -29,6 +30,7 @@ final class FilterState {
   static final int FLOW = 18;
   static final int SCALE = 20;
   static final int PERSISTENT = 21;
+  static final int DELAY = PERSISTENT + PersistentErrors.STATES;
 
   // Nominal state, by index of x.
   static final int LATITUDE = 0; // rad
@@ -51,7 +53,8 @@ final class FilterState {
   static final int LEVELLED = 37; // how many
   static final int PERSISTENT_ERRORS = 38; // in the order of the error state
   static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PersistentErrors.STATES; // of a slot
-  private static final int SIZE = PERSISTENT_VARIANCE + PersistentErrors.SLOTS;
+  static final int DELAYS = PERSISTENT_VARIANCE + PersistentErrors.SLOTS; // s, by slot
+  private static final int SIZE = DELAYS + DelayErrors.SLOTS;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared
@@ -83,6 +86,7 @@ final class FilterState {
   long accusedMicros; // when an inertial source was found to lie; 0: never
   long resets;
   final int[] persistentSource = PersistentErrors.nobody(); // by slot
+  final int[] delaySource = DelayErrors.nobody(); // by slot
 
   FilterState() {
     x[Q] = 1.0;
@@ -119,6 +123,7 @@ final class FilterState {
     accusedMicros = o.accusedMicros;
     resets = o.resets;
     System.arraycopy(o.persistentSource, 0, persistentSource, 0, PersistentErrors.SLOTS);
+    System.arraycopy(o.delaySource, 0, delaySource, 0, DelayErrors.SLOTS);
   }
 
   double variance(int i) {

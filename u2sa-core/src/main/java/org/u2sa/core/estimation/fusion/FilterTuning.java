@@ -21,6 +21,7 @@ package org.u2sa.core.estimation.fusion;
  * @param window measurements over which a source's true standard deviation is learnt
  * @param positionCorrelationS time for which a position error persists [s]; 0: each is new
  * @param headingCorrelationS time for which a heading error persists [s]; 0: each is new
+ * @param delaySigmaS by how much later than it says a position source may measure, 1 σ [s]; 0: none
  * @param resetAfterS time after which a quantity that all sources contradict starts anew [s]
  * @param lostSigmaM horizontal standard deviation beyond which the position is lost [m]
  * @param horizonS age at which a late measurement is still fused [s]
@@ -43,6 +44,7 @@ public record FilterTuning(
     int window,
     double positionCorrelationS,
     double headingCorrelationS,
+    double delaySigmaS,
     double resetAfterS,
     double lostSigmaM,
     double horizonS,
@@ -68,6 +70,7 @@ public record FilterTuning(
         100,
         0.0,
         60.0,
+        0.1,
         5.0,
         50.0,
         1.0,

@@ -21,6 +21,7 @@ final class Fuser {
   private final SourceJudge judge;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
+  private final DelayErrors delays;
   private final MeasurementModel model = new MeasurementModel();
   private final KalmanUpdate update = new KalmanUpdate();
   private final double[] gates = new double[4];
@@ -34,6 +35,7 @@ final class Fuser {
     judge = new SourceJudge(tuning, trust);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
+    delays = new DelayErrors(tuning);
     for (int rows = 1; rows < gates.length; rows++) {
       gates[rows] = threshold(rows, tuning.gate());
     }
@@ -96,7 +98,9 @@ final class Fuser {
     }
     int at = trust.of(s, source, quantity);
     int slot = persistent.slot(s, m, quantity, source);
+    int delay = delays.slot(s, quantity, source);
     if (starts.begin(s, m, quantity, at, slot)) {
+      DelayErrors.share(s, delay);
       count(s, at, SourceTrust.USED);
       used(s, quantity);
       return;
@@ -114,6 +118,7 @@ final class Fuser {
       QuantityStart.shift(s, model, quantity, at);
     }
     PersistentErrors.look(s, m, quantity, model, slot);
+    DelayErrors.look(s, m, quantity, model, delay);
     double nis = update.prepare(s, model, SourceTrust.factor(s, at));
     if (judge.isFrozen(s, model, update.expected, source, quantity, at)) {
       s.trust[at + SourceTrust.GATED]++;
@@ -124,6 +129,7 @@ final class Fuser {
     if (nis > gates[model.rows]) {
       if (judge.gated(s, model, source, quantity, at)) {
         starts.reset(s, m, quantity, at, slot);
+        DelayErrors.share(s, delay);
       }
     } else if (SourceJudge.passes(s, at)) {
       correct(s, source, quantity, at, slot);

@@ -5,6 +5,7 @@ package org.u2sa.core.estimation.fusion;
  * while they are fresh, and what is needed before they may: tilt and heading.
  */
 final class InertialInput {
+  private static final double SHORTEST_SAMPLE_S = 1e-3;
   private static final double SHORTEST_S = 0.15; // an input is held for so long at least
   private static final double LONGEST_S = 0.6;
   private static final double INTERVALS = 3.0;
@@ -17,6 +18,8 @@ final class InertialInput {
 
   private final FilterTuning tuning;
   private final double[] held = new double[6];
+  private final double[] rate = new double[3];
+  private final double[] change = new double[3];
 
   InertialInput(FilterTuning tuning) {
     this.tuning = tuning;
@@ -60,11 +63,17 @@ final class InertialInput {
     boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
     boolean continues = s.isInertial && s.gyroSource == source;
     double[] x = s.x;
+    double seconds = Math.max(SHORTEST_SAMPLE_S, (m.micros() - s.gyroMicros) * 1e-6);
     double gyroJump = 0.0;
     double forceJump = 0.0;
     for (int i = 0; i < 3; i++) {
       held[i] = m.value(SensedQuantity.BODY_RATES, i);
       held[3 + i] = m.value(SensedQuantity.SPECIFIC_FORCE, i);
+      rate[i] = held[i] - x[FilterState.BG + i];
+      change[i] = continues ? (held[i] - x[FilterState.GYRO + i]) / seconds : 0.0;
+    }
+    LeverArm.release(m, rate, change, held, 3);
+    for (int i = 0; i < 3; i++) {
       if (continues) {
         gyroJump += square(held[i] - x[FilterState.GYRO + i]) / 3.0;
         x[FilterState.GYRO + i] = 0.5 * (x[FilterState.GYRO + i] + held[i]);

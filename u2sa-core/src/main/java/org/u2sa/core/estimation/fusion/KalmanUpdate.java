@@ -147,5 +147,8 @@ final class KalmanUpdate {
     for (int i = 0; i < PersistentErrors.STATES; i++) {
       x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
     }
+    for (int i = 0; i < DelayErrors.SLOTS; i++) {
+      x[FilterState.DELAYS + i] += dx[FilterState.DELAY + i];
+    }
   }
 }

@@ -15,6 +15,7 @@ public final class Measurement {
   private final double[] sigmas = new double[SIZE];
   private final byte[] present = new byte[SensedQuantity.count()];
   private final double[] landmark = new double[2];
+  private final double[] mounted = new double[WIDTH];
   private boolean isLandmarkOnEarth;
   private String source = "";
   private long micros;
@@ -26,6 +27,7 @@ public final class Measurement {
     java.util.Arrays.fill(present, (byte) 0);
     java.util.Arrays.fill(values, 0.0);
     java.util.Arrays.fill(sigmas, 0.0);
+    java.util.Arrays.fill(mounted, 0.0);
     return this;
   }
 
@@ -36,6 +38,7 @@ public final class Measurement {
     System.arraycopy(other.sigmas, 0, sigmas, 0, sigmas.length);
     System.arraycopy(other.present, 0, present, 0, present.length);
     System.arraycopy(other.landmark, 0, landmark, 0, landmark.length);
+    System.arraycopy(other.mounted, 0, mounted, 0, WIDTH);
     isLandmarkOnEarth = other.isLandmarkOnEarth;
   }
 
@@ -44,6 +47,20 @@ public final class Measurement {
     values[at] = value;
     sigmas[at] = sigma;
     present[quantity.ordinal()] |= (byte) (1 << component);
+  }
+
+  /**
+   * Where the sensor sits, from the vehicle's reference point along BODY_FRD [m]; 0 after begin.
+   */
+  public Measurement mounted(double forward, double right, double down) {
+    mounted[0] = forward;
+    mounted[1] = right;
+    mounted[2] = down;
+    return this;
+  }
+
+  double mounted(int axis) {
+    return mounted[axis];
   }
 
   /** Position on WGS-84 [deg], standard deviations north and east [m]. */

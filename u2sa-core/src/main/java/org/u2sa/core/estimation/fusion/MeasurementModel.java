@@ -21,6 +21,7 @@ final class MeasurementModel {
   final double[] predicted = new double[3];
   int rows;
 
+  private final LeverArm lever = new LeverArm();
   private final double[] r = new double[9];
   private final double[] v = new double[3];
 
@@ -34,6 +35,7 @@ final class MeasurementModel {
     h.zero();
     rows = 0;
     Quaternions.matrix(s.x, FilterState.Q, r);
+    lever.look(s, m);
     switch (quantity) {
       case PLACE:
         return s.hasPlace && place(s, m);
@@ -93,6 +95,18 @@ final class MeasurementModel {
     rows++;
   }
 
+  /** Changes what the last row is predicted as. */
+  void shift(double more, double addedVariance) {
+    innovation[rows - 1] -= more;
+    predicted[rows - 1] += more;
+    variance[rows - 1] += addedVariance;
+  }
+
+  /** Sets a number in the last row of the Jacobian. */
+  void setLast(int column, double value) {
+    h.data[(rows - 1) * N + column] = value;
+  }
+
   private void set(int column, double value) {
     h.data[rows * N + column] = value;
   }
@@ -113,6 +127,7 @@ final class MeasurementModel {
             i == 0 ? apart * northRadius : Math.IEEEremainder(apart, FULL_TURN) * axisDistance;
         row(metres, 0.0, m.sigma(SensedQuantity.PLACE, i));
         predicted[rows - 1] = s.x[FilterState.NORTH + i]; // metres: for how far it moved
+        lever.position(s, this, i, 1.0);
       }
     }
     return true;
@@ -124,6 +139,7 @@ final class MeasurementModel {
         m.value(SensedQuantity.ALTITUDE, 0),
         s.x[FilterState.ALTITUDE],
         m.sigma(SensedQuantity.ALTITUDE, 0));
+    lever.position(s, this, 2, -1.0);
     return true;
   }
 
@@ -132,6 +148,7 @@ final class MeasurementModel {
       if (m.has(quantity, i)) {
         set(FilterState.POSITION + first + i, 1.0);
         row(m.value(quantity, i), s.x[FilterState.NORTH + first + i], m.sigma(quantity, i));
+        lever.position(s, this, first + i, 1.0);
       }
     }
   }
@@ -144,6 +161,7 @@ final class MeasurementModel {
             m.value(SensedQuantity.VELOCITY, i),
             s.x[FilterState.V + i],
             m.sigma(SensedQuantity.VELOCITY, i));
+        lever.velocity(s, this, i);
       }
     }
   }
@@ -182,22 +200,27 @@ final class MeasurementModel {
     along(s, false);
     for (int axis = 0; axis < 3; axis++) {
       if (m.has(SensedQuantity.BODY_VELOCITY, axis)) {
-        double speed = predictedAlong(axis);
         vehicleRow(s, axis, false);
-        double scale = 1.0;
-        if (axis == 0 && s.variance(FilterState.SCALE) > 0.0) {
-          scale += s.x[FilterState.WHEEL_SCALE];
-          for (int k = 0; k < N; k++) {
-            h.data[rows * N + k] *= scale;
-          }
-          set(FilterState.SCALE, speed);
-        }
         row(
             m.value(SensedQuantity.BODY_VELOCITY, axis),
-            scale * speed,
+            predictedAlong(axis),
             m.sigma(SensedQuantity.BODY_VELOCITY, axis));
+        lever.bodyVelocity(s, this, axis);
+        if (axis == 0 && s.variance(FilterState.SCALE) > 0.0) {
+          scale(1.0 + s.x[FilterState.WHEEL_SCALE]);
+        }
       }
     }
+  }
+
+  /** The last row's speed is measured so many times as large. */
+  private void scale(double by) {
+    double speed = predicted[rows - 1];
+    for (int k = 0; k < N; k++) {
+      h.data[(rows - 1) * N + k] *= by;
+    }
+    setLast(FilterState.SCALE, speed);
+    shift((by - 1.0) * speed, 0.0);
   }
 
   private void fluidVelocity(FilterState s, Measurement m) {
@@ -209,6 +232,7 @@ final class MeasurementModel {
             m.value(SensedQuantity.FLUID_VELOCITY, axis),
             predictedAlong(axis),
             m.sigma(SensedQuantity.FLUID_VELOCITY, axis));
+        lever.bodyVelocity(s, this, axis);
       }
     }
   }

@@ -201,6 +201,7 @@ final class ProcessModel {
       add(s, FilterState.SCALE, SCALE_NOISE, dt);
     }
     persistent.wander(s, dt);
+    DelayErrors.wander(s, dt);
   }
 
   private void addTurnNoise(FilterState s, int i, double dt) {

@@ -5,6 +5,7 @@ package org.u2sa.core.estimation.fusion;
  */
 final class QuantityStart {
   private final FilterTuning tuning;
+  private final LeverArm lever = new LeverArm();
 
   QuantityStart(FilterTuning tuning) {
     this.tuning = tuning;
@@ -54,6 +55,7 @@ final class QuantityStart {
    * @return whether the measurement has served its purpose by that
    */
   boolean begin(FilterState s, Measurement m, SensedQuantity quantity, int at, int slot) {
+    lever.look(s, m);
     double factor = SourceTrust.factor(s, at);
     double v0 = factor * m.sigma(quantity, 0) * m.sigma(quantity, 0);
     double v1 = factor * m.sigma(quantity, 1) * m.sigma(quantity, 1);
@@ -62,28 +64,40 @@ final class QuantityStart {
         if (s.hasPlace || !m.isWhole(quantity)) {
           return false;
         }
-        Alignment.place(s, m.value(quantity, 0), m.value(quantity, 1), v0, v1);
+        Alignment.place(
+            s,
+            m.value(quantity, 0),
+            m.value(quantity, 1),
+            v0 + lever.apartVariance(0),
+            v1 + lever.apartVariance(1));
+        s.x[FilterState.LATITUDE] -= lever.apartM(0) / s.northRadiusM();
+        s.x[FilterState.LONGITUDE] -= lever.apartM(1) / s.axisDistanceM();
         PersistentErrors.share(s, slot);
         return true;
       case ALTITUDE:
         if (s.hasAltitude) {
           return false;
         }
-        Alignment.altitude(s, m.value(quantity, 0), v0);
+        Alignment.altitude(s, m.value(quantity, 0) + lever.apartM(2), v0);
         return true;
       case LOCAL_PLACE:
         if (s.hasLocal || s.hasPlace || !m.isWhole(quantity)) {
           return false;
         }
-        Alignment.local(s, m.value(quantity, 0), m.value(quantity, 1), v0, v1);
+        Alignment.local(
+            s,
+            m.value(quantity, 0) - lever.apartM(0),
+            m.value(quantity, 1) - lever.apartM(1),
+            v0 + lever.apartVariance(0),
+            v1 + lever.apartVariance(1));
         s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
         return true;
       case LOCAL_DOWN:
         if (s.hasAltitude) {
           return false;
         }
-        s.x[FilterState.NORTH + 2] = m.value(quantity, 0);
-        Alignment.altitude(s, -m.value(quantity, 0), v0);
+        s.x[FilterState.NORTH + 2] = m.value(quantity, 0) - lever.apartM(2);
+        Alignment.altitude(s, -s.x[FilterState.NORTH + 2], v0);
         s.trust[at + SourceTrust.HAS_OFFSET] = 1.0;
         return true;
       case HEADING:

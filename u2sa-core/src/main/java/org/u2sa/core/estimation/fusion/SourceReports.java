@@ -34,11 +34,13 @@ public final class SourceReports {
    * @param used vectors fused
    * @param gated vectors refused
    * @param sigmaFactor largest factor by which its claimed standard deviations are multiplied
+   * @param lateS by how much later than it says its positions are measured [s]; 0 if that is not
+   *     sure
    */
   public record Report(
-      String source, Standing standing, long used, long gated, double sigmaFactor) {
+      String source, Standing standing, long used, long gated, double sigmaFactor, double lateS) {
 
-    /** "biased, used 312, gated 40, sigma x2.9". */
+    /** "biased, used 312, gated 40, sigma x2.9, late by 0.20 s". */
     public String text() {
       return standing.name().toLowerCase(Locale.ROOT)
           + ", used "
@@ -46,7 +48,8 @@ public final class SourceReports {
           + ", gated "
           + gated
           + ", sigma x"
-          + Math.round(10.0 * sigmaFactor) / 10.0;
+          + Math.round(10.0 * sigmaFactor) / 10.0
+          + (lateS == 0.0 ? "" : ", late by " + Math.round(100.0 * lateS) / 100.0 + " s");
     }
   }
 
@@ -95,7 +98,8 @@ public final class SourceReports {
     if (silentS > Math.max(SILENT_AFTER_S, INTERVALS * t[own + SourceTrust.INTERVAL])) {
       standing = Standing.SILENT;
     }
-    return new Report(trust.name(source), standing, used, gated, factor);
+    double lateS = DelayErrors.lateS(s, source);
+    return new Report(trust.name(source), standing, used, gated, factor, lateS);
   }
 
   private Standing standing(int at) {
