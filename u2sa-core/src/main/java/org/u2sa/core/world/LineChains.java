@@ -20,6 +20,8 @@ final class LineChains {
   private static final double VIEWS = 2.5; // places on average from which a sure line was seen
   private static final double BESIDE_STEP_M = 0.1;
   private static final double SQUARE = 0.9; // sine of the least angle between lane and its width
+  private static final double KNOWN =
+      0.7; // share of the ground beyond an end that must be looked at
   private static final double BESIDE_M = 0.4; // an end so near to a longer line is a part of that
 
   private final List<List<Point>> lines;
@@ -103,7 +105,9 @@ final class LineChains {
   }
 
   private static double metres(Point a, Point b) {
-    return Math.hypot(a.x() - b.x(), a.y() - b.y());
+    double x = a.x() - b.x();
+    double y = a.y() - b.y();
+    return Math.sqrt(x * x + y * y); // hypot takes ten times as long
   }
 
   /** What was seen. */
@@ -116,8 +120,16 @@ final class LineChains {
     return sure.contains(line);
   }
 
-  /** What closes gaps between ends that face each other, and what goes on beyond other ends. */
-  List<List<Point>> gaps(Reach reach) {
+  /** Which ground was looked at. */
+  interface Looked {
+    boolean isKnown(double x, double y);
+  }
+
+  /**
+   * What closes gaps between ends that face each other, and what goes on beyond other ends, but for
+   * those beyond which the ground was looked at as far as gaps reach: there the line ends.
+   */
+  List<List<Point>> gaps(Reach reach, Looked looked) {
     List<End> ends = new ArrayList<>();
     for (List<Point> line : lines) {
       for (End end : List.of(end(line, false), end(line, true))) {
@@ -145,6 +157,10 @@ final class LineChains {
     }
     for (End end : ends) {
       List<Point> extension = beside(end, reach);
+      boolean leadsFar = lengthM(extension) >= reach.gapM();
+      if (isKnown(leadsFar ? extension : extension(end, reach.gapM()), reach.gapM(), looked)) {
+        continue;
+      }
       if (extension.size() < 2 || lengthM(extension) < reach.aloneM()) {
         extension = extension(end, reach.aloneM());
       }
@@ -153,6 +169,19 @@ final class LineChains {
       }
     }
     return gaps;
+  }
+
+  /** Whether the ground where a line would go on was looked at, farther than gaps are long. */
+  private static boolean isKnown(List<Point> line, double gapM, Looked looked) {
+    int known = 0;
+    int places = 0;
+    double gone = 0.0;
+    for (int i = 1; i < line.size() && gone < gapM; i++) {
+      gone += metres(line.get(i - 1), line.get(i));
+      known += looked.isKnown(line.get(i).x(), line.get(i).y()) ? 1 : 0;
+      places++;
+    }
+    return places > 0 && gone >= KNOWN * gapM && known >= KNOWN * places;
   }
 
   /** Whether an end belongs to another line, seen twice in slightly different places. */

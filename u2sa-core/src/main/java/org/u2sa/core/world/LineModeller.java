@@ -129,6 +129,21 @@ final class LineModeller implements Modeller {
                   "LINES: how far behind what a scanner sees a camera does not see the ground: what looks like a line there is part of what stands before it.")
           double hiddenBehind,
       @Variable(
+              unit = "m",
+              min = 0,
+              max = 100,
+              ifAbsent = 0,
+              text =
+                  "LINES: reach within which a camera sees all paint; where a line ends, and the ground beyond was looked at as far as JOIN GAP, it is not taken to go on; 0: always is.")
+          double lookReach,
+      @Variable(
+              unit = "deg",
+              min = 0,
+              max = 360,
+              ifAbsent = 80,
+              text = "LINES: width of the sector ahead for LOOK REACH.")
+          double lookAngle,
+      @Variable(
               unit = "rad/s",
               min = 0,
               max = 100,
@@ -149,6 +164,7 @@ final class LineModeller implements Modeller {
   private final Settings<Tuning> settings;
   private final LineBeads beads = new LineBeads();
   private final HiddenGround hidden = new HiddenGround();
+  private final LookedGround looked = new LookedGround();
   private final Set<String> sensors = new HashSet<>();
   private MapFrame frame = MapFrame.BODY;
   private long sightings;
@@ -163,6 +179,7 @@ final class LineModeller implements Modeller {
     Tuning tuning = settings.get();
     Set<String> types = tuning.types();
     if (sighting.vehicle().isEmpty()) {
+      looked.clear();
       beads.clear(); // of one moment only: nothing says how the vehicle has moved since
     }
     double turning = sighting.vehicle().map(state -> state.psiDot().orElse(0.0)).orElse(0.0);
@@ -173,15 +190,15 @@ final class LineModeller implements Modeller {
     Point at = sighting.frame().vehicle(sighting.vehicle());
     beads.from(at.x(), at.y());
     hidden.lookFrom(at.x(), at.y(), sighting.micros());
-    boolean looked = false;
+    boolean isPicture = false;
     for (ObjectDescription object : seen) {
       if (object instanceof Line line && types.contains(object.objectType())) {
         sighting.frame().placed(line, sighting.vehicle()).ifPresent(placed -> enter((Line) placed));
         sensors.add(object.sensorName());
       }
-      looked |= sensors.contains(object.sensorName());
+      isPicture |= sensors.contains(object.sensorName());
     }
-    if (looked && sighting.vehicle().isPresent()) {
+    if (isPicture && sighting.vehicle().isPresent()) {
       doubt(sighting, tuning);
     }
   }
@@ -215,12 +232,17 @@ final class LineModeller implements Modeller {
     MapFrame map = sighting.frame();
     Point at = map.vehicle(sighting.vehicle());
     Point ahead = map.mapFromFrd(sighting.vehicle()).times(Point.of(1.0, 0.0, 0.0));
-    beads.doubt(
+    double heading = Math.atan2(ahead.y(), ahead.x());
+    double half = 0.5 * Math.toRadians(tuning.lookAngle());
+    looked.look(
         at.x(),
         at.y(),
-        Math.atan2(ahead.y(), ahead.x()),
-        tuning.doubtReach(),
-        0.5 * Math.toRadians(tuning.doubtAngle()));
+        heading,
+        tuning.lookReach(),
+        half,
+        (x, y) -> !hidden.hides(x, y, tuning.hiddenBehind()));
+    beads.doubt(
+        at.x(), at.y(), heading, tuning.doubtReach(), 0.5 * Math.toRadians(tuning.doubtAngle()));
     beads.forget(
         at.x(),
         at.y(),
@@ -233,6 +255,7 @@ final class LineModeller implements Modeller {
   public void enter(MapFrame newFrame, Sighting now) {
     frame = newFrame;
     beads.clear();
+    looked.clear();
   }
 
   @Override
@@ -254,7 +277,7 @@ final class LineModeller implements Modeller {
               tuning.lineExtension(),
               Math.max(tuning.laneExtension(), tuning.lineExtension()),
               tuning.widestLane());
-      for (List<Point> gap : chains.gaps(reach)) {
+      for (List<Point> gap : chains.gaps(reach, looked::isKnown)) {
         clear(gap, at, tuning.clearOfVehicle())
             .forEach(part -> pieces(part, type, GAP_CONFIDENCE, lines));
       }

@@ -35,11 +35,11 @@ class LineChainsTest {
   }
 
   private List<List<Point>> gaps(double longest, double alone) {
-    return chains().gaps(new LineChains.Reach(longest, alone, alone, WIDEST_M));
+    return chains().gaps(new LineChains.Reach(longest, alone, alone, WIDEST_M), (x, y) -> false);
   }
 
   private List<List<Point>> lane(double alone, double beside) {
-    return chains().gaps(new LineChains.Reach(0.0, alone, beside, WIDEST_M));
+    return chains().gaps(new LineChains.Reach(0.0, alone, beside, WIDEST_M), (x, y) -> false);
   }
 
   private static double length(List<Point> line) {
@@ -169,6 +169,37 @@ class LineChainsTest {
     assertThat(gaps(5.0, 1.2))
         .hasSize(2)
         .allSatisfy(gap -> assertThat(length(gap)).isCloseTo(1.2, offset(1.0e-6)));
+  }
+
+  @Test
+  void gaps_groundBeyondTheEndLookedAt_lineEndsThere() {
+    lookThrice(-4.0, 1.0, 0.0, 1.0);
+    LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 1.2, WIDEST_M);
+    List<List<Point>> ahead = chains().gaps(reach, (x, y) -> x > 0.0);
+    assertThat(ahead)
+        .singleElement()
+        .satisfies(gap -> assertThat(gap.get(gap.size() - 1).x()).isLessThan(-4.0));
+  }
+
+  @Test
+  void gaps_groundBeyondTheEndLookedAtLessFarThanAGap_goOn() {
+    lookThrice(-4.0, 1.0, 0.0, 1.0);
+    LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 1.2, WIDEST_M);
+    assertThat(chains().gaps(reach, (x, y) -> x > 0.0 && x < 3.0)).hasSize(2);
+  }
+
+  @Test
+  void gaps_besideTheLineOfAnotherLane_endWhereTheGroundWasLookedAt() {
+    lookThrice(-6.0, 1.0, 8.0, 1.0, -6.0, -2.5, 0.0, -2.5);
+    LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
+    assertThat(chains().gaps(reach, (x, y) -> false))
+        .anySatisfy(gap -> assertThat(gap.get(gap.size() - 1).x()).isGreaterThan(5.0));
+    assertThat(chains().gaps(reach, (x, y) -> x > 0.0 && y < 0.0))
+        .noneSatisfy(
+            gap -> {
+              assertThat(gap.get(0).y()).isNegative();
+              assertThat(gap.get(gap.size() - 1).x()).isGreaterThan(0.5);
+            });
   }
 
   @Test

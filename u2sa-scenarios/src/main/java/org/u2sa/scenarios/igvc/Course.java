@@ -16,7 +16,8 @@ import org.u2sa.messages.shape.PolyLine;
  * boundary} (PolyLine: where the judge calls a crossing, gaps in the paint included), {@code course
  * end} (PolyLine: behind the start and beyond the finish, where nobody passes), {@code waypoint}
  * (Circle with its radius, in the order of the course), {@code start} (Line: from the vehicle's
- * place to somewhere ahead).
+ * place to somewhere ahead), {@code fence} (PolyLine: the edge of the field, which the vehicle is
+ * told beforehand).
  *
  * @param origin file or seed, for messages
  */
@@ -25,6 +26,7 @@ record Course(String origin, List<ObjectDescription> objects) {
   static final String END = "course end";
   static final String WAYPOINT = "waypoint";
   static final String START = "start";
+  static final String FENCE = "fence";
 
   /** Width of a painted line: 3 in. */
   static final double LINE_M = 0.0762;
@@ -104,6 +106,11 @@ record Course(String origin, List<ObjectDescription> objects) {
         .filter(PolyLine.class::isInstance)
         .map(PolyLine.class::cast)
         .toList();
+  }
+
+  /** The edge of the field, as the vehicle is told; none where a course does not say. */
+  List<PolyLine> fences() {
+    return of(FENCE).stream().filter(PolyLine.class::isInstance).map(PolyLine.class::cast).toList();
   }
 
   /** What the judge calls crossings of: boundaries and ends. */

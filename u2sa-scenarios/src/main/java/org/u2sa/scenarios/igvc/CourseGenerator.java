@@ -2,6 +2,7 @@ package org.u2sa.scenarios.igvc;
 
 import java.util.List;
 import java.util.Random;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.sensor.NoiseStreams;
 
@@ -19,6 +20,7 @@ final class CourseGenerator {
   private static final double CLEAR_M = 16.0; // nothing stands on the timed 44 ft
   private static final double PASSAGE_M = 1.65; // 5 ft are the least
   private static final double DECOY_M = 1.1;
+  private static final double FENCE_M = 0.6;
   private static final double FT = 0.3048;
 
   private final Random random;
@@ -64,6 +66,7 @@ final class CourseGenerator {
         new CourseBuilder(
             line.beside(start, 0.0), 2.0 * Math.PI * random.nextDouble(), random.nextBoolean());
     builder.start(line.beside(start, 0.0), line.beside(start + 10, 0.0));
+    fence();
     lines();
     goals();
     int lanesEnd = layout.lanesEnd();
@@ -71,6 +74,22 @@ final class CourseGenerator {
     noMansLand();
     obstacles(layout.lanesBegin() + 25, line.count() - 60);
     return builder.course(name);
+  }
+
+  /** Around the field, a little outside: a receiver's error must not put it into a lane. */
+  private void fence() {
+    double west = -FENCE_M;
+    double south = -FENCE_M;
+    double east = CourseLayout.LENGTH_M + FENCE_M;
+    double north = CourseLayout.WIDTH_M + FENCE_M;
+    builder.line(
+        Course.FENCE,
+        List.of(
+            Point.of(west, south, 0.0),
+            Point.of(east, south, 0.0),
+            Point.of(east, north, 0.0),
+            Point.of(west, north, 0.0),
+            Point.of(west, south, 0.0)));
   }
 
   private void lines() {

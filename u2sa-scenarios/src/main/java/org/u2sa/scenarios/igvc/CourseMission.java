@@ -1,14 +1,19 @@
 package org.u2sa.scenarios.igvc;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * What a team is told of a course: where it starts, its waypoints, and the box around the start.
+ * What a team is told of a course: where it starts, its waypoints, the box around the start, and
+ * the fences around the field.
  */
 final class CourseMission {
   /** The vehicle goes for the middle of a waypoint, however wide the judge's circle is. */
@@ -52,11 +57,20 @@ final class CourseMission {
 
   /**
    * Writes a world of what is known beforehand: nobody drives backwards out of the start, nor
-   * through the lines beside it, which the camera cannot see yet.
+   * through the lines beside it, which the camera cannot see yet, nor off the field.
    */
-  static Path writeStartBox(Course course, Geodetic origin, Path file) {
+  static Path writeKnown(Course course, Geodetic origin, Path file) {
     LocalPlane plane = new LocalPlane(origin);
-    Course.Start start = course.start();
+    StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world>\n");
+    text.append(wall(plane, "start box", startBox(course.start())));
+    for (PolyLine fence : course.fences()) {
+      text.append(wall(plane, fence.uid(), fence.points()));
+    }
+    ReportFile.writeText(file, out -> out.write(text.append("</world>\n").toString()));
+    return file;
+  }
+
+  private static List<Point> startBox(Course.Start start) {
     double sin = StrictMath.sin(start.headingRad());
     double cos = StrictMath.cos(start.headingRad());
     double[][] corners = {
@@ -65,20 +79,28 @@ final class CourseMission {
       {-BOX_BEHIND_M, BOX_ASIDE_M},
       {BOX_AHEAD_M, BOX_ASIDE_M}
     };
-    StringBuilder points = new StringBuilder();
+    List<Point> points = new ArrayList<>();
     for (double[] corner : corners) {
       double east = start.eastM() + corner[0] * sin + corner[1] * cos;
       double north = start.northM() + corner[0] * cos - corner[1] * sin;
-      Geodetic at = plane.at(east, north, 0.0);
+      points.add(Point.of(east, north, 0.0));
+    }
+    return points;
+  }
+
+  private static String wall(LocalPlane plane, String uid, List<Point> along) {
+    StringBuilder points = new StringBuilder();
+    for (Point corner : along) {
+      Geodetic at = plane.at(corner.x(), corner.y(), 0.0);
       points.append(points.length() == 0 ? "" : "; ");
       points.append(String.format(Locale.ROOT, "%.9f %.9f", at.longitudeDeg(), at.latitudeDeg()));
     }
-    String text =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world>\n  <PolyLine><uid>start box</uid>"
-            + "<type>start box</type><level>AVOID_ALWAYS</level><points>"
-            + points
-            + "</points><width>0.08</width></PolyLine>\n</world>\n";
-    ReportFile.writeText(file, out -> out.write(text));
-    return file;
+    return "  <PolyLine><uid>"
+        + uid
+        + "</uid><type>"
+        + uid
+        + "</type><level>AVOID_ALWAYS</level><points>"
+        + points
+        + "</points><width>0.08</width></PolyLine>\n";
   }
 }

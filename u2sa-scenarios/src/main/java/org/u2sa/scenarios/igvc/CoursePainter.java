@@ -11,7 +11,9 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
@@ -28,17 +30,31 @@ final class CoursePainter {
   private static final Color PLANNED = new Color(0xFF, 0xE0, 0x20);
   private static final Color TRACK = new Color(0x10, 0x10, 0x10);
 
+  private static final Color OCCUPIED = new Color(0x60, 0x00, 0x20, 200);
+  private static final Color FREE = new Color(255, 255, 255, 40);
+
   private final Course course;
   private final int width;
   private final int height;
   private final AffineTransform toPixels;
   private final double scale;
 
+  private CoursePainter(Course course, double[] window, int longest) {
+    this.course = course;
+    double east = window[2];
+    double north = window[3];
+    scale = longest / Math.max(east - window[0], north - window[1]);
+    width = (int) Math.ceil((east - window[0]) * scale);
+    height = (int) Math.ceil((north - window[1]) * scale);
+    toPixels = new AffineTransform(scale, 0.0, 0.0, -scale, -window[0] * scale, north * scale);
+  }
+
   /**
+   * Draws all of a course.
+   *
    * @param longest pixels of the picture's longer side
    */
-  CoursePainter(Course course, int longest) {
-    this.course = course;
+  static CoursePainter whole(Course course, int longest) {
     double west = Double.POSITIVE_INFINITY;
     double south = Double.POSITIVE_INFINITY;
     double east = Double.NEGATIVE_INFINITY;
@@ -52,10 +68,15 @@ final class CoursePainter {
         north = Math.max(north, point.y() + MARGIN_M);
       }
     }
-    scale = longest / Math.max(east - west, north - south);
-    width = (int) Math.ceil((east - west) * scale);
-    height = (int) Math.ceil((north - south) * scale);
-    toPixels = new AffineTransform(scale, 0.0, 0.0, -scale, -west * scale, north * scale);
+    return new CoursePainter(course, new double[] {west, south, east, north}, longest);
+  }
+
+  /** Draws a square around a place, so far to each side [m], of so many pixels. */
+  static CoursePainter around(Course course, Point at, double reachM, int pixels) {
+    return new CoursePainter(
+        course,
+        new double[] {at.x() - reachM, at.y() - reachM, at.x() + reachM, at.y() + reachM},
+        pixels);
   }
 
   /** A new picture of the course. */
@@ -83,7 +104,7 @@ final class CoursePainter {
     switch (object.objectType()) {
       case Scenery.LINE -> stroke(graphics, ((Line) object).points(), Color.WHITE, 0.1);
       case Scenery.WORN_LINE -> stroke(graphics, ((Line) object).points(), WORN, 0.1);
-      case Course.BOUNDARY, Course.END, Course.START -> {
+      case Course.BOUNDARY, Course.END, Course.START, Course.FENCE -> {
         // seen by nobody
       }
       case Course.WAYPOINT -> {
@@ -137,6 +158,34 @@ final class CoursePainter {
     path.moveTo(points.get(0).x(), points.get(0).y());
     points.forEach(point -> path.lineTo(point.x(), point.y()));
     graphics.draw(path);
+  }
+
+  /**
+   * Adds what a grid has as occupied (dark) and free (light).
+   *
+   * @param place puts points of a frame on the course; empty if there is no way
+   */
+  void grid(BufferedImage image, OccupancyGrid grid, Placing place) {
+    Graphics2D graphics = on(image);
+    double edge = grid.resolution();
+    for (int row = 0; row < grid.rows(); row++) {
+      for (int column = 0; column < grid.columns(); column++) {
+        byte cell = grid.cell(column, row);
+        if (cell != OccupancyGrid.UNKNOWN && cell != 0) {
+          graphics.setColor(cell > 0 ? OCCUPIED : FREE);
+          for (Point at : place.of(List.of(grid.centerOf(column, row)), grid.referenceFrame())) {
+            graphics.fill(
+                new Rectangle2D.Double(at.x() - 0.5 * edge, at.y() - 0.5 * edge, edge, edge));
+          }
+        }
+      }
+    }
+    graphics.dispose();
+  }
+
+  /** Puts points of a frame on the course. */
+  interface Placing {
+    List<Point> of(List<Point> points, ReferenceFrame frame);
   }
 
   /** Adds what the vehicle knows and wants at a moment, and where it has been. */

@@ -7,7 +7,9 @@ import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.scenarios.report.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
@@ -17,13 +19,16 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 final class CourseScorer implements TruthObserver.Scorer {
   private final Judge judge;
   private final RunFilm film;
+  private final RunSnapshots snapshots;
   private final Path directory;
   private final DoubleConsumer time;
 
   /**
    * @param time hears what time it is in the run [s]
    */
-  CourseScorer(Judge judge, RunFilm film, Path directory, DoubleConsumer time) {
+  CourseScorer(
+      Judge judge, RunFilm film, RunSnapshots snapshots, Path directory, DoubleConsumer time) {
+    this.snapshots = snapshots;
     this.time = time;
     this.judge = judge;
     this.film = film;
@@ -35,11 +40,14 @@ final class CourseScorer implements TruthObserver.Scorer {
     time.accept(truth.timeS());
     judge.see(truth);
     film.see(truth);
+    if (snapshots.isDue(truth.timeS())) {
+      film.newest().ifPresent(moment -> snapshots.write(truth.timeS(), moment, film));
+    }
   }
 
   @Override
   public List<Channel<?>> listensTo() {
-    return List.of(Channels.PLANS, Channels.OBJECTS);
+    return List.of(Channels.PLANS, Channels.OBJECTS, Channels.GRID, Channels.STATE);
   }
 
   @Override
@@ -48,6 +56,10 @@ final class CourseScorer implements TruthObserver.Scorer {
       film.plan(plan);
     } else if (data instanceof ObjectList objects) {
       film.objects(objects);
+    } else if (data instanceof OccupancyGrid grid) {
+      snapshots.grid(grid);
+    } else if (data instanceof StateInformation state) {
+      snapshots.state(state);
     } else {
       return false;
     }

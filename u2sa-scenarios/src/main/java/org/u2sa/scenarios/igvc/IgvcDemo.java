@@ -54,6 +54,14 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       description = "Pull the laser out that many seconds after the start.")
   private double lidarDiesS = Double.POSITIVE_INFINITY;
 
+  @Option(
+      names = "--snapshot-every",
+      paramLabel = "S",
+      description =
+          "Seconds from one picture of what the vehicle sees and knows to the next, in snapshots; 0: none (default: ${DEFAULT-VALUE}).",
+      defaultValue = "30")
+  private double snapshotEveryS;
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     return frame.run(this);
@@ -77,22 +85,29 @@ final class IgvcDemo implements Callable<Integer>, Demo {
         frame.isOwnMission()
             ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
             : given;
-    Path known = CourseMission.writeStartBox(course, ORIGIN, directory.resolve("known.xml"));
+    Path known = CourseMission.writeKnown(course, ORIGIN, directory.resolve("known.xml"));
     IgvcWorld world = new IgvcWorld(course, ORIGIN, seed, cameraDiesS, lidarDiesS);
     RunFilm film = new RunFilm(course, ORIGIN, directory);
+    RunSnapshots snapshots = new RunSnapshots(course, directory, snapshotEveryS);
     Judge judge = new Judge(course, IgvcWorld.FRONT_M, IgvcWorld.REAR_M, IgvcWorld.WIDTH_M);
     return new Trial(
         mission,
         TruthObserver.of(
             world::truth,
             world.world().plane(),
-            new CourseScorer(judge, film, directory, world::time)),
+            new CourseScorer(judge, film, snapshots, directory, world::time)),
         launch -> {
           launch
               .override("SafetyManager", "ARM AT START", true) // the demo is its own operator
               .override("WorldModeler", "WORLD", known.toAbsolutePath().toString())
               .making(LidarSensor.class, context -> new LidarSensor(context, world.laser()))
-              .making(CourseCamera.class, context -> new CourseCamera(context, world.camera()));
+              .making(
+                  CourseCamera.class,
+                  context ->
+                      new CourseCamera(
+                          context,
+                          snapshots.watch(
+                              new WatchedCamera(world.camera()), context.configuration())));
           world.sensors().attach(launch);
         },
         launch -> {

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.u2sa.gcs.command.ReportFile;
@@ -62,8 +63,18 @@ final class RunFilm {
     moments.add(new Moment(truth.position(), truth.headingRad(), track.size(), plan, seen));
   }
 
+  /** The newest moment; empty before the first. */
+  Optional<Moment> newest() {
+    return moments.isEmpty() ? Optional.empty() : Optional.of(moments.get(moments.size() - 1));
+  }
+
+  /** Where the vehicle has been. */
+  List<Point> track() {
+    return track;
+  }
+
   void plan(PlannedPath path) {
-    plan = placed(path.points(), path.referenceFrame());
+    plan = place(path.points(), path.referenceFrame());
   }
 
   void objects(ObjectList list) {
@@ -71,10 +82,10 @@ final class RunFilm {
     for (ObjectDescription object : list.objects()) {
       if (object instanceof Line line) {
         boolean closes = line.confidence().orElse(1.0) < SURE;
-        now.add(new Seen(placed(line.points(), line.referenceFrame()), closes));
+        now.add(new Seen(place(line.points(), line.referenceFrame()), closes));
       } else {
         Point at =
-            placed(List.of(object.center()), object.referenceFrame()).stream()
+            place(List.of(object.center()), object.referenceFrame()).stream()
                 .findFirst()
                 .orElse(Point.ORIGIN);
         now.add(new Seen(ring(at, radiusM(object)), false));
@@ -101,7 +112,8 @@ final class RunFilm {
     return points;
   }
 
-  private List<Point> placed(List<Point> points, ReferenceFrame frame) {
+  /** Points of a frame on the course; empty if that is not on the earth. */
+  List<Point> place(List<Point> points, ReferenceFrame frame) {
     return frame.isEarth()
         ? points.stream().map(point -> plane.point(Geodetic.of(point))).toList()
         : List.of();
@@ -115,7 +127,7 @@ final class RunFilm {
     ReportFile.write(
         directory.resolve("course.png"),
         out -> {
-          CoursePainter painter = new CoursePainter(course, PICTURE);
+          CoursePainter painter = CoursePainter.whole(course, PICTURE);
           BufferedImage image = painter.course();
           painter.moment(image, moments.get(moments.size() - 1), track);
           try (MemoryCacheImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
@@ -127,7 +139,7 @@ final class RunFilm {
     ReportFile.write(
         directory.resolve("run.gif"),
         out -> {
-          CoursePainter painter = new CoursePainter(course, FILM);
+          CoursePainter painter = CoursePainter.whole(course, FILM);
           BufferedImage empty = painter.course();
           try (Animation animation = new Animation(out, HUNDREDTHS)) {
             for (Moment moment : moments) {

@@ -37,10 +37,11 @@ class ShortCourseTest {
 
   @Test
   void demo_laneThatTurnsAside_isDrivenBetweenItsLines() {
-    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1);
+    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--snapshot-every", "5");
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
+    assertThat(run.file("snapshots/005.png")).isNotEmpty();
   }
 
   @Test

@@ -14,6 +14,7 @@ import org.u2sa.vision.ground.AttitudeHistory;
  * Sees white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In:
  * state, for roll and pitch. Out: sensed-objects in BODY, with the time of the picture: lines as
  * PolyLine, potholes as Circle, the rest as Cylinder; their standard deviations grow with distance.
+ * Of a picture without any of these: one ObjectDescription of type {@link SeenMessages#NOTHING}.
  */
 public final class CourseCamera extends CameraSensor {
   private final AttitudeHistory attitudes = new AttitudeHistory();

@@ -27,6 +27,9 @@ public final class SeenMessages {
   /** Type of a disc that marks a pothole. */
   public static final String POTHOLE = "pothole";
 
+  /** Type of what is reported of a picture that shows none of the things looked for. */
+  public static final String NOTHING = "nothing";
+
   private static final double POLE_M = 0.05; // radius kept clear around a flag's pole
   private static final double DISC_CONFIDENCE = 0.8;
 
@@ -41,7 +44,11 @@ public final class SeenMessages {
     this.lineWidthM = lineWidthM;
   }
 
-  /** All that is seen, with the picture's time [µs]. */
+  /**
+   * All that is seen, with the picture's time [µs]. A picture that shows nothing is said as well,
+   * by one object of type {@link #NOTHING} that hinders nobody: a map learns from it that something
+   * is not there, and a watch that the camera works.
+   */
   public List<ObjectDescription> of(Seen seen, GroundSigma sigma, long micros) {
     List<ObjectDescription> messages = new ArrayList<>();
     GroundView view = seen.view();
@@ -57,6 +64,10 @@ public final class SeenMessages {
     for (SeenObject object : seen.objects()) {
       int own = numbers.merge(object.kind(), 1, Integer::sum);
       messages.add(named(solid(object, view, sigma), object.kind().typeName(), own, micros));
+    }
+    if (messages.isEmpty()) {
+      ObjectDescription nothing = new ObjectDescription().x(0.0).y(0.0);
+      messages.add(named(nothing, NOTHING, 1, micros).level(ObjectLevel.HINDRANCE));
     }
     return messages;
   }

@@ -79,11 +79,8 @@ final class DiscFinder {
   }
 
   private static double mean(SummedArea sums, int row, int column, int half) {
-    int count = sums.count(row - half, column - half, row + half + 1, column + half + 1);
     int all = (2 * half + 1) * (2 * half + 1);
-    return 2 * count < all
-        ? -1.0
-        : (double) sums.sum(row - half, column - half, row + half + 1, column + half + 1) / count;
+    return sums.mean(row - half, column - half, row + half + 1, column + half + 1, (all + 1) / 2);
   }
 
   /** Takes all cells around that are nearer to the disc's brightness than to the ground's. */

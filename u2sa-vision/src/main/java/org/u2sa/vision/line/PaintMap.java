@@ -139,8 +139,7 @@ final class PaintMap {
     int bottom = alongRow ? row + 2 : row + to + 1;
     int left = alongRow ? column + from : column - 1;
     int right = alongRow ? column + to + 1 : column + 2;
-    int count = of.count(top, left, bottom, right);
-    return count < least ? -1.0 : (double) of.sum(top, left, bottom, right) / count;
+    return of.mean(top, left, bottom, right, least);
   }
 
   /** Brightness over the ground's, in shades, where it looks like paint; else 0. Unsigned. */

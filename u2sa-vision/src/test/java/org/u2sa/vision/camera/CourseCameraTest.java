@@ -15,6 +15,7 @@ import org.u2sa.device.CameraFrame;
 import org.u2sa.device.MountingPose;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.Point;
@@ -153,6 +154,15 @@ class CourseCameraTest {
     assertThat(barrel.y()).isBetween(-1.1, -0.9);
     assertThat(barrel.z()).isBetween(-0.55, -0.45);
     assertThat(barrel.radius()).isEqualTo(0.3);
+  }
+
+  @Test
+  void look_nothingInView_saysSo() {
+    List<ObjectDescription> objects = seen(new PaintedScene(), 0.0, 0.0);
+    assertThat(objects).hasSize(1);
+    assertThat(objects.get(0).objectType()).isEqualTo("nothing");
+    assertThat(objects.get(0).level()).contains(ObjectLevel.HINDRANCE);
+    assertThat(objects.get(0).timestamp()).hasValue(camera.shown.orElseThrow().measuredAtMicros());
   }
 
   @Test

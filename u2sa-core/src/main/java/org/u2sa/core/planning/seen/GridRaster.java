@@ -36,6 +36,23 @@ final class GridRaster {
 
   /** Cells that a shape touches, by their centres and half a cell. */
   void draw(PlanarShape shape) {
+    if (shape.kind() == PlanarShape.Kind.AREA) {
+      drawArea(shape);
+      return;
+    }
+    boolean isChain = shape.kind() == PlanarShape.Kind.CHAIN && shape.count() > 1;
+    int step = isChain ? 1 : 0;
+    for (int i = 0; i + step < shape.count(); i++) {
+      drawSegment(
+          shape.northM(i),
+          shape.eastM(i),
+          shape.northM(i + step),
+          shape.eastM(i + step),
+          shape.radiusM());
+    }
+  }
+
+  private void drawArea(PlanarShape shape) {
     double[] bounds = shape.bounds();
     double half = 0.5 * frame.cellM();
     int top = Math.min(frame.rows() - 1, frame.row(bounds[1] + half));
@@ -49,6 +66,36 @@ final class GridRaster {
         }
       }
     }
+  }
+
+  /** Looks only at cells beside the segment, not at its whole bounding box. */
+  private void drawSegment(double n1, double e1, double n2, double e2, double radiusM) {
+    double half = 0.5 * frame.cellM();
+    double reach = radiusM + half;
+    int top = Math.min(frame.rows() - 1, frame.row(Math.max(n1, n2) + reach));
+    for (int row = Math.max(0, frame.row(Math.min(n1, n2) - reach)); row <= top; row++) {
+      double north = frame.centreNorthM(frame.index(row, 0));
+      double from = eastAt(north - reach, n1, e1, n2, e2);
+      double to = eastAt(north + reach, n1, e1, n2, e2);
+      int right = Math.min(frame.columns() - 1, frame.column(Math.max(from, to) + reach));
+      for (int c = Math.max(0, frame.column(Math.min(from, to) - reach)); c <= right; c++) {
+        int i = frame.index(row, c);
+        if (!isOccupied(i)
+            && PlanarShape.segmentM(north, frame.centreEastM(i), n1, e1, n2, e2) - radiusM
+                <= half) {
+          occupy(i);
+        }
+      }
+    }
+  }
+
+  /** East of a segment where it is as far north, or nearest to that. */
+  private static double eastAt(double north, double n1, double e1, double n2, double e2) {
+    if (n1 == n2) {
+      return north < n1 ? Math.min(e1, e2) : Math.max(e1, e2);
+    }
+    double share = Math.max(0.0, Math.min(1.0, (north - n1) / (n2 - n1)));
+    return e1 + share * (e2 - e1);
   }
 
   /** Cells that are in none of the corridors. */

@@ -137,7 +137,9 @@ public final class PlanarShape {
             ? 0.0
             : Math.max(
                 0.0, Math.min(1.0, ((north - n1) * (n2 - n1) + (east - e1) * (e2 - e1)) / along));
-    return Math.hypot(north - n1 - share * (n2 - n1), east - e1 - share * (e2 - e1));
+    double n = north - n1 - share * (n2 - n1);
+    double e = east - e1 - share * (e2 - e1);
+    return Math.sqrt(n * n + e * e); // hypot takes ten times as long
   }
 
   /** Least and greatest north, least and greatest east that it reaches [m]. */

@@ -1,0 +1,118 @@
+package org.u2sa.scenarios.igvc;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.u2sa.device.CameraFrame;
+import org.u2sa.device.MountingPose;
+import org.u2sa.gcs.command.ReportFile;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.scenarios.camera.SeenPicture;
+import org.u2sa.vision.camera.CourseSettings;
+import org.u2sa.vision.camera.CourseSight.Seen;
+import org.u2sa.vision.camera.PictureReading;
+import org.u2sa.vision.ground.AttitudeHistory;
+
+/**
+ * What the vehicle saw and knew from time to time, one picture each in {@code snapshots}: the
+ * camera's picture with what is recognised in it, the ground as the camera sees it from above, and
+ * the surroundings with grid, lines and plan. For one thread, but for {@link #watch}.
+ */
+final class RunSnapshots {
+  private static final double REACH_M = 9.0;
+  private static final int MAP = 720; // pixels
+
+  private final Course course;
+  private final Path directory;
+  private final double everyS;
+  private final AttitudeHistory attitudes = new AttitudeHistory();
+  private volatile WatchedCamera camera; // null: none, or not yet asked for
+  private volatile PictureReading reading;
+  private Optional<OccupancyGrid> grid = Optional.empty();
+  private double nextS;
+
+  /**
+   * @param everyS from one to the next [s]; 0: none
+   */
+  RunSnapshots(Course course, Path directory, double everyS) {
+    this.course = course;
+    this.directory = directory.resolve("snapshots");
+    this.everyS = everyS;
+    nextS = everyS;
+  }
+
+  /** The same camera, watched, as long as it is read as that configuration says. */
+  WatchedCamera watch(WatchedCamera watched, XmlConfiguration configuration) {
+    reading =
+        new PictureReading(
+            configuration.settings(CourseSettings.class).get(),
+            configuration.settings(MountingPose.class).get(),
+            "Snapshot",
+            configuration::resolve);
+    camera = watched;
+    return watched;
+  }
+
+  void state(StateInformation state) {
+    attitudes.add(state);
+  }
+
+  void grid(OccupancyGrid newest) {
+    grid = Optional.of(newest);
+  }
+
+  /** Whether a picture is due. */
+  boolean isDue(double nowS) {
+    return everyS > 0.0 && nowS >= nextS;
+  }
+
+  /** Writes a picture of a moment. */
+  void write(double nowS, RunFilm.Moment moment, RunFilm film) {
+    nextS = nowS + everyS;
+    BufferedImage map = map(moment, film);
+    BufferedImage sight = sight();
+    int width = Math.max(map.getWidth(), sight.getWidth());
+    BufferedImage both =
+        new BufferedImage(width, sight.getHeight() + map.getHeight(), BufferedImage.TYPE_INT_RGB);
+    Graphics2D pen = both.createGraphics();
+    pen.drawImage(sight, 0, 0, null);
+    pen.drawImage(map, 0, sight.getHeight(), null);
+    pen.dispose();
+    directory.toFile().mkdirs(); // what goes wrong, the next line says
+    ReportFile.write(
+        directory.resolve(String.format(Locale.ROOT, "%03.0f.png", nowS)),
+        out -> {
+          try (MemoryCacheImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
+            if (!ImageIO.write(both, "png", png)) {
+              throw new IOException("this Java has no writer for PNG");
+            }
+          }
+        });
+  }
+
+  private BufferedImage map(RunFilm.Moment moment, RunFilm film) {
+    CoursePainter painter = CoursePainter.around(course, moment.at(), REACH_M, MAP);
+    BufferedImage image = painter.course();
+    grid.ifPresent(newest -> painter.grid(image, newest, film::place));
+    painter.moment(image, moment, film.track());
+    return image;
+  }
+
+  /** What the camera sees; empty while it has no picture. */
+  private BufferedImage sight() {
+    Optional<CameraFrame> frame = camera == null ? Optional.empty() : camera.newest();
+    if (frame.isEmpty()) {
+      return new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+    }
+    long micros = frame.get().measuredAtMicros();
+    Seen seen = reading.read(frame.get(), attitudes.roll(micros), attitudes.pitch(micros));
+    return SeenPicture.of(reading.unpacked(frame.get()), seen, reading.sight());
+  }
+}
