@@ -69,6 +69,16 @@ class HonestDriveTest {
     requireHonest(errors);
   }
 
+  /** A fix is 0.1 s late: 0.1 m at the vehicle's speed, ten times what the filter claims. */
+  @Tag("long")
+  @Test
+  void drive_delayIsNotTold_isLearntAndSaid() throws Exception {
+    EstimateErrors errors = new EstimateErrors();
+    drive(1, LOOP_S, options -> options.override("IoioService", "GPS DELAY", 0.0), errors);
+    errors.report("ground vehicle, GPS DELAY told as 0");
+    requireHonest(errors);
+  }
+
   @Tag("long")
   @Test
   void drive_fiveSeeds_errsByWhatItClaims() throws Exception {
