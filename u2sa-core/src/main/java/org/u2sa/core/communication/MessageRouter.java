@@ -27,7 +27,7 @@ final class MessageRouter {
   }
 
   /** A message of this process on its way to the network's thread. */
-  private record Outgoing(Route route, boolean eachMatters, byte[] payload, Runnable sent) {}
+  private record Outgoing(TopicRoute route, boolean eachMatters, byte[] payload, Runnable sent) {}
 
   private final RemoteSubscriptions subscriptions;
   private final RetainedTable retained;
@@ -70,7 +70,7 @@ final class MessageRouter {
     if (publish.fixedHeader().isRetain() || retained.topics().contains(topic)) {
       return false;
     }
-    Route route = subscriptions.route(topic);
+    TopicRoute route = subscriptions.route(topic);
     if (route == null) {
       return false;
     }
@@ -84,7 +84,7 @@ final class MessageRouter {
   }
 
   /** Who listens to a topic of this process on which nothing is retained; null: ask Moquette. */
-  Route routeOf(String topic) {
+  TopicRoute routeOf(String topic) {
     return loop == null || retained.topics().contains(topic) ? null : subscriptions.route(topic);
   }
 
@@ -94,7 +94,7 @@ final class MessageRouter {
    *
    * @param sent called on the network's thread once it was handed to each listener's connection
    */
-  void send(Route route, boolean eachMatters, byte[] payload, Runnable sent) {
+  void send(TopicRoute route, boolean eachMatters, byte[] payload, Runnable sent) {
     outgoing.add(new Outgoing(route, eachMatters, payload, sent));
     if (!isSending.getAndSet(true)) {
       ClientSession.execute(loop, this::sendOutgoing);
@@ -113,14 +113,14 @@ final class MessageRouter {
   }
 
   /** Returns whether a listener is behind. */
-  private boolean send(Route route, boolean eachMatters, ByteBuf payload) {
+  private boolean send(TopicRoute route, boolean eachMatters, ByteBuf payload) {
     if (!route.isWanted()) {
       return false;
     }
     boolean isBehind = false;
     Publication publication = new Publication(route, payload);
     try {
-      for (Route.Listener listener : route.listeners()) {
+      for (TopicRoute.Listener listener : route.listeners()) {
         ClientSession session = connections.get(listener.connection());
         if (session != null) {
           isBehind |= session.deliver(publication, eachMatters && listener.eachMatters());

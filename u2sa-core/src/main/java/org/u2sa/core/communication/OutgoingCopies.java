@@ -165,7 +165,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
             || copy.channel.isRetained()
             || closing; // the last words are to be confirmed, whatever they are
     byte[] payload = copy.message.serialize(copy.origin);
-    Route route = copy.channel.isRetained() ? null : router.routeOf(copy.topic);
+    TopicRoute route = copy.channel.isRetained() ? null : router.routeOf(copy.topic);
     if (copy.channel.isRetained()) {
       retained.enterLocal(copy.topic, payload.length);
     }

@@ -16,14 +16,14 @@ final class Publication {
   private static final int LONGEST_HEADER = 9; // type, length, the topic's length, packet
   private static final int COPIED_AT_MOST = 4_096; // cheaper than one more buffer to send
 
-  private final Route route;
+  private final TopicRoute route;
   private final ByteBuf payload;
   private ByteBuf unconfirmed; // null until somebody wants it
 
   /**
    * @param payload stays the caller's
    */
-  Publication(Route route, ByteBuf payload) {
+  Publication(TopicRoute route, ByteBuf payload) {
     this.route = route;
     this.payload = payload;
   }

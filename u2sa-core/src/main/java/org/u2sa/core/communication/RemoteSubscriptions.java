@@ -31,7 +31,7 @@ final class RemoteSubscriptions {
   private final Map<String, Client> clients = new HashMap<>(); // by connection; guarded by this
   private final Map<String, Integer> byUser = new HashMap<>(); // filters; guarded by this
   private final Map<String, Filter> filters = new HashMap<>(); // each once; guarded by this
-  private final Map<String, Route> routes = new ConcurrentHashMap<>(); // by topic
+  private final Map<String, TopicRoute> routes = new ConcurrentHashMap<>(); // by topic
   private final AtomicInteger version = new AtomicInteger();
   private final AtomicInteger shared = new AtomicInteger(); // filters
 
@@ -75,7 +75,7 @@ final class RemoteSubscriptions {
         .computeIfAbsent(filter, text -> new Filter(parsed, new LinkedHashMap<>()))
         .clients
         .put(connection, eachMatters);
-    for (Route route : routes.values()) {
+    for (TopicRoute route : routes.values()) {
       if (matches.test(route.topic(), parsed)) {
         route.add(connection, eachMatters);
       }
@@ -108,7 +108,7 @@ final class RemoteSubscriptions {
     if (entry.clients.isEmpty()) {
       filters.remove(filter);
     }
-    for (Route route : routes.values()) {
+    for (TopicRoute route : routes.values()) {
       if (matches.test(route.topic(), entry.parsed)) {
         route.remove(connection, eachMatters);
       }
@@ -128,7 +128,7 @@ final class RemoteSubscriptions {
 
   /** Whether any client listens to the topic. */
   boolean wants(String topic) {
-    Route known = routes.get(topic);
+    TopicRoute known = routes.get(topic);
     return known != null ? known.isWanted() : newRoute(topic).isWanted();
   }
 
@@ -136,23 +136,23 @@ final class RemoteSubscriptions {
    * Who listens to a topic; null if Moquette has to find out, as there are too many topics, or
    * subscribers that take turns.
    */
-  Route route(String topic) {
+  TopicRoute route(String topic) {
     if (shared.get() > 0) {
       return null;
     }
-    Route known = routes.get(topic);
+    TopicRoute known = routes.get(topic);
     if (known == null && routes.size() < TOPICS_REMEMBERED) {
       known = newRoute(topic);
     }
     return known;
   }
 
-  private synchronized Route newRoute(String topic) {
-    Route known = routes.get(topic);
+  private synchronized TopicRoute newRoute(String topic) {
+    TopicRoute known = routes.get(topic);
     if (known != null) {
       return known;
     }
-    Route route = new Route(topic);
+    TopicRoute route = new TopicRoute(topic);
     for (Filter filter : filters.values()) {
       if (matches.test(route.topic(), filter.parsed)) {
         filter.clients.forEach(route::add);

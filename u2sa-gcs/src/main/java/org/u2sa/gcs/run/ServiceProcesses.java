@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
 import org.u2sa.gcs.Main;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.interfaces.communication.MqttClient;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
@@ -180,6 +181,7 @@ final class ServiceProcesses implements AutoCloseable {
       command.add("-XX:+UseSerialGC");
       command.add("-Du2sa.home=" + System.getProperty("u2sa.home", ""));
       command.add(SystemClock.option());
+      command.add(MqttClient.option());
       command.add("-cp");
       command.add(System.getProperty("java.class.path"));
       command.add(Main.class.getName());

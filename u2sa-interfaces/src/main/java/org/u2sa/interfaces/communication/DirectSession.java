@@ -91,11 +91,11 @@ final class DirectSession implements MqttSession {
       throw new MqttException(MqttException.REASON_CODE_SERVER_CONNECT_ERROR, e);
     }
     outbox = new MqttOutbox(channel);
-    send(MqttPackets.connect(clientId, options));
     long keepAliveMicros = TimeUnit.SECONDS.toMicros(options.getKeepAliveInterval());
     Thread reader = new Thread(() -> read(keepAliveMicros), "u2sa-mqtt " + clientId);
     reader.setDaemon(true);
-    reader.start();
+    reader.start(); // from here on it closes what was opened
+    send(MqttPackets.connect(clientId, options));
     int code = await(connected);
     if (code != 0) {
       throw new MqttException(code);
@@ -310,7 +310,7 @@ final class DirectSession implements MqttSession {
     String why;
     try (Selector closed = selector;
         SocketChannel closedToo = channel) {
-      KeepAlive link = new KeepAlive(keepAliveMicros);
+      LinkCheck link = new LinkCheck(keepAliveMicros);
       while (true) {
         synchronized (lock) {
           key.interestOps(
@@ -321,9 +321,7 @@ final class DirectSession implements MqttSession {
         closed.select(link.waitMs());
         closed.selectedKeys().clear();
         if (key.isReadable()) {
-          while (packets.read(closedToo)) {
-            continue;
-          }
+          packets.read(closedToo); // once: in a flood, what is read is to be acknowledged, too
           link.heard();
         }
         sendRest();
@@ -398,14 +396,20 @@ final class DirectSession implements MqttSession {
     }
   }
 
-  /** Finds dead links: nothing came for twice the time. Belongs to the reading thread. */
-  private final class KeepAlive {
-    private final long everyMicros;
+  /**
+   * Finds dead links of open sessions: nothing came for twice the time of the keep-alive. It asks
+   * early, since a broker ends a connection after one and a half times, and a busy machine may hold
+   * the question up. Belongs to the reading thread.
+   */
+  private final class LinkCheck {
+    private final long askAfterMicros;
+    private final long giveUpAfterMicros; // of asking
     private long heardMicros = clock.micros();
     private long askedMicros; // 0: nothing
 
-    KeepAlive(long everyMicros) {
-      this.everyMicros = everyMicros;
+    LinkCheck(long keepAliveMicros) {
+      askAfterMicros = keepAliveMicros / 2;
+      giveUpAfterMicros = 2 * keepAliveMicros - askAfterMicros;
     }
 
     void heard() {
@@ -414,17 +418,25 @@ final class DirectSession implements MqttSession {
     }
 
     long waitMs() {
-      long since = askedMicros != 0 ? askedMicros : Math.min(heardMicros, sentMicros);
-      return Math.max(1, (since + everyMicros - clock.micros()) / 1_000);
+      if (!connected.isDone()) {
+        return giveUpAfterMicros / 1_000; // who opens the session waits for the answer
+      }
+      long dueMicros =
+          askedMicros != 0
+              ? askedMicros + giveUpAfterMicros
+              : Math.min(heardMicros, sentMicros) + askAfterMicros;
+      return Math.max(1, (dueMicros - clock.micros()) / 1_000);
     }
 
     void check() throws IOException, MqttException {
+      if (!connected.isDone()) {
+        return;
+      }
       long now = clock.micros();
-      if (askedMicros != 0 && now - askedMicros >= everyMicros) {
+      if (askedMicros != 0 && now - askedMicros >= giveUpAfterMicros) {
         throw new IOException("the broker does not answer");
       }
-      if (askedMicros == 0
-          && (now - heardMicros >= everyMicros || now - sentMicros >= everyMicros)) {
+      if (askedMicros == 0 && now - Math.min(heardMicros, sentMicros) >= askAfterMicros) {
         askedMicros = now;
         send(MqttPackets.empty(PINGREQ));
       }

@@ -30,6 +30,11 @@ public enum MqttClient {
     throw new IllegalArgumentException(PROPERTY + ": \"" + name + "\" is neither direct nor paho");
   }
 
+  /** What a process that this one starts is to be told: an option of its virtual machine. */
+  public static String option() {
+    return "-D" + PROPERTY + "=" + ofProcess();
+  }
+
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT);

@@ -43,17 +43,15 @@ final class MqttPacketReader {
   }
 
   /**
-   * Reads what there is.
+   * Reads what there is, or as much of it as has room.
    *
-   * @return whether there may be more at once
    * @throws IOException if the connection broke or ended, or what comes is no MQTT
    */
-  boolean read(ReadableByteChannel from) throws IOException {
+  void read(ReadableByteChannel from) throws IOException {
     int read = from.read(in);
     if (read < 0) {
       throw new IOException("the broker ended the connection");
     }
-    boolean wasFull = !in.hasRemaining();
     MqttPackets.flip(in);
     int needed = 0;
     while (needed == 0) {
@@ -66,7 +64,6 @@ final class MqttPacketReader {
       larger.put(in);
       in = larger;
     }
-    return wasFull;
   }
 
   /** Returns 0 if a packet was taken, or how many bytes the next one has at least. */

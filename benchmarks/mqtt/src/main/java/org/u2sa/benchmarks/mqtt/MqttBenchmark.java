@@ -17,11 +17,12 @@ public final class MqttBenchmark {
       """
       --ways A,B       %s
       --bytes 64,1024,65000     contents of a message (our texts end at 64 KiB)
-      --rates 50,400,0 messages a second; 0: flat out, with at most 200 on the way
+      --rates 50,400,0 messages a second; 0: flat out
       --qos 0,1
       --processes one,two       sender, listener and broker in one JVM; or the listener in another
       --rounds 5       after one that warms up
       --seconds 1.0    of each measurement
+      --window 200     messages on the way at most when flat out; 0: any number, a flood
       --limit 0        packets a second that our broker reads from a client; 0: its default
       --json FILE      each round's figures
       """
@@ -41,6 +42,7 @@ public final class MqttBenchmark {
     options.put("--processes", "one,two");
     options.put("--rounds", "5");
     options.put("--seconds", "1.0");
+    options.put("--window", "200");
     options.put("--limit", "0");
     options.put("--json", "");
     options.put("--mosquitto", "0");
@@ -134,7 +136,7 @@ public final class MqttBenchmark {
       listener.obey("open " + way + " " + port + " " + load.bytes() + " " + load.quality());
       sender = Ways.sending(way, port, load);
     }
-    Round measuring = new Round(sender, listener, progress, brokers, two);
+    Round measuring = new Round(sender, listener, progress, brokers, two, number("--window"));
     for (int perS : numbers("--rates")) {
       double seconds = Double.parseDouble(options.get("--seconds"));
       Result result = measuring.measure(way, load, perS, round, seconds);

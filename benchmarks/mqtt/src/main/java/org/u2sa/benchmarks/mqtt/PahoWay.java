@@ -49,7 +49,8 @@ final class PahoWay implements Way {
         client.publish(TOPIC, Contents.bytes(load.bytes(), sentNanos), load.quality(), false);
         return;
       } catch (MqttException e) {
-        if (e.getReasonCode() != MqttException.REASON_CODE_MAX_INFLIGHT) {
+        if (e.getReasonCode() != MqttException.REASON_CODE_MAX_INFLIGHT
+            && e.getReasonCode() != MqttException.REASON_CODE_NO_MESSAGE_IDS_AVAILABLE) {
           throw e;
         }
         Thread.sleep(1);

@@ -7,7 +7,6 @@ import org.HdrHistogram.Histogram;
 
 /** Measures one open way: paced, or as fast as it goes with a limited number on the way. */
 final class Round {
-  private static final int ON_THE_WAY_AT_MOST = 200;
   private static final long BYTES_ON_THE_WAY_AT_MOST = 2 << 20;
   private static final int SENT_AT_ONCE = 16; // between looks at what has arrived
   private static final long LOST_AFTER_NANOS = 3_000_000_000L;
@@ -27,8 +26,19 @@ final class Round {
   private final Progress progress;
   private final Brokers brokers;
   private final boolean twoProcesses;
+  private final int onTheWayAtMost;
 
-  Round(Way way, Orders listener, Progress progress, Brokers brokers, boolean twoProcesses) {
+  /**
+   * @param onTheWayAtMost messages on the way, when as many are sent as arrive; 0: any number
+   */
+  Round(
+      Way way,
+      Orders listener,
+      Progress progress,
+      Brokers brokers,
+      boolean twoProcesses,
+      int onTheWayAtMost) {
+    this.onTheWayAtMost = onTheWayAtMost;
     this.way = way;
     this.listener = listener;
     this.progress = progress;
@@ -86,7 +96,10 @@ final class Round {
 
   /** Sends without pause, but what is measured is not to be a queue. */
   private long flatOut(Ways.Load load, long began, double seconds) throws Exception {
-    long window = Math.min(ON_THE_WAY_AT_MOST, BYTES_ON_THE_WAY_AT_MOST / load.bytes());
+    long window =
+        onTheWayAtMost == 0
+            ? Long.MAX_VALUE
+            : Math.min(onTheWayAtMost, BYTES_ON_THE_WAY_AT_MOST / load.bytes());
     long end = began + (long) (seconds * NANOS_PER_S);
     long sent = 0;
     long progressed = began;

@@ -2,13 +2,14 @@ package org.u2sa.core.communication;
 
 import io.moquette.broker.subscriptions.Topic;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 
 /** A topic and the connections that listen to it. Safe for several threads. */
-final class Route {
+final class TopicRoute {
   /**
    * A connection that listens.
    *
@@ -29,7 +30,7 @@ final class Route {
   private volatile boolean wanted;
   private volatile List<Listener> listeners = List.of(); // null: to be made anew
 
-  Route(String name) {
+  TopicRoute(String name) {
     this.name = name;
     topic = new Topic(name);
     utf8 = name.getBytes(StandardCharsets.UTF_8);
@@ -61,10 +62,9 @@ final class Route {
   }
 
   private synchronized List<Listener> listed() {
-    listeners =
-        counts.entrySet().stream()
-            .map(entry -> new Listener(entry.getKey(), entry.getValue().eachMatters > 0))
-            .collect(Collectors.toUnmodifiableList());
+    List<Listener> all = new ArrayList<>(counts.size());
+    counts.forEach((connection, count) -> all.add(new Listener(connection, count.eachMatters > 0)));
+    listeners = Collections.unmodifiableList(all);
     return listeners;
   }
 

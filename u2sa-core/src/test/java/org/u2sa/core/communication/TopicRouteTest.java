@@ -5,25 +5,25 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 /** Who gets what is published on a topic. */
-class RouteTest {
+class TopicRouteTest {
   private static final String TOPIC = "u2sa/cessna/state/StateInformation";
 
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
 
   @Test
   void listeners_severalFiltersOfOneConnection_isOneWithTheHighestQuality() {
-    Route route = subscriptions.route(TOPIC);
+    TopicRoute route = subscriptions.route(TOPIC);
     subscriptions.add("1", "screen", "u2sa/#", false);
     subscriptions.add("1", "screen", "u2sa/cessna/state/#", true);
     subscriptions.add("2", "screen", "u2sa/+/state/+", false);
     subscriptions.add("3", "screen", "u2sa/boat/#", true);
 
     assertThat(route.listeners())
-        .containsExactly(new Route.Listener("1", true), new Route.Listener("2", false));
+        .containsExactly(new TopicRoute.Listener("1", true), new TopicRoute.Listener("2", false));
 
     subscriptions.remove("1", "u2sa/cessna/state/#");
     assertThat(route.listeners())
-        .containsExactly(new Route.Listener("1", false), new Route.Listener("2", false));
+        .containsExactly(new TopicRoute.Listener("1", false), new TopicRoute.Listener("2", false));
     subscriptions.remove("1");
     subscriptions.remove("2");
     assertThat(route.listeners()).isEmpty();
@@ -36,7 +36,7 @@ class RouteTest {
     subscriptions.add("1", "screen", "u2sa/#", true);
 
     assertThat(subscriptions.route(TOPIC).listeners())
-        .containsExactly(new Route.Listener("1", true));
+        .containsExactly(new TopicRoute.Listener("1", true));
     assertThat(subscriptions.ofUser("screen")).isEqualTo(1);
   }
 
