@@ -34,6 +34,18 @@ final class AxisFilter {
     speedVariance += noise * seconds;
   }
 
+  /** Makes the place less certain [m²]. */
+  void drift(double variance) {
+    placeVariance += variance;
+  }
+
+  /** One that goes on in the same way. */
+  AxisFilter copy() {
+    AxisFilter copy = new AxisFilter(place, placeVariance, speed, speedVariance);
+    copy.covariance = covariance;
+    return copy;
+  }
+
   /** Takes a measured place [m] of that variance [m²]. */
   void update(double measured, double variance) {
     double innovation = measured - place;

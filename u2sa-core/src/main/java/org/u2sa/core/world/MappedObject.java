@@ -24,6 +24,7 @@ final class MappedObject {
   private int seen; // bits of the last occasions, the newest is 1
   private int occasions;
   private boolean confirmed;
+  private boolean moved;
   private int implausible; // sightings in a row
   private long filteredMicros;
   private long seenMicros;
@@ -70,6 +71,7 @@ final class MappedObject {
     if (!fromFile) {
       filter.update(
           detection.place(), detection.sigma(), detection.velocity(), detection.velocitySigma());
+      moved |= filter.isMoving();
     }
     see(detection, micros);
     occasion(1);
@@ -197,6 +199,11 @@ final class MappedObject {
 
   boolean isConfirmed() {
     return confirmed;
+  }
+
+  /** Whether it was ever seen to move. */
+  boolean hasMoved() {
+    return moved;
   }
 
   TrackFilter filter() {

@@ -1,14 +1,16 @@
 package org.u2sa.core.world;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Where an object is and how it moves, by two filters side by side: one takes it for standing, the
- * other for moving; how well each foretold the measurements decides which is believed (multiple
- * model estimation: Bar-Shalom, Li and Kirubarajan, 2001, section 11.6.2). So what stands is known
- * ever better, and what begins to move is followed, without anybody saying which is which.
+ * Where an object is and how it moves, by three filters side by side: one takes it for standing,
+ * one for moving on steadily, one for moving as it likes; how well each foretold the measurements
+ * decides which is believed (multiple model estimation: Bar-Shalom, Li and Kirubarajan, 2001,
+ * section 11.6.2). So what stands is known ever better, a slow walker's velocity is known at all,
+ * and what turns or speeds up is followed, without anybody saying which is which.
  */
 final class TrackFilter {
   /**
@@ -23,17 +25,27 @@ final class TrackFilter {
    */
   record Assumptions(double maxSpeed, double acceleration, double drift, double systematic) {}
 
-  private static final int AXES = 3;
   private static final double LEAST_CHANCE = 0.001; // so that what stood for hours may still start
   private static final double AT_FIRST = 0.3;
   private static final double SURE = 0.9; // before something is said to move
   private static final double MOVING_SIGMAS = 2.0;
   private static final double SURELY_MPS = 0.1;
 
+  private static final double STILL_SHARE = 0.7; // of the least speed of what sets off
+
+  /** What moves on steadily does so much less of what is assumed of a moving object. */
+  private static final double STEADY_SHARE = 0.1;
+
+  /** How often what moves changes between going steadily and not [1/s]. */
+  private static final double CHANGES_PER_S = 0.1;
+
   private final Assumptions assumed;
-  private final AxisFilter[] standing = new AxisFilter[AXES];
-  private final AxisFilter[] moving = new AxisFilter[AXES];
-  private double chance = AT_FIRST; // that it moves
+  private final MotionHypothesis standing;
+  private final MotionHypothesis steady;
+  private final MotionHypothesis turning;
+  private final List<MotionHypothesis> all;
+  private boolean moves; // as it was seen last
+  private Point seenAt;
 
   TrackFilter(
       Point place,
@@ -42,36 +54,41 @@ final class TrackFilter {
       OptionalDouble velocitySigma,
       Assumptions assumed) {
     this.assumed = assumed;
-    for (int i = 0; i < AXES; i++) {
-      double variance = squared(axis(sigma, i));
-      standing[i] = new AxisFilter(axis(place, i), variance, 0.0, 0.0);
-      moving[i] = new AxisFilter(axis(place, i), variance, 0.0, squared(assumed.maxSpeed()));
-    }
-    velocity.ifPresent(v -> see(v, velocitySigma));
+    double most = assumed.maxSpeed();
+    boolean canMove = most > 0.0;
+    double half = canMove ? 0.5 * AT_FIRST : 0.0;
+    standing = new MotionHypothesis(place, sigma, 0.0, 0.0, 1.0 - 2.0 * half);
+    steady = new MotionHypothesis(place, sigma, most, STEADY_SHARE * assumed.acceleration(), half);
+    turning = new MotionHypothesis(place, sigma, most, assumed.acceleration(), half);
+    all = canMove ? List.of(standing, steady, turning) : List.of(standing);
+    seenAt = place;
+    velocity.ifPresent(v -> see(v, velocitySigma.orElse(1.0)));
   }
 
-  private void see(Point velocity, OptionalDouble velocitySigma) {
-    double sigma = velocitySigma.orElse(1.0);
-    for (int i = 0; i < AXES; i++) {
-      moving[i] =
-          new AxisFilter(
-              moving[i].place(), moving[i].placeVariance(), axis(velocity, i), squared(sigma));
+  private void see(Point velocity, double sigma) {
+    steady.goes(velocity, sigma);
+    turning.goes(velocity, sigma);
+    if (velocity.distance() > MOVING_SIGMAS * sigma) {
+      believeMoving(1.0 - LEAST_CHANCE);
+      moves = isSurelyMoving();
     }
-    chance = velocity.distance() > MOVING_SIGMAS * sigma ? 1.0 - LEAST_CHANCE : chance;
+  }
+
+  private void believeMoving(double chance) {
+    standing.chance(1.0 - chance);
+    steady.chance(0.5 * chance);
+    turning.chance(0.5 * chance);
   }
 
   /** Moves on in time [s, not negative]. */
   void predict(double seconds) {
-    for (int i = 0; i < AXES; i++) {
-      standing[i].predict(seconds, 0.0);
-      if (assumed.drift() > 0.0) {
-        AxisFilter axis = standing[i];
-        standing[i] =
-            new AxisFilter(
-                axis.place(), axis.placeVariance() + squared(assumed.drift()) * seconds, 0.0, 0.0);
-      }
-      moving[i].predict(seconds, squared(assumed.acceleration()));
-    }
+    standing.predict(seconds, squared(assumed.drift()) * seconds);
+    steady.predict(seconds, 0.0);
+    turning.predict(seconds, 0.0);
+    double change = 0.5 * (1.0 - Math.exp(-2.0 * CHANGES_PER_S * seconds));
+    double gone = change * (steady.chance() - turning.chance());
+    steady.chance(steady.chance() - gone);
+    turning.chance(turning.chance() + gone);
   }
 
   /**
@@ -79,24 +96,25 @@ final class TrackFilter {
    * anywhere, and it would be taken for whatever is seen there.
    */
   void settle() {
-    for (int i = 0; i < AXES; i++) {
-      moving[i] =
-          new AxisFilter(
-              standing[i].place(), standing[i].placeVariance(), 0.0, squared(assumed.maxSpeed()));
+    steady.restartAt(standing, assumed.maxSpeed());
+    turning.restartAt(standing, assumed.maxSpeed());
+    if (chance() > AT_FIRST) {
+      believeMoving(AT_FIRST);
     }
-    chance = Math.min(chance, AT_FIRST);
+    moves = false;
+    seenAt = standing.place();
   }
 
   /**
    * How far a measurement is from where the object is expected, squared, in standard deviations of
-   * both (Mahalanobis); by the filter that explains it better.
+   * both (Mahalanobis); by the filter that explains it best.
    */
   double distance(Point place, Point sigma) {
-    double common = squared(assumed.systematic());
-    double stands = distance(standing, place, sigma, common);
-    return assumed.maxSpeed() == 0.0
-        ? stands
-        : Math.min(stands, distance(moving, place, sigma, common));
+    double least = Double.POSITIVE_INFINITY;
+    for (MotionHypothesis each : all) {
+      least = Math.min(least, each.distance(place, sigma, squared(assumed.systematic())));
+    }
+    return least;
   }
 
   /**
@@ -106,108 +124,98 @@ final class TrackFilter {
    * would be everything that is seen next.
    */
   double cost(Point place, Point sigma) {
-    double stands = cost(standing, place, sigma) - 2.0 * Math.log(1.0 - chance);
-    return assumed.maxSpeed() == 0.0
-        ? stands
-        : Math.min(stands, cost(moving, place, sigma) - 2.0 * Math.log(chance));
-  }
-
-  private double cost(AxisFilter[] filter, Point place, Point sigma) {
-    double common = squared(assumed.systematic());
-    double cost = distance(filter, place, sigma, common);
-    for (int i = 0; i < AXES; i++) {
-      double measured = Math.max(1e-12, squared(axis(sigma, i)) + common);
-      cost += Math.log(1.0 + filter[i].placeVariance() / measured);
+    double least = Double.POSITIVE_INFINITY;
+    for (MotionHypothesis each : all) {
+      least = Math.min(least, each.cost(place, sigma, squared(assumed.systematic())));
     }
-    return cost;
-  }
-
-  private static double distance(AxisFilter[] filter, Point place, Point sigma, double variance) {
-    double sum = 0.0;
-    for (int i = 0; i < AXES; i++) {
-      double total = filter[i].placeVariance() + squared(axis(sigma, i)) + variance;
-      sum += total == 0.0 ? 0.0 : squared(axis(place, i) - filter[i].place()) / total;
-    }
-    return sum;
-  }
-
-  /** Logarithm of a measurement's likelihood, less a constant. */
-  private static double likelihood(AxisFilter[] filter, Point place, Point sigma) {
-    double log = -0.5 * distance(filter, place, sigma, 0.0);
-    for (int i = 0; i < AXES; i++) {
-      double total = filter[i].placeVariance() + squared(axis(sigma, i));
-      log -= total == 0.0 ? 0.0 : 0.5 * Math.log(total);
-    }
-    return log;
+    return least;
   }
 
   /** Takes a measurement. */
   void update(Point place, Point sigma, Optional<Point> velocity, OptionalDouble velocitySigma) {
-    if (assumed.maxSpeed() == 0.0) {
-      chance = 0.0;
-    } else {
-      double ratio =
-          Math.exp(
-              Math.max(
-                  -30.0,
-                  Math.min(
-                      30.0,
-                      likelihood(moving, place, sigma) - likelihood(standing, place, sigma))));
-      chance = chance * ratio / (chance * ratio + 1.0 - chance);
-      chance = Math.max(LEAST_CHANCE, Math.min(1.0 - LEAST_CHANCE, chance));
+    weigh(place, sigma);
+    standing.update(place, sigma);
+    steady.update(place, sigma);
+    turning.update(place, sigma);
+    steady.updateSpeed(velocity, velocitySigma);
+    turning.updateSpeed(velocity, velocitySigma);
+    if (turning.chance() > SURE * chance()) { // goes on steadily from now on, perhaps
+      steady.adopt(turning);
     }
-    for (int i = 0; i < AXES; i++) {
-      double variance = Math.max(1e-12, squared(axis(sigma, i)));
-      standing[i].update(axis(place, i), variance);
-      moving[i].update(axis(place, i), variance);
-      if (velocity.isPresent()) {
-        moving[i].updateSpeed(axis(velocity.get(), i), squared(velocitySigma.orElse(1.0)));
-      }
+    if (chance() > SURE) { // a later stop is where it is then, not where it once stood
+      standing.restartAt(moving(), 0.0);
     }
-    if (chance > SURE) { // a later stop is where it is then, not where it once stood
-      for (int i = 0; i < AXES; i++) {
-        standing[i] = new AxisFilter(moving[i].place(), moving[i].placeVariance(), 0.0, 0.0);
-      }
+    moves = isSurelyMoving();
+    seenAt = believed().place();
+  }
+
+  /** Each is believed as it foretold this (Bayes), but none ever not at all. */
+  private void weigh(Point place, Point sigma) {
+    if (all.size() == 1) {
+      return;
+    }
+    double best = Double.NEGATIVE_INFINITY;
+    for (MotionHypothesis each : all) {
+      best = Math.max(best, each.likelihood(place, sigma));
+    }
+    double sum = 0.0;
+    for (MotionHypothesis each : all) {
+      each.chance(each.chance() * Math.exp(each.likelihood(place, sigma) - best));
+      sum += each.chance();
+    }
+    double floored = 0.0;
+    for (MotionHypothesis each : all) {
+      each.chance(Math.max(0.5 * LEAST_CHANCE, each.chance() / sum));
+      floored += each.chance();
+    }
+    for (MotionHypothesis each : all) {
+      each.chance(each.chance() / floored);
     }
   }
 
-  /** Whether it moves, as far as one can tell. */
+  /** That it moves. */
+  private double chance() {
+    return steady.chance() + turning.chance();
+  }
+
+  /** What is known to move is believed to for longer, so that it does not come and go. */
+  private boolean isSurelyMoving() {
+    double least = Math.max(SURELY_MPS, velocitySigma());
+    double speed = velocity().distance();
+    return moves ? chance() > 0.5 && speed > STILL_SHARE * least : chance() > SURE && speed > least;
+  }
+
+  /** Whether it moved when it was seen last, as far as one can tell. */
   boolean isMoving() {
-    return chance > SURE && velocity().distance() > Math.max(SURELY_MPS, velocitySigma());
+    return moves;
   }
 
-  /** Where it is [m]. */
+  /** Where it is [m]; what is not known to move stays where it was seen. */
   Point place() {
-    AxisFilter[] believed = believed();
-    return Point.of(believed[0].place(), believed[1].place(), believed[2].place());
+    return moves ? moving().place() : seenAt;
   }
 
   /** Standard deviations of {@link #place} [m]. */
   Point sigma() {
-    AxisFilter[] believed = believed();
-    double common = squared(assumed.systematic());
-    return Point.of(
-        Math.sqrt(common + Math.max(0.0, believed[0].placeVariance())),
-        Math.sqrt(common + Math.max(0.0, believed[1].placeVariance())),
-        Math.sqrt(common + Math.max(0.0, believed[2].placeVariance())));
+    return believed().sigma(squared(assumed.systematic()));
   }
 
   /** Its velocity, if it moves [m/s]. */
   Point velocity() {
-    return Point.of(moving[0].speed(), moving[1].speed(), moving[2].speed());
+    return moving().velocity();
   }
 
   /** Largest standard deviation of the velocity along an axis of the plane [m/s]. */
   double velocitySigma() {
-    return Math.sqrt(Math.max(0.0, Math.max(moving[0].speedVariance(), moving[1].speedVariance())));
+    return moving().velocitySigma();
   }
 
-  private AxisFilter[] believed() {
-    return chance > 0.5 ? moving : standing;
+  private MotionHypothesis believed() {
+    return chance() > 0.5 ? moving() : standing;
   }
 
-  private static double axis(Point point, int i) {
-    return i == 0 ? point.x() : i == 1 ? point.y() : point.z();
+  private MotionHypothesis moving() {
+    return steady.chance() >= turning.chance() ? steady : turning;
   }
 
   private static double squared(double value) {

@@ -32,8 +32,8 @@ final class TrackReport {
           .motion()
           .velocity(track.filter().velocity())
           .velocitySigma(track.filter().velocitySigma());
-    } else if (object.motion().velocity().isPresent()) {
-      object.motion().velocity(Point.ORIGIN); // it was seen to move once, and stands
+    } else if (track.hasMoved() || object.motion().velocity().isPresent()) {
+      object.motion().velocity(Point.ORIGIN); // it stands now, but may set off again
     }
     return object;
   }

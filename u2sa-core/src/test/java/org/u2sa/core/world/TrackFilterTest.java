@@ -116,4 +116,31 @@ class TrackFilterTest {
     }
     assertThat(filter.isMoving()).isFalse();
   }
+
+  @Test
+  void update_turnsQuickly_isFollowedAllTheSame() {
+    Random random = new Random(5L);
+    TrackFilter filter = filter(noisy(random, 0.0, 0.0));
+    for (int i = 1; i <= 40; i++) {
+      see(filter, noisy(random, 0.6 * i, 0.0)); // 3 m/s
+    }
+    for (int i = 1; i <= 10; i++) {
+      see(filter, noisy(random, 24.0, 0.6 * i));
+    }
+    assertThat(filter.isMoving()).isTrue();
+    assertThat(filter.place().distanceTo(Point.of(24.0, 6.0, 0.0))).isLessThan(0.8);
+    assertThat(filter.velocity().distanceTo(Point.of(0.0, 3.0, 0.0))).isLessThan(1.2);
+  }
+
+  @Test
+  void update_goesSteadily_velocityIsFarSurerThanManoeuvresAllow() {
+    Random random = new Random(6L);
+    TrackFilter filter = filter(noisy(random, 0.0, 0.0));
+    for (int i = 1; i <= 80; i++) {
+      see(filter, noisy(random, 0.1 * i, 0.0)); // 0.5 m/s
+    }
+    assertThat(filter.isMoving()).isTrue();
+    assertThat(filter.velocitySigma()).isLessThan(0.2); // of what may turn at will: 0.7 m/s
+    assertThat(filter.velocity().distanceTo(Point.of(0.5, 0.0, 0.0))).isLessThan(0.3);
+  }
 }

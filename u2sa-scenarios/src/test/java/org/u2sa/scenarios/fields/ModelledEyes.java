@@ -42,6 +42,7 @@ final class ModelledEyes implements RoverEyes {
     noise = new Random(seed);
     kit.withoutVariables(); // as in config/ugv/WorldModeler.xml
     kit.with("CELL SIZE", 0.1).with("GRID SIZE", 60.0).with("LOWEST", 0.05);
+    kit.with("SCANNERS SEE", "walker").with("FORGET STANDING", 10.0); // who stands may walk on
     kit.start(WorldModeler::new);
   }
 

@@ -163,9 +163,12 @@ public final class ArcChooser {
             ArcChoice.Kind.EVADE);
   }
 
-  /** The longest free way backwards or, if need be, forwards, to get out of a corner. */
+  /**
+   * The longest free way backwards or, if need be, forwards, to get out of a corner; if there is
+   * none, as {@link #withoutRoute()}: traffic may come while it waits.
+   */
   public ArcChoice backOut(double wayM) {
-    ArcChoice best = stand(ArcChoice.Kind.WAIT);
+    ArcChoice best = null;
     double most = 0.1 * wayM;
     boolean canReverse = limits.reverses();
     for (int direction = canReverse ? 1 : 0; direction >= 0 && most < wayM; direction--) {
@@ -183,7 +186,7 @@ public final class ArcChooser {
         }
       }
     }
-    return best;
+    return best == null ? withoutRoute() : best;
   }
 
   private boolean turnsTo(double north, double east, boolean backwards) {

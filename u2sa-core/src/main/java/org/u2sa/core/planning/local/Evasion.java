@@ -154,9 +154,12 @@ final class Evasion {
 
   /** Whatever it does, something comes nearer than it should: as far from it as can be. */
   private ArcChoice lastResort(Outcome standing, ArcChoice stand) {
+    // It will be touched: then better without speed of its own. If that is so already, it has only
+    // come within what is to be kept, and may leave.
+    boolean touched = widestM <= Math.min(0.0, forecast.gapNowM() - limits.trafficM());
     boolean stands =
         standing != null
-            && (widestM <= 0.0 // it will be touched: then better without speed of its own
+            && (touched
                 || standing.gapM() > widestM + SAME_M
                 || (standing.gapM() > widestM - SAME_M && standing.roomM() >= widestRoomM));
     if (stands) {

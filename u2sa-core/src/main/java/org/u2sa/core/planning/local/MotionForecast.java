@@ -55,6 +55,11 @@ final class MotionForecast {
     stepS = Math.max(0.02, 0.7 * costs.frame().cellM() / Math.max(0.1, limits.speedMps()));
   }
 
+  /** Distance to traffic now [m]; negative within the distance that is to be kept from it. */
+  double gapNowM() {
+    return traffic.gapM(start, 0.0);
+  }
+
   /** What comes of braking where it is. */
   Outcome standing() {
     Tally tally = new Tally();
@@ -79,8 +84,8 @@ final class MotionForecast {
     if (traffic.isEmpty()) {
       return alone;
     }
-    double stopM = Math.min(motion.endM(), alone.freeM() - costs.frame().cellM());
-    Outcome among = play(motion, Math.max(0.0, stopM), true);
+    double stopM = Math.max(0.0, Math.min(motion.endM(), alone.freeM() - costs.frame().cellM()));
+    Outcome among = play(motion, stopM, true);
     return new Outcome(alone.freeM(), among.meetsS(), among.gapM(), among.roomM());
   }
 
@@ -101,6 +106,7 @@ final class MotionForecast {
     double turned = 0.0;
     double gone = 0.0;
     double freeM = NEVER;
+    double arcMps = motion.speedMps() * (motion.track() == null ? 1.0 : turning(motion));
     Pose at = start;
     for (double t = 0.0; t <= limits.horizonS() || gone < farM; t += stepS) {
       double step = 0.0;
@@ -116,7 +122,7 @@ final class MotionForecast {
                 at.eastM(),
                 start.headingRad() + Math.copySign(share, motion.turnRad()));
       } else {
-        double wanted = motion.speedMps();
+        double wanted = gone < motion.arcM() ? arcMps : motion.speedMps();
         if (stopM < NEVER) {
           double left = Math.max(0.0, stopM - gone);
           wanted = Math.min(wanted, Math.sqrt(2.0 * limits.brakingMps2() * left));
@@ -140,6 +146,14 @@ final class MotionForecast {
       }
     }
     return tally.outcome(freeM);
+  }
+
+  /**
+   * What is left of the speed in an arc: of what turns on the spot, the outer side is no faster.
+   */
+  private double turning(Motion motion) {
+    double across = Math.abs(motion.curvature()) * body.radiusM();
+    return limits.turnsOnTheSpot() ? 1.0 / (1.0 + across) : 1.0;
   }
 
   private double slower(double mps, double t) {

@@ -204,6 +204,43 @@ class ArcChooserTest {
     assertThat(outcome.gapM()).isLessThan(aeroplane().trafficM());
   }
 
+  /** Its outer wheels turn no faster in an arc, so it does not get as far round. */
+  @Test
+  void play_arcOnTheRoute_isSlowerThanStraightOn() {
+    double round = 3.9; // rad on the circle of 1 m radius, which full speed reaches in time
+    Mover there = mover(Math.sin(round), 1.0 - Math.cos(round), 0.0, 0.0);
+    TrafficForecast traffic = new TrafficForecast(List.of(there), BODY, rover(), ORIGIN, 0L);
+    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, rover(), ORIGIN, 1.0);
+    double tight = rover().tightest();
+
+    double full = forecast.play(Motion.arc(tight, false, 1.0, 10.0)).gapM();
+    double onRoute = forecast.play(Motion.along(north(), tight, false, 1.0, 10.0)).gapM();
+    assertThat(full).isNegative();
+    assertThat(onRoute).isGreaterThan(full + 0.1);
+  }
+
+  @Test
+  void backOut_noWayFreeOfTraffic_leavesWhatComesRatherThanWait() {
+    Mover[] around = { // from behind, and beside, so that no arc of the whole way is free of it
+      mover(-1.4, 0.0, 0.5, 0.0), mover(2.6, 0.0, 0.0, 0.06)
+    };
+    ArcChoice choice = arcs(rover(), 0.0, around).backOut(1.2);
+
+    assertThat(choice.kind()).isNotEqualTo(ArcChoice.Kind.WAIT);
+    assertThat(choice.speedMps()).isPositive();
+  }
+
+  @Test
+  void withoutRoute_nearerToTrafficThanIsToBeKept_leavesItRatherThanWait() {
+    // a sphere of 2.3 m, of which 2 m are kept around a walker who comes from behind
+    Mover kept = new Mover("T", 0L, 0.0, new double[] {-2.4}, new double[] {0.0}, 0.4, 0.0, 2.3);
+    ArcChoice choice = arcs(rover(), 0.0, kept).withoutRoute();
+
+    assertThat(choice.kind()).isNotEqualTo(ArcChoice.Kind.WAIT);
+    assertThat(choice.speedMps()).isGreaterThan(0.3);
+    assertThat(choice.northM()).isGreaterThan(0.0);
+  }
+
   @Test
   void withoutRoute_trafficComesAtItInAGap_turnsOnTheSpotAndLeaves() {
     wall(0.7, 0.9, -4.0, 4.0);

@@ -1,0 +1,116 @@
+package org.u2sa.core.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.u2sa.core.world.ModelledWorld.local;
+import static org.u2sa.core.world.ModelledWorld.seen;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.ObjectDescription;
+
+/** What a world file names: published, matched, moved on, and refused. */
+class KnownWorldTest {
+  @TempDir private Path folder;
+  private final ModelledWorld world = new ModelledWorld();
+
+  @AfterEach
+  void close() {
+    world.close();
+  }
+
+  @Test
+  void world_fileOfObjects_isPublishedNeverForgottenAndMatched() throws IOException {
+    Path file = folder.resolve("world.xml");
+    Files.writeString(
+        file,
+        "<world><reference>Local NED</reference>\n"
+            + "<Circle><uid>barrel 1</uid><type>barrel</type><x>5</x><y>-1</y>"
+            + "<radius>0.3</radius></Circle>\n"
+            + "<MovingSphere><uid>cart</uid><x>0</x><y>50</y><radius>2</radius>"
+            + "<xDot unit=\"km/h\">3.6</xDot><yDot>0</yDot></MovingSphere></world>");
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", file.toString()).start(WorldModeler::new);
+    for (int i = 0; i < 5; i++) {
+      world.tick(local(0.0, 0.0, 0.0), seen("a", 4.9, 1.1));
+    }
+    world.kit.advance(1.5);
+
+    assertThat(world.objects())
+        .extracting(ObjectDescription::uid)
+        .containsExactly("barrel 1", "cart");
+    assertThat(world.objects().get(0).x()).isEqualTo(5.0);
+    assertThat(world.objects().get(1).x()).isCloseTo(2.0, within(0.11)); // 1 m/s since the start
+  }
+
+  @Test
+  void world_moversNotKnownBeforehand_onlyWhatStandsIsPublished() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    world.kit.with("WORLD MOVERS", false).start(WorldModeler::new);
+    world.tick(local(0.0, 0.0, 0.0), seen("a", 4.9, 1.1));
+    world.kit.advance(0.5);
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("mast");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"OBJECTS", "REACTIVE"})
+  void worldMovers_changedWhileRunning_moverGoesAndComesBackWhereItIsByNow(String modeller)
+      throws IOException {
+    world.kit.with("MODELLERS", modeller).with("WORLD", mastAndCart().toString());
+    world.kit.start(WorldModeler::new);
+    world.stand(10);
+    world.change("WORLD MOVERS", "false");
+    world.stand(20);
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("mast");
+
+    world.change("WORLD MOVERS", "true");
+    world.stand(10);
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("mast", "cart");
+    assertThat(world.objects().get(1).x()).isCloseTo(4.0, within(0.11)); // 1 m/s since the start
+  }
+
+  @Test
+  void world_serviceSwappedOrModellersChanged_moverIsWhereItWouldHaveBeen() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    WorldModeler modeler = world.kit.start(WorldModeler::new);
+    world.stand(10);
+    world.kit.swap(modeler, WorldModeler::new);
+    world.stand(10);
+    assertThat(world.objects().get(1).x()).isCloseTo(2.0, within(0.11));
+
+    world.change("MODELLERS", "REACTIVE");
+    world.stand(10);
+    assertThat(world.objects().get(1).x()).isCloseTo(3.0, within(0.11));
+    world.change("MODELLERS", "OBJECTS");
+    world.stand(10);
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("mast", "cart");
+    assertThat(world.objects().get(1).x()).isCloseTo(4.0, within(0.11));
+  }
+
+  @Test
+  void world_wrongFile_refusesToStartNamingTheLine() throws IOException {
+    Path file = folder.resolve("world.xml");
+    Files.writeString(file, "<world>\n<Circel><x>1</x></Circel></world>");
+    world.kit.with("WORLD", file.toString());
+    assertThatThrownBy(() -> world.kit.start(WorldModeler::new))
+        .hasMessageContaining("world.xml, line 2, <Circel>")
+        .hasMessageContaining("Circle");
+  }
+
+  private Path mastAndCart() throws IOException {
+    Path file = folder.resolve("world.xml");
+    Files.writeString(
+        file,
+        "<world><reference>Local NED</reference>"
+            + "<Circle><uid>mast</uid><x>5</x><y>-1</y><radius>0.3</radius></Circle>"
+            + "<MovingSphere><uid>cart</uid><x>0</x><y>50</y><radius>2</radius>"
+            + "<xDot>1</xDot><yDot>0</yDot></MovingSphere></world>");
+    return file;
+  }
+}
