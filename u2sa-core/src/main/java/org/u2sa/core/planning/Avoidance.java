@@ -162,6 +162,19 @@ final class Avoidance {
     status = PathStatus.FOLLOWED;
   }
 
+  /** A waypoint was reached: from there it goes on, not back. */
+  void reached(Vehicle vehicle, StateInformation state) {
+    AvoidanceSettings now = settings.get();
+    if (now.closeBehind() > 0.0) {
+      Point at = vehicle.on(world.plane(state));
+      Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
+      world.guess(
+          WayBack.closed(world.shapes(), pose, now.body().circleM(), now.closeBehind())
+              .map(List::of)
+              .orElse(List.of()));
+    }
+  }
+
   /** What is new for screens; empty if nothing. */
   Optional<PlannedPath> news() {
     Optional<PlannedPath> now = path;

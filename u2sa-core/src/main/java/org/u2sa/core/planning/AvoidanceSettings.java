@@ -83,6 +83,13 @@ record AvoidanceSettings(
             text = "Objects farther above or below are no obstacles; 0: heights do not matter.")
         double verticalClearance,
     @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
+                "At a waypoint that was reached between two lines, each at most so far away, the way back is closed until the next, or until there is no other (OVERLOOK AFTER); 0: never.")
+        double closeBehind,
+    @Variable(
             unit = "m/s",
             min = 0,
             minExcluded = true,

@@ -227,6 +227,7 @@ final class WaypointState implements PlannerState {
     }
     List<NavigationPoint> points = List.of(point);
     if (reached && isNearEnough(waypoint)) {
+      avoidance.reached(vehicle, pursuit.state());
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
     return step.givenUp().isPresent()

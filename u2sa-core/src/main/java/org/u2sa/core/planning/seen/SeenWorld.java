@@ -64,6 +64,7 @@ public final class SeenWorld {
   private GridLayer layer; // as drawn last
   private int revision;
   private boolean overlooks;
+  private List<PlanarShape> guessed = List.of();
 
   /** An empty world. */
   public SeenWorld(Supplier<Reading> reading) {
@@ -74,6 +75,12 @@ public final class SeenWorld {
   public void overlook(boolean guesses) {
     changed |= guesses != overlooks;
     overlooks = guesses;
+  }
+
+  /** What the planner itself takes to be closed, until {@link #overlook} or the next of these. */
+  public void guess(List<PlanarShape> closed) {
+    changed |= !closed.equals(guessed);
+    guessed = List.copyOf(closed);
   }
 
   /** Takes new objects. */
@@ -92,6 +99,7 @@ public final class SeenWorld {
   public PlanningPlane plane(StateInformation state) {
     if (plane == null || plane.onEarth() == state.referenceFrame().isLocal()) {
       plane = PlanningPlane.at(state);
+      guessed = List.of();
       changed = true;
       costs = null;
     }
@@ -192,6 +200,9 @@ public final class SeenWorld {
     }
     GridRaster raster = raster(now);
     shapes.forEach(raster::draw);
+    if (!overlooks) {
+      guessed.forEach(raster::draw);
+    }
     if (!corridors.isEmpty()) {
       raster.drawOutside(corridors);
     }

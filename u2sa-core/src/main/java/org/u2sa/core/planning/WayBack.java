@@ -1,0 +1,62 @@
+package org.u2sa.core.planning;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.core.planning.curve.Pose;
+import org.u2sa.core.planning.seen.PlanarShape;
+
+/**
+ * The way back between two lines, such as those of a lane: closed behind a vehicle that has reached
+ * a waypoint, as the way on that it cannot see yet may be longer, but leads to the next.
+ */
+final class WayBack {
+  private static final double MARGIN_M = 0.3; // that the vehicle can still turn on the spot
+
+  private WayBack() {}
+
+  /**
+   * A chain from the nearest line to the left, behind the vehicle, to the nearest to the right;
+   * empty if there is none to one side.
+   *
+   * @param shapes what stands; its chains are lines
+   * @param circleM radius in which the vehicle turns
+   * @param reachM how far away a line may be
+   */
+  static Optional<PlanarShape> closed(
+      List<PlanarShape> shapes, Pose pose, double circleM, double reachM) {
+    double[] left = nearest(shapes, pose, reachM, -1.0);
+    double[] right = nearest(shapes, pose, reachM, 1.0);
+    if (left.length == 0 || right.length == 0) {
+      return Optional.empty();
+    }
+    Pose behind = pose.along(-circleM - MARGIN_M, 0.0);
+    return Optional.of(
+        new PlanarShape(
+            "way back",
+            PlanarShape.Kind.CHAIN,
+            new double[] {left[0], behind.northM(), right[0]},
+            new double[] {left[1], behind.eastM(), right[1]},
+            0.0,
+            Double.NEGATIVE_INFINITY,
+            Double.POSITIVE_INFINITY));
+  }
+
+  /** North and east of the nearest point of a chain to one side (1: right); none: no numbers. */
+  private static double[] nearest(List<PlanarShape> shapes, Pose pose, double reachM, double side) {
+    double[] found = {};
+    double least = reachM;
+    for (PlanarShape shape : shapes) {
+      for (int i = 0; shape.kind() == PlanarShape.Kind.CHAIN && i < shape.count(); i++) {
+        double north = shape.northM(i) - pose.northM();
+        double east = shape.eastM(i) - pose.eastM();
+        double right = east * Math.cos(pose.headingRad()) - north * Math.sin(pose.headingRad());
+        double away = Math.sqrt(north * north + east * east);
+        if (side * right > 0.0 && away < least) {
+          least = away;
+          found = new double[] {shape.northM(i), shape.eastM(i)};
+        }
+      }
+    }
+    return found;
+  }
+}
