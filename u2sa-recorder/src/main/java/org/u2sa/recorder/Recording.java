@@ -90,6 +90,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   }
 
   void start() {
+    WarmUp.run(settings);
     savedMicros = stopwatch.micros();
     lastNanos = clock.micros() * NANOS_PER_MICRO;
     thread.start();

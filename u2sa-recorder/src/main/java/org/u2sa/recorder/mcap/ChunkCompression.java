@@ -22,6 +22,11 @@ public enum ChunkCompression {
     }
 
     @Override
+    byte[] plainly(byte[] compressed, long length) {
+      return compressed.length == length ? compressed : null;
+    }
+
+    @Override
     InputStream decompressing(byte[] compressed) {
       return new ByteArrayInputStream(compressed);
     }
@@ -32,6 +37,11 @@ public enum ChunkCompression {
     @Override
     void compress(byte[] bytes, int length, RecordBuffer out) {
       out.fill(Lz4Frame.longest(length), (to, at) -> Lz4Frame.write(bytes, length, to, at));
+    }
+
+    @Override
+    byte[] plainly(byte[] compressed, long length) {
+      return Lz4Frame.read(compressed, length);
     }
 
     @Override
@@ -58,6 +68,11 @@ public enum ChunkCompression {
 
   abstract void compress(byte[] bytes, int length, RecordBuffer out);
 
+  /** All of it at once, of the usual form; null: of another, or something is wrong. */
+  byte[] plainly(byte[] compressed, long length) {
+    return null;
+  }
+
   abstract InputStream decompressing(byte[] compressed) throws IOException;
 
   static ChunkCompression of(String inFile) throws McapException {
@@ -76,17 +91,21 @@ public enum ChunkCompression {
    * @param expectedCrc of the records; 0: unknown
    */
   byte[] decompress(byte[] compressed, long length, long expectedCrc) throws McapException {
-    Prefix prefix = decompressPrefix(compressed, length);
-    if (prefix.trouble != null || prefix.bytes.length != length) {
-      throw new McapException(
-          "a chunk holds " + prefix.bytes.length + " of its " + length + " bytes", prefix.trouble);
+    byte[] bytes = plainly(compressed, length);
+    if (bytes == null) {
+      Prefix prefix = decompressPrefix(compressed, length);
+      bytes = prefix.bytes;
+      if (prefix.trouble != null || bytes.length != length) {
+        throw new McapException(
+            "a chunk holds " + bytes.length + " of its " + length + " bytes", prefix.trouble);
+      }
     }
     CRC32 crc = new CRC32();
-    crc.update(prefix.bytes);
+    crc.update(bytes);
     if (expectedCrc != 0 && expectedCrc != crc.getValue()) {
       throw new McapException("a chunk is damaged: its checksum is another");
     }
-    return prefix.bytes;
+    return bytes;
   }
 
   /**

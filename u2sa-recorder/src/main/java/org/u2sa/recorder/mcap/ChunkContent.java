@@ -44,11 +44,16 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
   /** Its records, each with its offset in the chunk. */
   List<RecordStream.Entry> records() throws McapException {
     List<RecordStream.Entry> records = new ArrayList<>();
-    IOException trouble = split(compression.decompress(compressed, size, crc), records);
+    IOException trouble = split(decompressed(), records);
     if (trouble != null) {
       throw new McapException("a chunk is damaged: " + trouble.getMessage(), trouble);
     }
     return records;
+  }
+
+  /** The bytes of its records. */
+  byte[] decompressed() throws McapException {
+    return compression.decompress(compressed, size, crc);
   }
 
   /** All whole records of what can be decompressed. */

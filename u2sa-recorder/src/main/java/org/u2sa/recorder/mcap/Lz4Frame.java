@@ -2,19 +2,25 @@ package org.u2sa.recorder.mcap;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import net.jpountz.lz4.LZ4Compressor;
+import net.jpountz.lz4.LZ4Exception;
 import net.jpountz.lz4.LZ4Factory;
+import net.jpountz.lz4.LZ4SafeDecompressor;
 
 /**
- * LZ4 frames of independent blocks of 64 KiB, without checksums, written from array to array
- * (lz4_Frame_format.md 1.6.4). The compressor is pure Java: it runs on phones, and the bytes are
- * everywhere the same.
+ * LZ4 frames of independent blocks of 64 KiB, without checksums, written and read from array to
+ * array (lz4_Frame_format.md 1.6.4). The compressor is pure Java: it runs on phones, and the bytes
+ * are everywhere the same.
  */
 final class Lz4Frame {
   private static final byte[] HEADER = {0x04, 0x22, 0x4D, 0x18, 0x60, 0x40, (byte) 0x82};
   private static final int BLOCK = 1 << 16;
   private static final int AS_IT_IS = 1 << 31; // of a block that does not become shorter
   private static final LZ4Compressor COMPRESSOR = LZ4Factory.safeInstance().fastCompressor();
+  private static final LZ4SafeDecompressor DECOMPRESSOR =
+      LZ4Factory.safeInstance().safeDecompressor();
+  private static final long MOST_TIMES = 255; // as long as the frame: LZ4 cannot do more
 
   private Lz4Frame() {}
 
@@ -55,5 +61,50 @@ final class Lz4Frame {
     }
     out.putInt(end, 0);
     return end + Integer.BYTES;
+  }
+
+  /**
+   * What a frame holds that is of the form that {@link #write} gives it.
+   *
+   * @param size what it holds [B]
+   * @return null if it is of another form, holds more or less, or is damaged: a reader of all forms
+   *     can tell which
+   */
+  static byte[] read(byte[] frame, long size) {
+    boolean isOurs =
+        frame.length >= HEADER.length && Arrays.equals(Arrays.copyOf(frame, HEADER.length), HEADER);
+    if (!isOurs || size < 0 || size > MOST_TIMES * frame.length) {
+      return null;
+    }
+    ByteBuffer in = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
+    byte[] to = new byte[(int) size];
+    int filled = 0;
+    int at = HEADER.length;
+    while (frame.length - at >= Integer.BYTES) {
+      int word = in.getInt(at);
+      at += Integer.BYTES;
+      int length = word & ~AS_IT_IS;
+      if (word == 0) {
+        return filled == to.length ? to : null;
+      }
+      if (length > frame.length - at) {
+        return null;
+      }
+      if (word != length) {
+        if (length > to.length - filled) {
+          return null;
+        }
+        System.arraycopy(frame, at, to, filled, length);
+        filled += length;
+      } else {
+        try {
+          filled += DECOMPRESSOR.decompress(frame, at, length, to, filled, to.length - filled);
+        } catch (LZ4Exception e) {
+          return null; // damaged
+        }
+      }
+      at += length;
+    }
+    return null;
   }
 }

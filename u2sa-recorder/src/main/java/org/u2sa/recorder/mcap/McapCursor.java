@@ -2,37 +2,50 @@ package org.u2sa.recorder.mcap;
 
 import java.io.IOException;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.PriorityQueue;
-import java.util.function.IntPredicate;
 import java.util.stream.Collectors;
 
 /** Messages of a file, one after the other, in the order of their log times. */
 public final class McapCursor {
-  /** Reads a chunk's records. */
+  /** Reads a chunk's records, decompressed. */
   @FunctionalInterface
   interface Loader {
-    List<RecordStream.Entry> load(ChunkIndex chunk) throws IOException;
+    byte[] load(ChunkIndex chunk) throws IOException;
   }
 
-  /** A message and where it is: the chunk's offset, and its own in the chunk. */
-  private record Located(McapMessage message, long chunk, long offset) {}
-
   private final Deque<ChunkIndex> chunks;
-  private final PriorityQueue<Located> loaded =
-      new PriorityQueue<>(
-          Comparator.comparingLong((Located located) -> located.message.logTimeNanos())
-              .thenComparingLong(Located::chunk)
-              .thenComparingLong(Located::offset));
+  private final PriorityQueue<Run> loaded =
+      new PriorityQueue<>(Comparator.comparingLong(Run::nanos).thenComparingLong(run -> run.chunk));
   private final long fromNanos;
-  private final IntPredicate wanted;
+  private final BitSet wanted;
   private final Loader loader;
 
-  McapCursor(List<ChunkIndex> all, long fromNanos, IntPredicate wanted, Loader loader) {
+  /** What is left of the messages of one chunk, by log time, of equal ones in the file's order. */
+  private static final class Run {
+    private final long chunk;
+    private final List<McapMessage> messages;
+    private int next;
+
+    Run(long chunk, List<McapMessage> messages) {
+      this.chunk = chunk;
+      this.messages = messages;
+    }
+
+    long nanos() {
+      return messages.get(next).logTimeNanos();
+    }
+  }
+
+  /**
+   * @param wanted numbers of the channels
+   */
+  McapCursor(List<ChunkIndex> all, long fromNanos, BitSet wanted, Loader loader) {
     chunks =
         all.stream()
             .filter(chunk -> chunk.endNanos() >= fromNanos && mayHold(chunk, wanted))
@@ -45,9 +58,9 @@ public final class McapCursor {
     this.loader = loader;
   }
 
-  private static boolean mayHold(ChunkIndex chunk, IntPredicate wanted) {
-    Map<Integer, Long> indexes = chunk.messageIndexes();
-    return indexes.isEmpty() || indexes.keySet().stream().anyMatch(wanted::test);
+  private static boolean mayHold(ChunkIndex chunk, BitSet wanted) {
+    return chunk.messageIndexes().isEmpty()
+        || chunk.messageIndexes().keySet().stream().anyMatch(wanted::get);
   }
 
   /**
@@ -57,21 +70,61 @@ public final class McapCursor {
    */
   public Optional<McapMessage> next() throws IOException {
     while (!chunks.isEmpty()
-        && (loaded.isEmpty()
-            || chunks.peek().startNanos() <= loaded.peek().message.logTimeNanos())) {
+        && (loaded.isEmpty() || chunks.peek().startNanos() <= loaded.peek().nanos())) {
       load(chunks.poll());
     }
-    return Optional.ofNullable(loaded.poll()).map(Located::message);
+    Run run = loaded.poll();
+    if (run == null) {
+      return Optional.empty();
+    }
+    McapMessage message = run.messages.get(run.next);
+    run.next++;
+    if (run.next < run.messages.size()) {
+      loaded.add(run);
+    }
+    return Optional.of(message);
   }
 
   private void load(ChunkIndex chunk) throws IOException {
-    for (RecordStream.Entry entry : loader.load(chunk)) {
-      if (entry.opcode() == Opcode.MESSAGE && wanted.test(entry.fields().uint16())) {
-        McapMessage message = McapMessage.read(entry.fields());
-        if (message.logTimeNanos() >= fromNanos) {
-          loaded.add(new Located(message, chunk.offset(), entry.offset()));
-        }
+    List<McapMessage> messages;
+    try {
+      messages = messages(new RecordFields(loader.load(chunk)));
+    } catch (McapException e) {
+      throw new McapException("a chunk is damaged: " + e.getMessage(), e);
+    }
+    for (int i = 1; i < messages.size(); i++) {
+      if (messages.get(i).logTimeNanos() < messages.get(i - 1).logTimeNanos()) {
+        messages.sort(
+            Comparator.comparingLong(McapMessage::logTimeNanos)); // leaves equals in order
+        break;
       }
     }
+    if (!messages.isEmpty()) {
+      loaded.add(new Run(chunk.offset(), messages));
+    }
+  }
+
+  private List<McapMessage> messages(RecordFields in) throws McapException {
+    List<McapMessage> messages = new ArrayList<>();
+    while (in.remaining() > 0) {
+      int opcode = in.uint8();
+      long length = in.uint64();
+      if (opcode != Opcode.MESSAGE) {
+        in.skip(length);
+        continue;
+      }
+      int channel = in.uint16();
+      if (!wanted.get(channel)) {
+        in.skip(length - Short.BYTES);
+        continue;
+      }
+      McapMessage message =
+          new McapMessage(
+              channel, in.uint32(), in.uint64(), in.uint64(), in.bytes(length - McapMessage.FIXED));
+      if (message.logTimeNanos() >= fromNanos) {
+        messages.add(message);
+      }
+    }
+    return messages;
   }
 }

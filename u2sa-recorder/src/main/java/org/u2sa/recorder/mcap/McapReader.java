@@ -6,6 +6,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -155,11 +156,13 @@ public final class McapReader implements AutoCloseable {
    * @param wanted channels of which messages are wanted
    */
   public McapCursor messages(long fromNanos, Predicate<McapChannel> wanted) {
+    BitSet ids = new BitSet();
+    channels.values().stream().filter(wanted).forEach(channel -> ids.set(channel.id()));
     return new McapCursor(
         chunks,
         fromNanos,
-        id -> channels.containsKey(id) && wanted.test(channels.get(id)),
-        index -> ChunkContent.read(at(index.offset(), Opcode.CHUNK)).records());
+        ids,
+        index -> ChunkContent.read(at(index.offset(), Opcode.CHUNK)).decompressed());
   }
 
   @Override

@@ -10,6 +10,7 @@ import java.util.Random;
 import net.jpountz.lz4.LZ4Factory;
 import net.jpountz.lz4.LZ4FrameOutputStream;
 import net.jpountz.xxhash.XXHashFactory;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -47,7 +48,33 @@ class Lz4FrameTest {
       byte[] bytes = bytes(length, random);
       byte[] to = new byte[3 + Lz4Frame.longest(length)];
       int end = Lz4Frame.write(bytes, length, to, 3);
-      assertThat(Arrays.copyOfRange(to, 3, end)).isEqualTo(expected(bytes));
+      byte[] frame = Arrays.copyOfRange(to, 3, end);
+      assertThat(frame).isEqualTo(expected(bytes));
+      assertThat(Lz4Frame.read(frame, length)).isEqualTo(bytes);
+    }
+  }
+
+  @Test
+  void read_cutOffOrOfAnotherLength_isRefused() throws IOException {
+    byte[] bytes = bytes(70_000, 64);
+    byte[] frame = expected(bytes);
+    for (int length = 0; length < frame.length; length += 97) {
+      assertThat(Lz4Frame.read(Arrays.copyOf(frame, length), bytes.length)).isNull();
+    }
+    for (long size : new long[] {-1, 0, bytes.length - 1, bytes.length + 1, Long.MAX_VALUE}) {
+      assertThat(Lz4Frame.read(frame, size)).isNull();
+    }
+  }
+
+  @Test
+  void read_oneByteChanged_neverFails() throws IOException {
+    byte[] bytes = bytes(3_000, 64);
+    byte[] frame = expected(bytes);
+    for (int i = 0; i < frame.length; i++) {
+      byte[] changed = frame.clone();
+      changed[i] ^= 0x55;
+      byte[] read = Lz4Frame.read(changed, bytes.length);
+      assertThat(read == null || read.length == bytes.length).isTrue();
     }
   }
 }
