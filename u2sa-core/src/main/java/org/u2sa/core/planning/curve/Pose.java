@@ -41,6 +41,7 @@ public record Pose(double northM, double eastM, double headingRad) {
 
   /** The same direction in −π…π [rad]. */
   public static double wrapped(double rad) {
-    return Math.IEEEremainder(rad, 2.0 * Math.PI);
+    // the remainder of what is less than half a turn is itself, and dear
+    return rad > -Math.PI && rad < Math.PI ? rad : Math.IEEEremainder(rad, 2.0 * Math.PI);
   }
 }

@@ -24,19 +24,34 @@ public final class ReedsShepp {
 
   /** The shortest way from pose to pose. */
   public static Curve shortest(Pose from, Pose to, double radiusM) {
+    return search(from, to, radiusM, 0.0);
+  }
+
+  /**
+   * Length of the shortest way from pose to pose [m]; if that is no more than enough, of any way
+   * that is no longer than enough, which is found sooner.
+   */
+  public static double lengthM(Pose from, Pose to, double radiusM, double enoughM) {
+    return search(from, to, radiusM, enoughM).lengthM();
+  }
+
+  private static Curve search(Pose from, Pose to, double radiusM, double enoughM) {
     Pose rel = from.relative(to);
     // The paper's y is to the left, its angles are counter-clockwise.
     double x = rel.northM() / radiusM;
     double y = -rel.eastM() / radiusM;
     double phi = -rel.headingRad();
+    double enough = enoughM / radiusM - ROUNDING;
     ReedsShepp search = new ReedsShepp();
-    for (int variant = 0; variant < 4; variant++) {
+    for (int variant = 0; variant < 4 && search.best > enough; variant++) {
       int time = (variant & 1) == 0 ? 1 : -1;
       int mirror = (variant & 2) == 0 ? 1 : -1;
       search.families(time * x, mirror * y, time * mirror * phi, time, mirror, false);
-      double backX = x * Math.cos(phi) + y * Math.sin(phi);
-      double backY = x * Math.sin(phi) - y * Math.cos(phi);
-      search.families(time * backX, mirror * backY, time * mirror * phi, time, mirror, true);
+      if (search.best > enough) {
+        double backX = x * Math.cos(phi) + y * Math.sin(phi);
+        double backY = x * Math.sin(phi) - y * Math.cos(phi);
+        search.families(time * backX, mirror * backY, time * mirror * phi, time, mirror, true);
+      }
     }
     return Curve.of(radiusM, search.lengths, search.senses);
   }

@@ -89,6 +89,7 @@ public final class HybridAStar {
   private final List<Curve> shots = new ArrayList<>(); // moves from HEADINGS on
   private int looked; // nodes looked at since the search began
   private int nextShot;
+  private Pose ended; // where the arc ends whose cost was computed last
   private Optional<Way> found = Optional.empty();
 
   /** How many nodes the last search made. */
@@ -197,8 +198,7 @@ public final class HybridAStar {
       boolean turnsBack =
           nodes.parent(node) != SearchNodes.NONE && backwards != before >= STEERING.length;
       double total = nodes.cost(node) + metres + (turnsBack ? motion.switchPenaltyM() : 0.0);
-      Pose to = from.along(backwards ? -stepM : stepM, curvature);
-      offer(to, total, node, move, backwards);
+      offer(ended, total, node, move, backwards);
     }
   }
 
@@ -231,7 +231,7 @@ public final class HybridAStar {
         return;
       }
       metres += here;
-      at = at.along(piece.lengthM(), piece.curvature());
+      at = ended;
     }
     int move = 2 * HEADINGS + shots.size();
     shots.add(curve);
@@ -245,12 +245,16 @@ public final class HybridAStar {
         : Dubins.shortest(from, to, motion.radiusM());
   }
 
-  /** Cost of an arc [m]; infinite if the vehicle comes too near to something on it. */
+  /**
+   * Cost of an arc [m]; infinite if the vehicle comes too near to something on it. Where it ends is
+   * in {@link #ended} then.
+   */
   private double cost(Pose from, double lengthM, double curvature) {
     int parts = Math.max(1, (int) Math.ceil(Math.abs(lengthM) / grid.frame().cellM()));
     double sum = 0.0;
     for (int k = 1; k <= parts; k++) {
-      Pose at = from.along(lengthM * k / parts, curvature);
+      Pose at = from.along(k == parts ? lengthM : lengthM * k / parts, curvature);
+      ended = at;
       double clearance = body.clearanceM(grid, at.northM(), at.eastM(), at.headingRad());
       if (clearance < required(at)) {
         return Double.POSITIVE_INFINITY;
@@ -283,7 +287,11 @@ public final class HybridAStar {
     }
     double turning;
     if (goal.headingRad().isPresent()) {
-      turning = shortest(pose).lengthM();
+      Pose to = new Pose(goal.northM(), goal.eastM(), goal.headingRad().getAsDouble());
+      turning =
+          motion.reverses()
+              ? ReedsShepp.lengthM(pose, to, motion.radiusM(), around)
+              : Dubins.shortest(pose, to, motion.radiusM()).lengthM();
     } else if (motion.reverses()) {
       turning = 0.0;
     } else {

@@ -54,6 +54,20 @@ class CurveProperties {
     assertThat(shortest.lengthM()).isLessThanOrEqualTo(other.lengthM() + 1.0e-6);
   }
 
+  /** The search may stop at what is short enough, but what counts must be exact. */
+  @Property(tries = 2000)
+  void reedsSheppLength_enough_isTheShortestOrNoLongerThanThat(@ForAll long seed) {
+    Random random = new Random(seed);
+    Pose from = pose(random);
+    Pose to = pose(random);
+    double shortest = ReedsShepp.shortest(from, to, RADIUS).lengthM();
+    double enough = 2.0 * shortest * random.nextDouble();
+
+    double length = ReedsShepp.lengthM(from, to, RADIUS, enough);
+
+    assertThat(Math.max(enough, length)).isEqualTo(Math.max(enough, shortest));
+  }
+
   @Property(tries = 500)
   void reedsShepp_thereAndBack_isAsLong(@ForAll long seed) {
     Random random = new Random(seed);
