@@ -97,7 +97,8 @@ final class LineGuidance implements WaypointGuidance {
 
   @Override
   public boolean isNearest() {
-    return turnsOnTheSpot() || passed || distanceM > nearestM + GROWN_M;
+    boolean turnsHere = turnsOnTheSpot() && distanceM <= settings.get().turns().cornerM();
+    return turnsHere || passed || distanceM > nearestM + GROWN_M;
   }
 
   @Override

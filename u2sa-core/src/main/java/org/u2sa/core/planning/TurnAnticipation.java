@@ -27,7 +27,8 @@ record TurnAnticipation(double accelerationMps2, double lagS, double cornerM) {
    * threshold, or as near as a turn may cut the corner.
    */
   double nearM(double thresholdM) {
-    return accelerationMps2 == 0.0 ? thresholdM : Math.min(CORNER_SHARE * thresholdM, cornerM);
+    double share = accelerationMps2 == 0.0 ? 1.0 : CORNER_SHARE;
+    return Math.min(share * thresholdM, cornerM);
   }
 
   /**

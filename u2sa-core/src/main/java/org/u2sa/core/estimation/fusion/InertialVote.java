@@ -4,8 +4,9 @@ package org.u2sa.core.estimation.fusion;
  * Compares the inertial sensor that drives the prediction with those that stand by. Any that
  * differs from it by more than biases and noise allow is left out and named. The driving one is
  * itself left out, and another takes its place, if no other supports it and either two others agree
- * against it, or one differs from it while other kinds of sensors contradict the estimate. Of three
- * that all differ from each other, the honest one is not found.
+ * against it for some time, or one differs from it while other kinds of sensors contradict the
+ * estimate. Of three that all differ from each other, none can be told from the others by what they
+ * say: the one that drives goes on until other sensors contradict it.
  *
  * <p>Their mean is not taken: a sample of another sensor is up to an interval old, and on a turning
  * vehicle that is a larger error than the noise that would average out. The comparison is of means
@@ -16,6 +17,7 @@ final class InertialVote {
   private static final double FRESH_INTERVALS = 3.0;
   private static final double MEAN_SHARE = 0.1; // of a new difference in the mean difference
   private static final double UNLIKELY = 4.0; // standard deviations
+  private static final double AGREED = 25.0; // samples in a row: two liars meet by chance
   private static final double LEFT_OUT_S = 30.0; // a turn shows a lie that a straight line hides
   private static final double MISLED_RAD = 0.5; // by a lie, until it is noticed
   private static final double MISLED_MPS = 3.0;
@@ -69,8 +71,11 @@ final class InertialVote {
         }
       }
     }
-    if (accuser == FilterState.NO_SOURCE && isDoubted && !hasSupport) {
-      accuser = against;
+    int agreed = trust.of(s, main, SensedQuantity.BODY_RATES) + SourceTrust.PASSED;
+    boolean isOutnumbered = accuser != FilterState.NO_SOURCE && !hasSupport;
+    s.trust[agreed] = isOutnumbered ? s.trust[agreed] + 1.0 : 0.0;
+    if (s.trust[agreed] < AGREED) {
+      accuser = isDoubted && !hasSupport ? against : FilterState.NO_SOURCE;
     }
     boolean isOutvoted = accuser != FilterState.NO_SOURCE && mayAccuse(s) && !hasSupport;
     if (isOutvoted) {

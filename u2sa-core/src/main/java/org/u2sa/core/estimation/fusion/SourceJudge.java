@@ -116,12 +116,16 @@ final class SourceJudge {
     return streak >= RESET_AFTER && since >= tuning.resetAfterS() && isAlone;
   }
 
-  /** Whether what another source measures is refused, time after time. */
+  /**
+   * Whether what another source measures is refused, time after time. Turn rates do not count: they
+   * are often of the same gyroscopes as the rates that they would speak for.
+   */
   boolean isContradicted(FilterState s, int source) {
     for (int other = 0; other < trust.sources(); other++) {
       for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
         SensedQuantity quantity = SensedQuantity.at(q);
         if (other != source
+            && quantity != SensedQuantity.EULER_RATES
             && trust.isKnown(other, quantity)
             && s.trust[trust.of(s, other, quantity) + SourceTrust.STREAK] >= RESET_AFTER) {
           return true;

@@ -2,9 +2,12 @@ package org.u2sa.core.estimation.fusion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.core.estimation.fusion.SourceReports.Standing;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
 
 /** Two and three inertial sensors on one vehicle: the one that lies is left out and named. */
 class SeveralInertialSensorsTest {
@@ -54,7 +57,8 @@ class SeveralInertialSensorsTest {
     final ErrorStateFilter filter =
         new ErrorStateFilter(Tunings.withoutConstraint(MotionDomain.AIR));
     private final Measurement m = new Measurement();
-    private final double[] last = new double[3];
+    private final double[][] last = new double[3][3];
+    private boolean tellsEulerRates;
     private double squares;
     private int samples;
 
@@ -68,6 +72,19 @@ class SeveralInertialSensorsTest {
      * @param liar which of them lies from LIES_FROM on; -1: none
      */
     Flight fly(int sensors, int liar, Lie lie) {
+      Lie[] lies = new Lie[3];
+      if (liar >= 0) {
+        lies[liar] = lie;
+      }
+      return fly(sensors, lies);
+    }
+
+    /**
+     * Flies with that many inertial sensors.
+     *
+     * @param lies of each sensor from LIES_FROM on; null: none
+     */
+    Flight fly(int sensors, Lie... lies) {
       double[][] bias = new double[3][];
       for (int i = 0; i < 3; i++) {
         bias[i] = truth.biases(0.01, 0.1);
@@ -76,13 +93,16 @@ class SeveralInertialSensorsTest {
         truth.fly(i < 200 ? 0.0 : 1.0, i < 200 ? 0.0 : 0.3);
         for (int k = 0; k < 3; k++) {
           truth.imu(m, "IMU " + k, bias[k], 0.02, 0.2); // drawn always: one motion for all
-          if (k == liar && i >= LIES_FROM) {
-            falsify(lie, i - LIES_FROM);
-          } else if (k == liar) {
-            keep();
+          if (lies[k] != null && i >= LIES_FROM) {
+            falsify(lies[k], last[k], i - LIES_FROM);
+          } else {
+            keep(last[k]);
           }
           if (k < sensors) {
             filter.add(m);
+          }
+          if (k < sensors && tellsEulerRates && i % 2 == 0) {
+            filter.add(eulerRates(k));
           }
         }
         if (i % 20 == 0) {
@@ -98,15 +118,29 @@ class SeveralInertialSensorsTest {
       return this;
     }
 
-    private void keep() {
+    /** What an IMU's own filter makes of the same gyroscopes. */
+    private Measurement eulerRates(int sensor) {
+      Attitude attitude =
+          new Attitude(Quaternions.phi(truth.r), Quaternions.theta(truth.r), truth.psi());
+      SensedQuantity rates = SensedQuantity.BODY_RATES;
+      Point euler =
+          attitude.eulerRates(Point.of(m.value(rates, 0), m.value(rates, 1), m.value(rates, 2)));
+      m.begin("IMU " + sensor + " attitude", truth.micros);
+      m.set(SensedQuantity.EULER_RATES, 0, euler.x(), 0.05);
+      m.set(SensedQuantity.EULER_RATES, 1, euler.y(), 0.05);
+      m.set(SensedQuantity.EULER_RATES, 2, euler.z(), 0.05);
+      return m;
+    }
+
+    private void keep(double[] to) {
       for (int axis = 0; axis < 3; axis++) {
-        last[axis] = m.value(SensedQuantity.BODY_RATES, axis);
+        to[axis] = m.value(SensedQuantity.BODY_RATES, axis);
       }
     }
 
-    private void falsify(Lie lie, int steps) {
+    private void falsify(Lie lie, double[] kept, int steps) {
       for (int axis = 0; axis < 3; axis++) {
-        double rate = lie.rate(m.value(SensedQuantity.BODY_RATES, axis), last[axis], steps);
+        double rate = lie.rate(m.value(SensedQuantity.BODY_RATES, axis), kept[axis], steps);
         m.set(SensedQuantity.BODY_RATES, axis, rate, 0.02);
       }
     }
@@ -159,6 +193,18 @@ class SeveralInertialSensorsTest {
     assertThat(lied.standing(0)).isEqualTo(Standing.USED);
   }
 
+  /** The liar's Euler rates contradict the estimate, too; that is no second opinion. */
+  @ParameterizedTest
+  @EnumSource(Lie.class)
+  void add_secondOfTwoLiesTwice_isLeftOutAndNamed(Lie lie) {
+    Flight lied = new Flight(3);
+    lied.tellsEulerRates = true;
+    lied.fly(2, 1, lie);
+    assertThat(lied.standing(1)).isEqualTo(Standing.BIASED);
+    assertThat(lied.standing(0)).isEqualTo(Standing.USED);
+    assertThat(lied.filter.state().accusedMicros).isZero();
+  }
+
   @ParameterizedTest
   @EnumSource(Lie.class)
   void add_firstOfTwoLies_theSecondTakesItsPlace(Lie lie) {
@@ -167,5 +213,16 @@ class SeveralInertialSensorsTest {
     assertThat(lied.attitudeRms()).isLessThan(3.0 * alone.attitudeRms());
     assertThat(lied.standing(1)).isEqualTo(Standing.USED);
     assertThat(lied.standing(0)).isEqualTo(Standing.BIASED);
+  }
+
+  /** They meet by chance for some samples now and then: that is no majority. */
+  @Test
+  void add_twoOfThreeLieDifferently_theFirstKeepsItsPlace() {
+    Flight alone = new Flight(3).fly(1, new Lie[3]);
+    Flight lied = new Flight(3).fly(3, null, Lie.SCALED, Lie.JUMPED);
+    assertThat(lied.attitudeRms()).isLessThan(1.1 * alone.attitudeRms());
+    assertThat(lied.standing(0)).isEqualTo(Standing.USED);
+    assertThat(lied.standing(1)).isEqualTo(Standing.BIASED);
+    assertThat(lied.standing(2)).isEqualTo(Standing.BIASED);
   }
 }
