@@ -94,13 +94,13 @@ class ExportTest {
   }
 
   private Path exported(String... arguments) {
-    Path target = folder.resolve("target");
+    Path exported = folder.resolve("exported");
     String[] all = new String[arguments.length + 2];
     System.arraycopy(arguments, 0, all, 0, arguments.length);
     all[arguments.length] = "--out";
-    all[arguments.length + 1] = target.toString();
+    all[arguments.length + 1] = exported.toString();
     assertThat(export(all)).as(err.toString()).isEqualTo(ExitCode.DONE);
-    return target;
+    return exported;
   }
 
   @Test

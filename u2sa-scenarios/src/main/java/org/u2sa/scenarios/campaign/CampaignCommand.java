@@ -148,7 +148,7 @@ final class CampaignCommand implements Callable<Integer> {
     return results.succeeded() == runs ? ExitCode.DONE : ExitCode.FAILED;
   }
 
-  private static void spreads(Terminal terminal, Map<String, Spread> spreads) {
+  private static void spreads(Terminal terminal, Map<String, Distribution> spreads) {
     TextTable table = new TextTable("figure", "least", "median", "95 %", "greatest");
     spreads.forEach(
         (name, spread) -> {

@@ -22,7 +22,7 @@ final class CampaignPage {
 
   private final StringBuilder page = new StringBuilder();
   private final Results results;
-  private final Map<String, Spread> spreads;
+  private final Map<String, Distribution> spreads;
 
   private CampaignPage(Results results) {
     this.results = results;
@@ -122,7 +122,7 @@ final class CampaignPage {
       double[] figures =
           runs.stream().flatMapToDouble(run -> run.figure(results.ranking()).stream()).toArray();
       boolean known = figures.length > 0;
-      Spread spread = Spread.of(Arrays.stream(figures));
+      Distribution spread = Distribution.of(Arrays.stream(figures));
       row(
           text(value),
           Integer.toString(runs.size()),

@@ -37,7 +37,7 @@ record Results(List<Outcome> outcomes, String ranking) {
   }
 
   /** Figures that at least one run has, and their spread over those that do. */
-  Map<String, Spread> spreads() {
+  Map<String, Distribution> spreads() {
     Map<String, List<Double>> values = new TreeMap<>();
     for (Outcome outcome : outcomes) {
       outcome
@@ -45,9 +45,10 @@ record Results(List<Outcome> outcomes, String ranking) {
           .forEach(
               (name, value) -> values.computeIfAbsent(name, n -> new ArrayList<>()).add(value));
     }
-    Map<String, Spread> spreads = new TreeMap<>();
+    Map<String, Distribution> spreads = new TreeMap<>();
     values.forEach(
-        (name, all) -> spreads.put(name, Spread.of(all.stream().mapToDouble(Double::doubleValue))));
+        (name, all) ->
+            spreads.put(name, Distribution.of(all.stream().mapToDouble(Double::doubleValue))));
     return spreads;
   }
 

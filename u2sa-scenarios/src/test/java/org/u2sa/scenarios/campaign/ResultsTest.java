@@ -81,7 +81,7 @@ class ResultsTest {
 
   @Test
   void quantile_fewValues_liesBetweenTheNearestAsInNumpy() {
-    Spread spread = Spread.of(DoubleStream.of(3.0, 1.0, 2.0, 10.0));
+    Distribution spread = Distribution.of(DoubleStream.of(3.0, 1.0, 2.0, 10.0));
 
     assertThat(spread.median()).isEqualTo(2.5);
     assertThat(spread.quantile(0.95)).isEqualTo(8.95, within(1e-12)); // numpy.quantile

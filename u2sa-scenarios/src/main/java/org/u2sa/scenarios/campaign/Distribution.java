@@ -9,10 +9,10 @@ import java.util.stream.DoubleStream;
  *
  * @param values in ascending order, at least one
  */
-record Spread(double[] values) {
+record Distribution(double[] values) {
   /** Of values in any order, at least one. */
-  static Spread of(DoubleStream values) {
-    return new Spread(values.sorted().toArray());
+  static Distribution of(DoubleStream values) {
+    return new Distribution(values.sorted().toArray());
   }
 
   /** The value that a share of all [0…1] does not exceed. */
