@@ -61,7 +61,7 @@ def check(topic, qos, payload, now_s):
         require(0 < message.get("timestamp", 0) <= (now_s + 2.0) * 1e6, "no timestamp, or one in the future")
     fields_of(chain, message, "")
     field = CHANNELS[channel][2]
-    written = re.sub("[/+#%\x00-\x1f\x7f-\x9f]", lambda found: f"%{ord(found[0]):04X}", message.get(field) or "")
+    written = re.sub("[/+#% .*>\x00-\x1f\x7f-\x9f]", lambda found: f"%{ord(found[0]):04X}", message.get(field) or "")
     require(source == (written or None), f"source {source}, expected {written or None}")
     return message, origin
 

@@ -12,7 +12,8 @@ STEM = "u2sa/boat/actuators/ActuatorAnnouncement"
 
 class TopicTest(unittest.TestCase):
     def test_retained_messages_of_several_end_with_their_source(self):
-        for name, level in (("RUDDER", "=RUDDER"), ("FLAP/1 %\n", "=FLAP%002F1 %0025%000A"), ("ü+", "=ü%002B")):
+        for name, level in (("RUDDER", "=RUDDER"), ("FLAP/1 %\n", "=FLAP%002F1%0020%0025%000A"), ("ü+", "=ü%002B"),
+                            ("a.b*c>", "=a%002Eb%002Ac%003E")):
             topic = Topic.of("boat", "actuators", Message(
                 "ActuatorAnnouncement", actuatorName=name, minimum=-100.0, maximum=100.0))
             self.assertEqual(str(topic), f"{STEM}/{level}")
@@ -23,8 +24,11 @@ class TopicTest(unittest.TestCase):
         self.assertEqual(str(Topic.of("boat", "actuation", command)), "u2sa/boat/actuation/ActuatorCommand/PercentageCommand")
         self.assertEqual(str(Topic.of("boat", "goals", Message("GoalList"))), "u2sa/boat/goals/GoalList")
 
+    def test_sources_written_before_format_3_are_read(self):
+        self.assertEqual(Topic.parse(f"{STEM}/=LEFT WHEEL 1.5").source, "LEFT WHEEL 1.5")
+
     def test_a_source_has_one_topic(self):
-        for level in ("=", "=%2F", "=%0041", "=%002f", "=%", "=a#"):
+        for level in ("=", "=%2F", "=%0041", "=%002f", "=%", "=a#", "=a b%0020c"):
             with self.subTest(level), self.assertRaises(Malformed):
                 Topic.parse(f"{STEM}/{level}")
         with self.assertRaises(Malformed):

@@ -15,7 +15,7 @@ import paho.mqtt.client as mqtt
 from .codec import encode
 from .message import Message
 from .retained import Retained
-from .topics import Topic, delivery
+from .topics import Topic, delivery, encoded
 
 _KEEP_ALIVE_S = 5
 _BACK_OFF_S = (1, 30)
@@ -90,7 +90,7 @@ class Link:
         self._refusal: Optional[str] = None
         self._closing = False
         # Not the instance, which is published: where any user may take any ID, a reader would throw the service out.
-        self._client = self._made(f"{system_id}/{service}/{uuid.uuid4()}")
+        self._client = self._made(f"{encoded(system_id)}/{encoded(service)}/{uuid.uuid4()}")
         will = Message("ConnectionLost", systemId=system_id, serviceName=service, status="FAILED",
                        lastError="connection lost", instance=self.instance)
         self._client.will_set(str(Topic(system_id, "health", will.chain)), encode(will), qos=1, retain=False)

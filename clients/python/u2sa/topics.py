@@ -13,7 +13,8 @@ _SYSTEM_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,63}")
 _CHANNEL = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
-_ESCAPED = re.compile("[/+#%\x00-\x1f\x7f-\x9f]")
+_ESCAPED = re.compile("[/+#% .*>\x00-\x1f\x7f-\x9f]")
+_ESCAPED_BEFORE_FORMAT_3 = re.compile("[/+#%\x00-\x1f\x7f-\x9f]")
 
 
 @dataclass(frozen=True)
@@ -46,19 +47,19 @@ class Topic:
         return Topic(check_system_id(levels[1]), levels[2], tuple(levels[3:]), source)
 
     def __str__(self) -> str:
-        source = ("=" + _encoded(self.source),) if self.source else ()
+        source = ("=" + encoded(self.source),) if self.source else ()
         return "/".join(("u2sa", self.system_id, self.channel, *self.chain, *source))
 
 
-def _encoded(source: str) -> str:
-    """A source's name as one level: what topics give a meaning or forbid as % and four hexadecimal digits."""
-    return _ESCAPED.sub(lambda found: f"%{ord(found.group()):04X}", source)
+def encoded(name: str, escaped: "re.Pattern[str]" = _ESCAPED) -> str:
+    """A name as one level: what MQTT or a broker gives a meaning or forbids as % and four hexadecimal digits."""
+    return escaped.sub(lambda found: f"%{ord(found.group()):04X}", name)
 
 
 def _decoded(level: str) -> str:
     source = re.sub("%([0-9A-F]{4})", lambda found: chr(int(found.group(1), 16)), level)
-    if not level or _encoded(source) != level:
-        raise Malformed(f'source "{level}": expected a name, written as "{_encoded(source)}"')
+    if not level or level not in (encoded(source), encoded(source, _ESCAPED_BEFORE_FORMAT_3)):
+        raise Malformed(f'source "{level}": expected a name, written as "{encoded(source)}"')
     return source
 
 

@@ -25,7 +25,8 @@ public final class TopicTarget {
       Agreement.require(!e.getMessage().isEmpty(), "reason", e.getMessage(), "a sentence");
       return;
     }
-    Agreement.require(topic.toString().equals(text), "text", topic, text);
+    boolean asBeforeFormat3 = text.substring(text.lastIndexOf('/')).matches("(?s)/=.*[ .*>].*");
+    Agreement.require(topic.toString().equals(text) || asBeforeFormat3, "text", topic, text);
     Agreement.require(Topic.parse(topic.toString()).equals(topic), "read again", topic, text);
     try {
       filtered(topic, TYPES.nearest(topic.typeChain()));

@@ -5,11 +5,8 @@ import io.moquette.broker.Server;
 import io.netty.buffer.Unpooled;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttQoS;
-import java.util.List;
-import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -39,19 +36,14 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private record Copy(Channel<?> channel, String topic, U2SAData message, Origin origin) {}
 
-  /** A topic and whether anybody wants it, as of a version of the subscriptions. */
-  private record Interest(
-      String topic, boolean wanted, int version, OriginNumbers.Stream numbers) {}
-
   private final Server server;
   private final String systemId;
-  private final RemoteSubscriptions subscriptions;
+  private final RemoteInterest interest;
   private final MessageRouter router;
   private final RetainedTable retained;
   private final Backlog backlog;
   private final Consumer<String> log;
   private final OriginNumbers numbers = OriginNumbers.ofNewSender();
-  private final Map<String, Map<List<String>, Interest>> interests = new ConcurrentHashMap<>();
   private final BlockingQueue<Copy> waiting = new ArrayBlockingQueue<>(WAITING_AT_MOST);
   private Semaphore onTheWay = new Semaphore(ON_THE_WAY_AT_MOST); // touched by the sender only
   private final AtomicLong dropped = new AtomicLong();
@@ -62,7 +54,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   OutgoingCopies(Server server, String systemId, ConnectionFilter filter, Consumer<String> log) {
     this.server = server;
     this.systemId = systemId;
-    subscriptions = filter.subscriptions();
+    interest = new RemoteInterest(systemId, filter.subscriptions(), numbers);
     router = filter.router();
     retained = filter.retained();
     backlog = filter.backlog();
@@ -80,8 +72,8 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
       String topic = Topic.of(systemId, channel, message).toString();
       number(numbers.on(topic), channel, topic, message, true);
     } else {
-      Interest interest = interest(channel, message.typeChain());
-      number(interest.numbers, channel, interest.topic, message, interest.wanted);
+      RemoteInterest.Destination to = interest.destination(channel, message.typeChain());
+      number(to.stream(), channel, to.topic(), message, to.isWanted());
     }
   }
 
@@ -106,20 +98,6 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     if (!taken) {
       drop("the broker is too slow");
     }
-  }
-
-  private Interest interest(Channel<?> channel, List<String> typeChain) {
-    Map<List<String>, Interest> ofChannel =
-        interests.computeIfAbsent(channel.name(), name -> new ConcurrentHashMap<>());
-    Interest known = ofChannel.get(typeChain);
-    int version = subscriptions.version();
-    if (known == null || known.version != version) {
-      String topic =
-          known != null ? known.topic : new Topic(systemId, channel.name(), typeChain).toString();
-      known = new Interest(topic, subscriptions.wants(topic), version, numbers.on(topic));
-      ofChannel.put(typeChain, known);
-    }
-    return known;
   }
 
   private void send() {

@@ -25,6 +25,7 @@ public final class Channel<T extends U2SAData> {
   private final CarriedTypes carried; // null: the type and its subclasses, whatever they are
   private final Function<? super T, String> source;
   private final Set<Trait> traits;
+  private final int hash; // asked for, and compared, several times for each message
 
   private enum Trait {
     EVERY,
@@ -45,6 +46,7 @@ public final class Channel<T extends U2SAData> {
     this.carried = carried;
     this.source = source;
     this.traits = traits;
+    hash = name.hashCode();
   }
 
   private static <T extends U2SAData> Channel<T> of(
@@ -196,12 +198,13 @@ public final class Channel<T extends U2SAData> {
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof Channel<?> channel && channel.name.equals(name);
+    return this == other
+        || other instanceof Channel<?> channel && channel.hash == hash && channel.name.equals(name);
   }
 
   @Override
   public int hashCode() {
-    return name.hashCode();
+    return hash;
   }
 
   @Override

@@ -10,7 +10,6 @@ import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
-import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
@@ -29,12 +28,9 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class DirectSession implements MqttSession {
   private static final int REFUSED = 0x80; // in the broker's answer to a subscription
-  private static final int OWED_AT_MOST = 4_096;
-  private static final int LAST_PACKET = 65_535;
   private static final long FAREWELL_WITHIN_MS = 1_000;
   private static final int PINGREQ = 0xc0;
   private static final int DISCONNECT = 0xe0;
-  private static final Runnable NOBODY = () -> {};
 
   private final String address;
   private final String clientId;
@@ -43,8 +39,7 @@ final class DirectSession implements MqttSession {
   private final Clock clock;
   private final Set<String> asked = ConcurrentHashMap.newKeySet(); // filters that it answered
   private final CompletableFuture<Integer> connected = new CompletableFuture<>();
-  private final Map<Integer, CompletableFuture<byte[]>> answers = new ConcurrentHashMap<>();
-  private final Map<Integer, Runnable> unconfirmed = new ConcurrentHashMap<>(); // by packet
+  private final AwaitedAnswers awaited = new AwaitedAnswers(); // numbers are guarded by lock
   private final CountDownLatch settled = new CountDownLatch(1);
   private final CountDownLatch ended = new CountDownLatch(1); // the reading thread
   private final Object lock = new Object(); // of what goes out
@@ -53,7 +48,6 @@ final class DirectSession implements MqttSession {
   private SelectionKey key; // likewise
   private MqttOutbox outbox; // likewise; guarded by lock
   private int waiting; // messages of QoS 0 that the network has not taken; guarded by lock
-  private int lastPacket; // guarded by lock
   private volatile long sentMicros;
   private volatile boolean over;
   private volatile boolean closing;
@@ -122,19 +116,15 @@ final class DirectSession implements MqttSession {
       throws MqttException {
     byte[] name = topicBytes(topic);
     synchronized (lock) {
-      if (over || unconfirmed.size() >= OWED_AT_MOST) {
+      if (over || eachMatters && awaited.isFull()) {
         return false;
       }
       ByteBuffer room = outbox.room(MqttPackets.publishBytes(name, payload));
       if (room == null) {
         return false;
       }
-      int packet = eachMatters ? nextPacket() : 0;
-      if (eachMatters) {
-        unconfirmed.put(packet, confirmed == null ? NOBODY : confirmed);
-      } else {
-        waiting++;
-      }
+      int packet = eachMatters ? awaited.publishing(confirmed) : 0;
+      waiting += eachMatters ? 0 : 1;
       MqttPackets.putPublish(room, name, payload, packet, retained);
       boolean sent = false;
       try {
@@ -142,7 +132,7 @@ final class DirectSession implements MqttSession {
         sent = true;
       } finally {
         if (!sent) { // told by the exception
-          unconfirmed.remove(packet);
+          awaited.forget(packet);
           waiting -= eachMatters ? 0 : 1;
         }
       }
@@ -156,14 +146,6 @@ final class DirectSession implements MqttSession {
     } catch (IllegalArgumentException e) {
       throw new IllegalStateException(e.getMessage(), e);
     }
-  }
-
-  /** Called with the lock. */
-  private int nextPacket() {
-    do {
-      lastPacket = lastPacket % LAST_PACKET + 1;
-    } while (unconfirmed.containsKey(lastPacket) || answers.containsKey(lastPacket));
-    return lastPacket;
   }
 
   private void send(ByteBuffer packet) throws MqttException {
@@ -221,8 +203,7 @@ final class DirectSession implements MqttSession {
     CompletableFuture<byte[]> answer = new CompletableFuture<>();
     int packet;
     synchronized (lock) {
-      packet = nextPacket();
-      answers.put(packet, answer);
+      packet = awaited.asking(answer);
       if (over) {
         answer.completeExceptionally(new IOException("the session is over"));
       }
@@ -233,7 +214,7 @@ final class DirectSession implements MqttSession {
       }
       return await(answer);
     } finally {
-      answers.remove(packet);
+      awaited.forget(packet);
     }
   }
 
@@ -293,13 +274,13 @@ final class DirectSession implements MqttSession {
         return 0;
       }
       over = true;
-      return unconfirmed.size() + waiting;
+      return awaited.unconfirmed() + waiting;
     }
   }
 
   private void settle() {
     synchronized (lock) {
-      if (closing && unconfirmed.isEmpty() && outbox.isEmpty()) {
+      if (closing && awaited.unconfirmed() == 0 && outbox.isEmpty()) {
         settled.countDown();
       }
     }
@@ -310,7 +291,8 @@ final class DirectSession implements MqttSession {
     String why;
     try (Selector closed = selector;
         SocketChannel closedToo = channel) {
-      LinkCheck link = new LinkCheck(keepAliveMicros);
+      LinkCheck link = new LinkCheck(clock::micros, keepAliveMicros);
+      PromptAcknowledgements acknowledgements = new PromptAcknowledgements(closedToo);
       while (true) {
         synchronized (lock) {
           key.interestOps(
@@ -318,14 +300,17 @@ final class DirectSession implements MqttSession {
                   ? SelectionKey.OP_READ
                   : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
         }
-        closed.select(link.waitMs());
+        closed.select(connected.isDone() ? link.waitMs(sentMicros) : link.waitMs());
         closed.selectedKeys().clear();
         if (key.isReadable()) {
           packets.read(closedToo); // once: in a flood, what is read is to be acknowledged, too
+          acknowledgements.renew();
           link.heard();
         }
         sendRest();
-        link.check();
+        if (connected.isDone() && link.isToAsk(sentMicros)) {
+          send(MqttPackets.empty(PINGREQ));
+        }
       }
     } catch (IOException | CancelledKeyException e) {
       why = e.getMessage();
@@ -355,7 +340,7 @@ final class DirectSession implements MqttSession {
     }
     synchronized (lock) {
       over = true;
-      answers.values().forEach(answer -> answer.completeExceptionally(broken));
+      awaited.fail(broken);
     }
     settled.countDown();
     ended.countDown();
@@ -385,61 +370,7 @@ final class DirectSession implements MqttSession {
 
     @Override
     public void answered(int packetId, byte[] codes) {
-      Runnable confirmed = unconfirmed.remove(packetId);
-      if (confirmed != null) {
-        confirmed.run();
-      }
-      CompletableFuture<byte[]> answer = answers.get(packetId);
-      if (answer != null) {
-        answer.complete(codes);
-      }
-    }
-  }
-
-  /**
-   * Finds dead links of open sessions: nothing came for twice the time of the keep-alive. It asks
-   * early, since a broker ends a connection after one and a half times, and a busy machine may hold
-   * the question up. Belongs to the reading thread.
-   */
-  private final class LinkCheck {
-    private final long askAfterMicros;
-    private final long giveUpAfterMicros; // of asking
-    private long heardMicros = clock.micros();
-    private long askedMicros; // 0: nothing
-
-    LinkCheck(long keepAliveMicros) {
-      askAfterMicros = keepAliveMicros / 2;
-      giveUpAfterMicros = 2 * keepAliveMicros - askAfterMicros;
-    }
-
-    void heard() {
-      heardMicros = clock.micros();
-      askedMicros = 0;
-    }
-
-    long waitMs() {
-      if (!connected.isDone()) {
-        return giveUpAfterMicros / 1_000; // who opens the session waits for the answer
-      }
-      long dueMicros =
-          askedMicros != 0
-              ? askedMicros + giveUpAfterMicros
-              : Math.min(heardMicros, sentMicros) + askAfterMicros;
-      return Math.max(1, (dueMicros - clock.micros()) / 1_000);
-    }
-
-    void check() throws IOException, MqttException {
-      if (!connected.isDone()) {
-        return;
-      }
-      long now = clock.micros();
-      if (askedMicros != 0 && now - askedMicros >= giveUpAfterMicros) {
-        throw new IOException("the broker does not answer");
-      }
-      if (askedMicros == 0 && now - Math.min(heardMicros, sentMicros) >= askAfterMicros) {
-        askedMicros = now;
-        send(MqttPackets.empty(PINGREQ));
-      }
+      awaited.answered(packetId, codes);
     }
   }
 }

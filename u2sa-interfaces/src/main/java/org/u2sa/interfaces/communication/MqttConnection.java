@@ -59,8 +59,12 @@ final class MqttConnection implements Connection {
     // predecessor's, while a connection that comes back takes its own from the broken session.
     // Nor may it be guessed from what is published, as the instance is: a broker that lets any user
     // take any ID, such as Mosquitto, would let a reader throw the service out.
-    link =
-        new MqttLink(address, systemId + "/" + serviceName + "/" + UUID.randomUUID(), this, client);
+    link = new MqttLink(address, clientId(systemId, serviceName), this, client);
+  }
+
+  private static String clientId(String systemId, String serviceName) {
+    return String.join(
+        "/", TopicLevel.of(systemId), TopicLevel.of(serviceName), UUID.randomUUID().toString());
   }
 
   /**

@@ -27,8 +27,6 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
 
   private static final String ROOT = "u2sa";
   private static final int FIRST_TYPE = 3;
-  private static final int HEX_DIGITS = 4;
-  private static final int HEX = 16;
   private static final String SOURCE = "="; // begins the level of the source: no type's name does
   private static final Pattern SYSTEM_ID = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_.-]{0,63}");
 
@@ -79,7 +77,10 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
           "topic \"" + topic + "\": expected a channel's name and then names of types");
     }
     return new Topic(
-        levels[1], levels[2], chain, hasSource ? sourceOf(last.substring(SOURCE.length())) : "");
+        levels[1],
+        levels[2],
+        chain,
+        hasSource ? TopicLevel.name(last.substring(SOURCE.length())) : "");
   }
 
   /** As Java classes are called; wildcards, which a will's topic may hold unseen, are not. */
@@ -119,55 +120,6 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
   @Override
   public String toString() {
     String topic = ROOT + "/" + systemId + "/" + channel + "/" + String.join("/", typeChain);
-    return source.isEmpty() ? topic : topic + "/" + SOURCE + sourceLevel(source);
-  }
-
-  /**
-   * A source's name as one level: '/', '+', '#', '%' and control characters, which topics give a
-   * meaning or forbid, are written as '%' and four hexadecimal digits.
-   */
-  static String sourceLevel(String source) {
-    StringBuilder level = new StringBuilder();
-    for (char c : source.toCharArray()) {
-      if ("/+#%".indexOf(c) >= 0 || Character.isISOControl(c)) {
-        level.append(String.format("%%%04X", (int) c));
-      } else {
-        level.append(c);
-      }
-    }
-    return level.toString();
-  }
-
-  /**
-   * The name that was written by {@link #sourceLevel}.
-   *
-   * @throws IllegalArgumentException if no name is written so: it is empty, four hexadecimal digits
-   *     do not follow a '%', or they stand for a character that needs none; so that a source has
-   *     one topic
-   */
-  static String sourceOf(String level) {
-    StringBuilder source = new StringBuilder();
-    for (int i = 0; i < level.length(); i++) {
-      char c = level.charAt(i);
-      if (c != '%') {
-        source.append(c);
-        continue;
-      }
-      int end = i + 1 + HEX_DIGITS;
-      if (end > level.length() || !level.substring(i + 1, end).matches("[0-9A-Fa-f]{4}")) {
-        throw new IllegalArgumentException(
-            "source \"" + level + "\": expected four hexadecimal digits after '%'");
-      }
-      source.append((char) Integer.parseInt(level.substring(i + 1, end), HEX));
-      i = end - 1;
-    }
-    if (level.isEmpty()) {
-      throw new IllegalArgumentException("expected the source's name behind '='");
-    }
-    String written = sourceLevel(source.toString());
-    if (!written.equals(level)) {
-      throw new IllegalArgumentException("source \"" + level + "\": expected \"" + written + "\"");
-    }
-    return source.toString();
+    return source.isEmpty() ? topic : topic + "/" + SOURCE + TopicLevel.of(source);
   }
 }

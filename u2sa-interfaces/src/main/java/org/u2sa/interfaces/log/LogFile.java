@@ -45,6 +45,7 @@ public final class LogFile implements AutoCloseable {
   private final Clock clock;
   private final PrintStream complaints;
   private final Opener opener;
+  private final LogFile first; // of those that share the file; holds what follows
   private OutputStream out;
   private boolean lineBroken; // the last write failed, perhaps in the middle of its line
   private long lost; // lines since the last one that was written
@@ -82,11 +83,31 @@ public final class LogFile implements AutoCloseable {
     this.clock = clock;
     this.complaints = complaints;
     this.opener = opener;
+    first = this;
     try {
       open();
     } catch (IOException e) { // it may become writable: each line tries again
       sayOnce(e);
     }
+  }
+
+  private LogFile(LogFile before, Clock clock) {
+    file = before.file;
+    serviceName = before.serviceName;
+    lowest = before.lowest;
+    complaints = before.complaints;
+    opener = before.opener;
+    first = before.first;
+    this.clock = clock;
+  }
+
+  /**
+   * The same open file for a service that goes on in the place of this one.
+   *
+   * @param successors its clock
+   */
+  public LogFile forSuccessor(Clock successors) {
+    return new LogFile(this, successors);
   }
 
   /** Writes a line, unless {@code level} is below the lowest that is written. */
@@ -101,7 +122,7 @@ public final class LogFile implements AutoCloseable {
    */
   public void log(LogLevelEnum level, String message, Throwable thrown) {
     if (writes(level)) {
-      write(clock.micros(), level, message, thrown);
+      first.write(clock.micros(), level, message, thrown);
     }
   }
 
@@ -141,7 +162,11 @@ public final class LogFile implements AutoCloseable {
 
   /** Closes the file; later lines are dropped. Safe to call twice. */
   @Override
-  public synchronized void close() {
+  public void close() {
+    first.end();
+  }
+
+  private synchronized void end() {
     closed = true;
     try {
       if (out != null) {
@@ -154,7 +179,11 @@ public final class LogFile implements AutoCloseable {
   }
 
   /** How many lines could not be written. */
-  public synchronized long failures() {
+  public long failures() {
+    return first.countFailures();
+  }
+
+  private synchronized long countFailures() {
     return failures;
   }
 

@@ -55,7 +55,7 @@ class TopicTest {
     Topic topic = Topic.of("cessna", Channels.ACTUATORS, flap);
 
     assertThat(topic)
-        .hasToString("u2sa/cessna/actuators/ActuatorAnnouncement/=FLAP%002F1 %0025%000A");
+        .hasToString("u2sa/cessna/actuators/ActuatorAnnouncement/=FLAP%002F1%0020%0025%000A");
     assertThat(Topic.parse(topic.toString()).source()).isEqualTo("FLAP/1 %\n");
   }
 

@@ -5,7 +5,8 @@ import java.util.List;
 /**
  * Makes the halves of ways by name: {@code CLIENT-BROKER}, where the client is u2sa (connection to
  * connection), service (service to service's callback), paho or hivemq, and the broker ours (the
- * embedded one, with our rules), moquette (bare) or mosquitto; or tcp, or handoff.
+ * embedded one, with our rules), moquette (bare) or mosquitto; or jeromq (ZeroMQ without a
+ * broker), or tcp, or handoff.
  */
 final class Ways {
   static final List<String> ALL =
@@ -20,6 +21,7 @@ final class Ways {
           "hivemq-mosquitto",
           "paho-moquette",
           "hivemq-moquette",
+          "jeromq",
           "tcp",
           "handoff");
 
@@ -59,6 +61,7 @@ final class Ways {
       case "service" -> new ServiceWay(port, load, sink);
       case "paho" -> new PahoWay(port, load, sink);
       case "hivemq" -> new HiveWay(port, load, sink);
+      case "jeromq" -> new JeroWay(port, load, sink);
       case "tcp" -> new TcpWay(port, load, sink);
       default -> throw new IllegalArgumentException("way \"" + way + "\": expected one of " + ALL);
     };

@@ -1,0 +1,96 @@
+package org.u2sa.core.communication;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.OriginNumbers;
+import org.u2sa.interfaces.communication.Topic;
+
+/**
+ * Which topics messages of local services have elsewhere, and whether anybody wants them. Asked for
+ * every message, by any thread.
+ */
+final class RemoteInterest {
+  private final String systemId;
+  private final RemoteSubscriptions subscriptions;
+  private final OriginNumbers numbers;
+  private final Map<String, List<Destination>> destinations =
+      new ConcurrentHashMap<>(); // by channel
+
+  RemoteInterest(String systemId, RemoteSubscriptions subscriptions, OriginNumbers numbers) {
+    this.systemId = systemId;
+    this.subscriptions = subscriptions;
+    this.numbers = numbers;
+  }
+
+  /** Where messages of one type on one channel go. */
+  final class Destination {
+    private final List<String> typeChain;
+    private final String topic;
+    private final OriginNumbers.Stream stream;
+    private volatile Answer last;
+
+    /** Whether anybody wanted it, as of a version of the subscriptions. */
+    private record Answer(boolean wanted, int version) {}
+
+    Destination(List<String> typeChain, String topic) {
+      this.typeChain = typeChain;
+      this.topic = topic;
+      stream = numbers.on(topic);
+      last = ask();
+    }
+
+    private Answer ask() {
+      int version = subscriptions.version(); // read first: what changes meanwhile is asked again
+      return new Answer(subscriptions.wants(topic), version);
+    }
+
+    String topic() {
+      return topic;
+    }
+
+    /** Numbers what is sent there. */
+    OriginNumbers.Stream stream() {
+      return stream;
+    }
+
+    boolean isWanted() {
+      Answer answer = last;
+      if (answer.version != subscriptions.version()) {
+        answer = ask();
+        last = answer;
+      }
+      return answer.wanted;
+    }
+  }
+
+  /** Where a message that is not retained goes, given its {@code typeChain}. */
+  Destination destination(Channel<?> channel, List<String> typeChain) {
+    List<Destination> ofChannel = destinations.get(channel.name());
+    Destination known = ofChannel == null ? null : find(ofChannel, typeChain);
+    return known == null ? add(channel, typeChain) : known;
+  }
+
+  /** Types are few on a channel, and nearly always the very same lists. */
+  private static Destination find(List<Destination> ofChannel, List<String> typeChain) {
+    for (Destination destination : ofChannel) {
+      if (destination.typeChain == typeChain || destination.typeChain.equals(typeChain)) {
+        return destination;
+      }
+    }
+    return null;
+  }
+
+  private synchronized Destination add(Channel<?> channel, List<String> typeChain) {
+    List<Destination> ofChannel =
+        destinations.computeIfAbsent(channel.name(), name -> new CopyOnWriteArrayList<>());
+    Destination known = find(ofChannel, typeChain);
+    if (known == null) {
+      known = new Destination(typeChain, new Topic(systemId, channel.name(), typeChain).toString());
+      ofChannel.add(known);
+    }
+    return known;
+  }
+}
