@@ -57,7 +57,8 @@ final class NetworkFlight implements AutoCloseable {
       hosts.start(ThreeHosts.AIRCRAFT);
       hosts.start(ThreeHosts.HUB);
       hosts.startBroker();
-      outsider = new Outsider(hosts.lan().address(ThreeHosts.HUB), Broker.PORT, clock);
+      outsider =
+          new Outsider(hosts.lan().address(ThreeHosts.HUB), Broker.PORT, ThreeHosts.SYSTEM, clock);
       await("all services of the system file answer")
           .atMost(UP_WITHIN)
           .pollInterval(Duration.ofSeconds(1))

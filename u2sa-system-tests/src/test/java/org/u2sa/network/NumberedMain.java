@@ -24,13 +24,13 @@ final class NumberedMain {
 
   private NumberedMain() {}
 
-  /** Takes the broker's address and port. */
+  /** Takes the broker's address, its port, and the system as whose message each number is sent. */
   public static void main(String[] arguments) throws Exception {
     MqttTransport transport =
         new MqttTransport(
                 arguments[0],
                 Integer.parseInt(arguments[1]),
-                "cessna",
+                arguments[2],
                 new MessageCodec(MessageTypes.discovered()))
             .waiting(30.0);
     Clock clock = new SystemClock();
@@ -39,22 +39,22 @@ final class NumberedMain {
       System.out.println("sends");
       long sent = 0;
       while (System.in.available() == 0) { // any byte ends it
-        send(connection, ++sent);
+        send(connection, arguments[2], ++sent);
         waiter.await(clock.micros() + PERIOD_MICROS);
       }
       System.out.println(sent);
       System.in.read();
       while (System.in.available() == 0) { // more, uncounted, so that a gap at the end shows
-        send(connection, ++sent);
+        send(connection, arguments[2], ++sent);
         waiter.await(clock.micros() + PERIOD_MICROS);
       }
     }
   }
 
-  private static void send(Connection connection, long number) {
+  private static void send(Connection connection, String system, long number) {
     for (Channel<GoalCommand> channel : List.of(EVERY, LATEST)) {
       GoalCommand command = new GoalCommand().uid(String.valueOf(number));
-      command.systemId("cessna");
+      command.systemId(system);
       command.freeze();
       connection.publish(channel, command); // whether it was taken or not, its number is used up
     }

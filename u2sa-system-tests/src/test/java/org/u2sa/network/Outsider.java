@@ -34,6 +34,7 @@ final class Outsider implements Receiver, AutoCloseable {
 
   private record Heard(long atMicros, HealthReport report) {}
 
+  private final String system;
   private final Clock clock;
   private final Connection connection;
   private final Map<String, Map<String, Heard>> health = new TreeMap<>(); // service, instance
@@ -46,11 +47,12 @@ final class Outsider implements Receiver, AutoCloseable {
   private long navigatedMicros;
   private long longestGapMicros;
 
-  Outsider(String address, int port, Clock clock) {
+  Outsider(String address, int port, String system, Clock clock) {
+    this.system = system;
     this.clock = clock;
     MessageCodec codec = new MessageCodec(MessageTypes.discovered());
     connection =
-        new MqttTransport(address, port, "cessna", codec).waiting(30.0).connect("Outsider", this);
+        new MqttTransport(address, port, system, codec).waiting(30.0).connect("Outsider", this);
     for (Channel<?> channel :
         List.of(
             Channels.HEALTH,
@@ -110,7 +112,7 @@ final class Outsider implements Receiver, AutoCloseable {
       answers.clear();
     }
     DiscoveryRequest request = new DiscoveryRequest();
-    request.systemId("cessna");
+    request.systemId(system);
     request.timestamp(clock.micros());
     request.freeze();
     connection.publish(Channels.DISCOVERY, request);

@@ -20,6 +20,7 @@ import org.u2sa.gcs.Main;
  * and safety, {@code aircraft} the simulator and the estimator, {@code pilot} planner and control.
  */
 final class ThreeHosts implements AutoCloseable {
+  static final String SYSTEM = "cessna";
   static final String HUB = "hub";
   static final String AIRCRAFT = "aircraft";
   static final String PILOT = "pilot";
@@ -96,7 +97,7 @@ final class ThreeHosts implements AutoCloseable {
     }
   }
 
-  private static List<String> java(Class<?> main, String... arguments) {
+  static List<String> java(Class<?> main, String... arguments) {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
@@ -172,12 +173,12 @@ final class ThreeHosts implements AutoCloseable {
 
   /** Begins to send numbers from a host. */
   Numbers numbersFrom(String host) throws IOException {
-    List<String> program = java(NumberedMain.class, lan.address(HUB), "" + Broker.PORT);
+    List<String> program = java(NumberedMain.class, lan.address(HUB), "" + Broker.PORT, SYSTEM);
     Process sender =
         new ProcessBuilder(lan.on(host, program))
             .redirectError(folder.resolve("numbers.log").toFile())
             .start();
-    return new Numbers(sender, lan.address(HUB), Broker.PORT);
+    return new Numbers(sender, lan.address(HUB), Broker.PORT, SYSTEM);
   }
 
   /** kill −9. */

@@ -2,6 +2,7 @@ package org.u2sa.network;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -84,7 +85,13 @@ class ThreeHostsTest {
   }
 
   private static NetworkFlight flight(String name, Broker broker) throws Exception {
-    Path folder = Paths.get("target", "network-" + name).toAbsolutePath();
+    Path folder = emptied("network-" + name);
+    return new NetworkFlight(Repository.folder(), folder, broker);
+  }
+
+  /** The folder, without what an earlier run left in it. */
+  static Path emptied(String name) throws IOException {
+    Path folder = Paths.get("target", name).toAbsolutePath();
     if (Files.exists(folder)) {
       try (var files = Files.walk(folder)) {
         for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
@@ -92,7 +99,6 @@ class ThreeHostsTest {
         }
       }
     }
-    Files.createDirectories(folder);
-    return new NetworkFlight(Repository.folder(), folder, broker);
+    return Files.createDirectories(folder);
   }
 }

@@ -1,0 +1,123 @@
+"""The peers: how each sends bytes from one process to another on this machine. A listener calls arrived(bytes); a sender has send(bytes)."""
+import os
+import threading
+from dataclasses import dataclass
+
+TOPIC = "benchmark"
+
+
+class Zmq:
+    """ZeroMQ's publish and subscribe over TCP."""
+
+    def __init__(self, port, _size, arrived):
+        import zmq
+        self._context = zmq.Context()
+        if arrived is None:
+            self._socket = self._context.socket(zmq.PUB)
+            self._socket.connect(f"tcp://127.0.0.1:{port}")
+            self.send = self._socket.send
+        else:
+            self._socket = self._context.socket(zmq.SUB)
+            self._socket.subscribe(b"")
+            self._socket.bind(f"tcp://127.0.0.1:{port}")
+            threading.Thread(target=self._read, args=(arrived,), daemon=True).start()
+
+    def _read(self, arrived):
+        while True:
+            arrived(self._socket.recv())
+
+
+class Zenoh:
+    """Zenoh from peer to peer over TCP, without scouting."""
+
+    def __init__(self, port, _size, arrived):
+        import zenoh
+        config = zenoh.Config()
+        config.insert_json5("mode", '"peer"')
+        config.insert_json5("scouting/multicast/enabled", "false")
+        config.insert_json5("listen/endpoints" if arrived else "connect/endpoints", f'["tcp/127.0.0.1:{port}"]')
+        if not arrived:
+            config.insert_json5("listen/endpoints", "[]")
+        self._session = zenoh.open(config)
+        if arrived is None:
+            self.send = self._session.declare_publisher(TOPIC).put
+        else:
+            self._subscriber = self._session.declare_subscriber(TOPIC, lambda sample: arrived(sample.payload.to_bytes()))
+
+
+class Dds:
+    """Cyclone DDS, best effort, over loopback."""
+
+    def __init__(self, _port, size, arrived):
+        os.environ.setdefault("CYCLONEDDS_URI", "<General><Interfaces><NetworkInterface name='lo' multicast='false'/></Interfaces></General>"
+                              "<Discovery><ParticipantIndex>auto</ParticipantIndex><Peers><Peer address='127.0.0.1'/></Peers></Discovery>")
+        from cyclonedds.core import Listener, Policy, Qos
+        from cyclonedds.domain import DomainParticipant
+        from cyclonedds.idl import IdlStruct
+        from cyclonedds.idl.types import array, uint8
+        from cyclonedds.pub import DataWriter
+        from cyclonedds.sub import DataReader
+        from cyclonedds.topic import Topic
+
+        @dataclass
+        class Contents(IdlStruct):
+            bytes: array[uint8, size]
+
+        qos = Qos(Policy.Reliability.BestEffort, Policy.History.KeepLast(1000))
+        self._participant = DomainParticipant(0)
+        topic = Topic(self._participant, TOPIC, Contents)
+        if arrived is None:
+            writer = DataWriter(self._participant, topic, qos=qos)
+            self.send = lambda contents: writer.write(Contents(contents))
+            return
+
+        class Heard(Listener):
+            def on_data_available(self, reader):
+                for sample in reader.take(1000):
+                    arrived(bytes(sample.bytes))
+
+        self._reader = DataReader(self._participant, topic, qos=qos, listener=Heard())
+
+
+class Nt4:
+    """NetworkTables 4 of FRC robots: the listener is the server, and each value is flushed."""
+
+    def __init__(self, port, _size, arrived):
+        import ntcore
+        self._instance = ntcore.NetworkTableInstance.create()
+        options = ntcore.PubSubOptions(sendAll=True, keepDuplicates=True, periodic=0.005)
+        topic = self._instance.getRawTopic("/" + TOPIC)
+        if arrived is None:
+            self._instance.startClient4("sender")
+            self._instance.setServer("127.0.0.1", port)
+            self._publisher = topic.publish("raw", options)
+            self.send = self._send
+        else:
+            self._subscriber = topic.subscribe("raw", b"", options)
+            self._instance.addListener(
+                self._subscriber, ntcore.EventFlags.kValueAll, lambda event: arrived(event.data.value.getRaw()))
+            self._instance.startServer("", "127.0.0.1", 0, port)
+
+    def _send(self, contents):
+        self._publisher.set(contents)
+        self._instance.flush()
+
+
+class Lcm:
+    """LCM over UDP multicast that does not leave the machine."""
+
+    def __init__(self, port, _size, arrived):
+        import lcm
+        self._lcm = lcm.LCM(f"udpm://239.255.76.67:{port}?ttl=0")
+        if arrived is None:
+            self.send = lambda contents: self._lcm.publish(TOPIC, contents)
+        else:
+            self._lcm.subscribe(TOPIC, lambda _channel, contents: arrived(contents)).set_queue_capacity(1000)
+            threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self):
+        while True:
+            self._lcm.handle()
+
+
+ALL = {"pyzmq": Zmq, "zenoh": Zenoh, "cyclonedds": Dds, "nt4": Nt4, "lcm": Lcm}
