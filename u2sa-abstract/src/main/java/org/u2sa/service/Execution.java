@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
@@ -34,6 +35,33 @@ public interface Execution {
 
   /** The service is made; its thread has not been started. */
   void made(U2SAService service);
+
+  /**
+   * The place of another service that a repeated service is to take; empty if it is to take none,
+   * or that of a service that runs.
+   */
+  Optional<Inheritance> inheritance();
+
+  /**
+   * Runs code of the service on the calling thread, in place of the service's own, which has not
+   * been started.
+   */
+  void onBehalf(Runnable code);
+
+  /**
+   * The service has taken the place of another one, and is about to be started.
+   *
+   * @param connection which connection it has now
+   */
+  void succeeds(Inheritance inheritance, String connection);
+
+  /**
+   * Runs, on the service's thread, what is not part of the execution: another service takes its
+   * place.
+   *
+   * @return what the code returns
+   */
+  boolean apart(BooleanSupplier code);
 
   /** The service's thread begins. */
   void begins();
@@ -74,6 +102,16 @@ public interface Execution {
    * @param arrivedMicros when it came, where the service wants to know; otherwise 0 [µs]
    */
   record Arrival(Channel<?> channel, U2SAData message, long arrivedMicros) {}
+
+  /**
+   * What a service is given of the one whose place it takes.
+   *
+   * @param serviceName the name of both
+   * @param state what the one before wrote down
+   * @param firstStepMicros when the one before would have stepped [µs of the run's clock]; empty if
+   *     the first step is due at once, or there are no steps
+   */
+  record Inheritance(String serviceName, HandOver state, OptionalLong firstStepMicros) {}
 
   /** A service that keeps the executions of those that are made after it, such as a recorder. */
   interface Keeper {

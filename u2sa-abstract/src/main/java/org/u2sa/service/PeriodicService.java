@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import java.util.OptionalLong;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
@@ -56,10 +57,20 @@ public abstract class PeriodicService extends U2SAService {
   @Override
   final void succeeds(U2SAService predecessor) {
     super.succeeds(predecessor);
-    if (predecessor instanceof PeriodicService before) {
-      hasSucceeded = true; // neither a step too many nor a gap
-      dueMicros = Math.min(before.dueMicros, clock().micros() + periodMicros);
+    if (predecessor instanceof PeriodicService before) { // neither a step too many nor a gap
+      firstStepAt(Math.min(before.dueMicros, clock().micros() + periodMicros));
     }
+  }
+
+  @Override
+  final void firstStepAt(long micros) {
+    hasSucceeded = true;
+    dueMicros = micros;
+  }
+
+  @Override
+  final OptionalLong firstStepMicros() {
+    return hasSucceeded ? OptionalLong.of(dueMicros) : OptionalLong.empty();
   }
 
   /** Time between two steps [s]. */

@@ -32,10 +32,11 @@ final class ServiceConfiguration {
     own = variables.settings(ServiceVariables.class).get();
     Optional<U2SAService> before = context.predecessor();
     String ownName = checkedName(own.serviceName().isEmpty() ? className : own.serviceName());
-    name = before.map(U2SAService::getServiceName).orElse(ownName);
+    String repeated = context.inheritance().map(Execution.Inheritance::serviceName).orElse(ownName);
+    name = before.map(U2SAService::getServiceName).orElse(repeated);
     Path directory = own.logPath().isEmpty() ? context.logDirectory() : Paths.get(own.logPath());
     if (before.isPresent()) {
-      log = before.get().logFile(); // goes on in the same file
+      log = before.get().logFile().forSuccessor(clock);
     } else {
       log = new LogFile(directory.resolve(name + ".log"), name, own.logLevel(), clock);
       context.onAbandon(log::close);

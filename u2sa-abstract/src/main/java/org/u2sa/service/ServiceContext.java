@@ -110,7 +110,12 @@ public final class ServiceContext {
 
   /** Whether the service is made to take the place of one that runs ({@link ServiceSwap}). */
   public boolean isSwap() {
-    return predecessor != null;
+    return predecessor != null || inheritance().isPresent();
+  }
+
+  /** The place that the service is to take in a repeated execution. */
+  Optional<Execution.Inheritance> inheritance() {
+    return execution().flatMap(Execution::inheritance);
   }
 
   /** Lets go of the predecessor. */

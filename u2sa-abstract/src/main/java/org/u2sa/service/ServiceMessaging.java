@@ -1,6 +1,7 @@
 package org.u2sa.service;
 
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -15,6 +16,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class ServiceMessaging {
   private final U2SAService service;
   private final ServiceWiring wiring;
+  private final AtomicLong refused = new AtomicLong(); // messages of the service
   private final Registrations registrations;
 
   ServiceMessaging(U2SAService service, ServiceWiring wiring) {
@@ -52,20 +54,22 @@ final class ServiceMessaging {
     if (wiring.isSilent()) {
       return false; // the successor speaks for this service now
     }
+    long nowMicros = service.clock().micros();
     if (!data.isFrozen()) {
       if (data.systemId().isEmpty()) {
         data.systemId(service.context().systemId());
       }
       if (data.timestamp().isEmpty()) {
-        data.timestamp(service.clock().micros());
+        data.timestamp(nowMicros);
       }
       data.freeze();
     }
     try {
-      if (wiring.publish(channel, data)) {
+      if (wiring.publish(channel, data, nowMicros)) {
         return true;
       }
-      if (Long.bitCount(wiring.refused()) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
+      if (Long.bitCount(refused.incrementAndGet())
+          == 1) { // 1, 2, 4, 8…: a flood does not fill the log
         refuse("publishing on " + channel + " was refused: " + data);
       }
       return false;

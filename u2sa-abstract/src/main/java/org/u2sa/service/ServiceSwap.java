@@ -185,12 +185,18 @@ public final class ServiceSwap {
     if (!move(Stage.ORDERED, Stage.UNDER_WAY)) {
       return false;
     }
+    Optional<Execution> execution = old.context().execution();
+    return execution.isPresent() ? execution.get().apart(this::change) : change();
+  }
+
+  private boolean change() {
     if (old.context().configuration().revision()
         != successor.context().configuration().revision()) {
       refuse(Stage.UNDER_WAY, "its configuration was changed meanwhile; order the swap again");
       return false;
     }
-    if (!handOver()) {
+    Optional<HandOver> values = handOver();
+    if (!values.isPresent()) {
       return false;
     }
     if (!old.wiring.moveTo(successor.wiring)) {
@@ -205,6 +211,7 @@ public final class ServiceSwap {
     old.succession.releaseAsPredecessor();
     if (agreed) {
       old.log("handed over to " + successor.getClass().getName());
+      successor.context().execution().ifPresent(execution -> inherit(execution, values.get()));
       successor.life.startAsSuccessor();
     } else {
       successor.kill();
@@ -218,16 +225,23 @@ public final class ServiceSwap {
     return true;
   }
 
-  private boolean handOver() {
+  private void inherit(Execution execution, HandOver values) {
+    execution.succeeds(
+        new Execution.Inheritance(old.getServiceName(), values, successor.firstStepMicros()),
+        successor.wiring.instance().orElse(""));
+  }
+
+  /** Returns what was handed over; empty if that failed. */
+  private Optional<HandOver> handOver() {
     try {
       HandOver values = new HandOver(old.getClass().getName());
       old.handOver(values);
-      successor.takeOver(values);
-      return true;
+      successor.succession.takeOver(values);
+      return Optional.of(values);
     } catch (Exception | Error e) { // of code that was written for another moment
       old.logFile().log(LogLevelEnum.ERROR, "handing over failed", e);
       refuse(Stage.UNDER_WAY, "handing over failed: " + e);
-      return false;
+      return Optional.empty();
     }
   }
 }

@@ -117,7 +117,7 @@ final class ServiceWiring {
     return connection;
   }
 
-  boolean publish(Channel<?> channel, U2SAData message) {
+  boolean publish(Channel<?> channel, U2SAData message, long nowMicros) {
     boolean taken =
         execution == null
             ? connection().publish(channel, message)
@@ -126,7 +126,7 @@ final class ServiceWiring {
       return false;
     }
     if (!ContractResponder.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {
-      publishedMicros = clock.micros();
+      publishedMicros = nowMicros;
       published.incrementAndGet();
     }
     return true;

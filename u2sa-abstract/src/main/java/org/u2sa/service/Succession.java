@@ -37,11 +37,17 @@ final class Succession {
     if (hasPredecessor) {
       return;
     }
+    Optional<Execution.Inheritance> repeated = service.context().inheritance();
+    if (repeated.isPresent()) {
+      takeOver(repeated.get().state());
+      repeated.get().firstStepMicros().ifPresent(service::firstStepAt);
+      return;
+    }
     try {
       Optional<HandOver> before =
           service.context().isRestart() ? progress.read() : Optional.empty();
       if (before.isPresent()) {
-        takeOver(before.get());
+        resumeFrom(before.get());
       } else {
         progress.delete(); // of another run
       }
@@ -50,7 +56,7 @@ final class Succession {
     }
   }
 
-  private void takeOver(HandOver before) throws IOException {
+  private void resumeFrom(HandOver before) throws IOException {
     try {
       service.takeOver(before);
       service.log("resumes where it was before the restart");
@@ -58,6 +64,16 @@ final class Succession {
       service.logFile().log(LogLevelEnum.ERROR, "cannot resume from " + progress.path(), e);
       progress.delete();
       throw e;
+    }
+  }
+
+  /** Takes over what the service before wrote down, on that one's thread. */
+  void takeOver(HandOver before) {
+    Optional<Execution> execution = service.context().execution();
+    if (execution.isPresent()) {
+      execution.get().onBehalf(() -> service.takeOver(before));
+    } else {
+      service.takeOver(before);
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channel;
@@ -432,6 +433,14 @@ public abstract class U2SAService extends Thread
   /** Takes note of whose place it takes, before it starts. */
   void succeeds(U2SAService predecessor) {
     succession.succeeds();
+  }
+
+  /** Sets when the first step is due [µs of the run's clock], of a service that steps. */
+  void firstStepAt(long micros) {}
+
+  /** When the first step is due [µs of the run's clock]; empty if at once, or without steps. */
+  OptionalLong firstStepMicros() {
+    return OptionalLong.empty();
   }
 
   // What it is

@@ -96,9 +96,11 @@ public final class Recorder extends EventDrivenService implements Execution.Keep
     log(
         LogLevelEnum.INFO,
         recording.taken()
-            + " messages recorded, "
+            + " messages taken, "
             + recording.dropped()
-            + " of them dropped, into "
+            + " of them dropped, "
+            + recording.notWritten()
+            + " not written, into "
             + recording.written());
   }
 

@@ -274,8 +274,15 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
     Map<String, String> counts = new LinkedHashMap<>();
     counts.put("messages", Long.toString(taken()));
     counts.put("dropped", Long.toString(dropped()));
-    counts.put("not-written", Long.toString(failedToWrite + files.lost()));
+    counts.put("not-written", Long.toString(notWritten()));
     return counts;
+  }
+
+  /**
+   * Messages that were taken and could not be written, as on a full disk; for when it is closed.
+   */
+  long notWritten() {
+    return failedToWrite + files.lost();
   }
 
   /** The files so far; for when it is closed. */

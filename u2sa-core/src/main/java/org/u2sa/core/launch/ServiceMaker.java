@@ -89,7 +89,8 @@ final class ServiceMaker {
    * @throws RuntimeException if the class is no service or its constructor refuses
    */
   U2SAService makeInPlaceOf(U2SAService running, String className, XmlConfiguration configuration) {
-    return make(builder(configuration).inPlaceOf(running).build(), made(className));
+    ServiceContext context = builder(configuration).inPlaceOf(running).build();
+    return make(kept(className, context), made(className));
   }
 
   private Function<ServiceContext, ? extends U2SAService> made(SystemFile.Entry entry) {

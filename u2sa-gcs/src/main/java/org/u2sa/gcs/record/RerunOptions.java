@@ -51,6 +51,13 @@ final class RerunOptions {
       })
   private List<String> changes = List.of();
 
+  @Option(
+      names = "--page",
+      paramLabel = "FILE",
+      description =
+          "With --rerun: write an HTML page with a chart of each number that differs, recorded and now.")
+  private Path page;
+
   @Option(names = "--json", description = "With --rerun: print the comparison as JSON.")
   private boolean json;
 
@@ -59,8 +66,9 @@ final class RerunOptions {
       throw new ParameterException(
           command.commandLine(), "--against: expected --rerun as well, which says what is changed");
     }
-    if (services.isEmpty() && json) {
-      throw new ParameterException(command.commandLine(), "--json: expected --rerun as well");
+    if (services.isEmpty() && (json || page != null)) {
+      throw new ParameterException(
+          command.commandLine(), (json ? "--json" : "--page") + ": expected --rerun as well");
     }
     return !services.isEmpty();
   }
@@ -75,6 +83,12 @@ final class RerunOptions {
     PrintWriter out = command.commandLine().getOut();
     RerunReport report = new RerunReport(outcomes, wallS, !changes.isEmpty());
     (json ? report.json() : report.lines()).forEach(out::println);
+    if (page != null) {
+      RerunPage.write(page, file, outcomes, changes);
+      if (!json) {
+        out.println(page);
+      }
+    }
     return report.isIdentical() || !changes.isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
   }
 

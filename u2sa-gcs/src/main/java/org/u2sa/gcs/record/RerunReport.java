@@ -3,12 +3,11 @@ package org.u2sa.gcs.record;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import org.u2sa.gcs.terminal.TextTable;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.recorder.execution.ChannelComparison;
-import org.u2sa.recorder.execution.ChannelComparison.NumberDeviation;
+import org.u2sa.recorder.execution.NumberComparison;
 import org.u2sa.recorder.execution.Rerun;
 
 /** Says what came of executing services again. */
@@ -58,7 +57,8 @@ final class RerunReport {
     return lines;
   }
 
-  private static String text(ChannelComparison.Difference difference) {
+  /** Where a channel differs first, in words. */
+  static String text(ChannelComparison.Difference difference) {
     String field = difference.field().field();
     return String.format(
         Locale.ROOT,
@@ -78,24 +78,26 @@ final class RerunReport {
   }
 
   private List<String> deviations() {
-    TextTable table = new TextTable("SERVICE", "CHANNEL", "FIELD", "RMS", "LARGEST");
+    TextTable table = new TextTable("SERVICE", "CHANNEL", "FIELD", "RMS", "LARGEST", "UNIT");
     boolean any = false;
     for (Rerun.Outcome outcome : outcomes) {
       for (ChannelComparison channel : outcome.channels()) {
         int count = 0;
-        for (Map.Entry<String, NumberDeviation> field : channel.deviations().entrySet()) {
+        for (NumberComparison field : channel.numbers()) {
           any = true;
           if (count++ < MOST_FIELDS) {
             table.add(
                 outcome.execution(),
                 channel.name(),
-                field.getKey(),
-                number(field.getValue().rms(channel.pairs())),
-                number(field.getValue().largest()));
+                field.name(),
+                number(field.rms()),
+                number(field.largest()),
+                field.unit());
           }
         }
         if (count > MOST_FIELDS) {
-          table.add(outcome.execution(), channel.name(), (count - MOST_FIELDS) + " more", "", "");
+          table.add(
+              outcome.execution(), channel.name(), (count - MOST_FIELDS) + " more", "", "", "");
         }
       }
     }
@@ -175,15 +177,14 @@ final class RerunReport {
                         .put("now", first.field().now())));
     if (withDeviations) {
       List<JsonText> fields = new ArrayList<>();
-      channel
-          .deviations()
-          .forEach(
-              (field, deviation) ->
-                  fields.add(
-                      new JsonText()
-                          .put("field", field)
-                          .put("rms", deviation.rms(channel.pairs()))
-                          .put("largest", deviation.largest())));
+      for (NumberComparison field : channel.numbers()) {
+        fields.add(
+            new JsonText()
+                .put("field", field.name())
+                .put("unit", field.unit())
+                .put("rms", field.rms())
+                .put("largest", field.largest()));
+      }
       json.put("deviations", fields);
     }
     return json;

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.page.RunPage;
 import org.u2sa.interfaces.JsonText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -57,7 +58,7 @@ public final class CompareCommand implements Callable<Integer> {
       command.commandLine().getOut().println(new JsonText().put("runs", all).line());
       return ExitCode.DONE;
     }
-    ReportPage.write(out, files.size() + " runs", runs);
+    RunPage.write(out, files.size() + " runs", runs.stream().map(RunContent::json).toList());
     command.commandLine().getOut().println(out + " (" + Files.size(out) / 1000 + " kB)");
     return ExitCode.DONE;
   }

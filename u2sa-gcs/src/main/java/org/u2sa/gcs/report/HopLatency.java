@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.u2sa.gcs.page.Chart;
+import org.u2sa.gcs.page.Trace;
 import org.u2sa.interfaces.JsonText;
 
 /**

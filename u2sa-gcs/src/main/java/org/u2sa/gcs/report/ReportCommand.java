@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.page.RunPage;
 import org.u2sa.interfaces.JsonText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -69,7 +70,7 @@ public final class ReportCommand implements Callable<Integer> {
             ? file.resolveSibling(
                 file.getFileName().toString().replaceFirst("\\.mcap$", "") + ".html")
             : out;
-    ReportPage.write(page, file.toString(), List.of(run));
+    RunPage.write(page, file.toString(), List.of(run.json()));
     command.commandLine().getOut().println(page + " (" + Files.size(page) / 1000 + " kB)");
     return ExitCode.DONE;
   }

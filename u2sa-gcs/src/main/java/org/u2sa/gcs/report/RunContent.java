@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.u2sa.gcs.page.Chart;
+import org.u2sa.gcs.page.Trace;
 import org.u2sa.gcs.record.RecordedMessages;
 import org.u2sa.gcs.record.RecordedSpan;
 import org.u2sa.interfaces.BadInputException;

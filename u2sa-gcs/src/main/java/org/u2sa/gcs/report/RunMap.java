@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.message.FieldPath;
+import org.u2sa.gcs.page.Trace;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.u2sa.gcs.page.Trace;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.contract.ArmingState;

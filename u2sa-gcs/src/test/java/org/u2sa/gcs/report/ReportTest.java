@@ -287,15 +287,4 @@ class ReportTest {
         .isEqualTo(ExitCode.BAD_INPUT);
     assertThat(out.toString()).contains("other.csv: expected a demo's track.csv", "time_s");
   }
-
-  @Test
-  void trace_manyPoints_keepsLeastAndGreatest() {
-    Trace trace = new Trace("t");
-    for (int i = 0; i < 100_000; i++) {
-      trace.add(i, i == 54_321 ? 99.0 : i == 54_322 ? -99.0 : Math.sin(i));
-    }
-    int[] kept = trace.kept();
-    assertThat(kept.length).isLessThanOrEqualTo(1_600);
-    assertThat(kept).contains(54_321, 54_322).isSorted();
-  }
 }

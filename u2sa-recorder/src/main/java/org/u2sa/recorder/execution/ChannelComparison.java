@@ -1,9 +1,14 @@
 package org.u2sa.recorder.execution;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapException;
 
@@ -13,9 +18,8 @@ public final class ChannelComparison {
   private long recorded;
   private long now;
   private long same;
-  private long pairs;
   private Difference first; // null: none
-  private final Map<String, NumberDeviation> deviations = new LinkedHashMap<>();
+  private final Map<String, NumberComparison> numbers = new LinkedHashMap<>();
 
   /**
    * The first difference.
@@ -25,27 +29,6 @@ public final class ChannelComparison {
    */
   public record Difference(long micros, FieldDifference field) {}
 
-  /** How far a number was from the recorded one. */
-  public static final class NumberDeviation {
-    private double sumOfSquares;
-    private double largest;
-
-    private void add(double deviation) {
-      sumOfSquares += deviation * deviation;
-      largest = Math.max(largest, Math.abs(deviation));
-    }
-
-    /** Root of the mean square over so many messages, in the field's unit. */
-    public double rms(long messages) {
-      return Math.sqrt(sumOfSquares / messages);
-    }
-
-    /** The largest, without sign, in the field's unit. */
-    public double largest() {
-      return largest;
-    }
-  }
-
   ChannelComparison(Channel<?> channel) {
     this.channel = channel;
   }
@@ -53,22 +36,24 @@ public final class ChannelComparison {
   void add(long micros, RecordedMessage before, U2SAData after) throws McapException {
     recorded += before == null ? 0 : 1;
     now += after == null ? 0 : 1;
-    if (before == null) {
-      differs(micros, new FieldDifference("", "no message", after.type().name()));
-    } else if (after == null) {
-      differs(micros, new FieldDifference("", before.typeName(), "no message"));
-    } else if (before.is(after)) {
-      pairs++;
+    if (before != null && after != null && before.is(after)) {
       same++;
-    } else {
-      pairs++;
-      U2SAData decoded = before.decoded();
-      differs(
-          micros,
-          FieldDifference.between(decoded, after)
-              .orElse(new FieldDifference("(encoding)", "other bytes", "other bytes")));
-      deviate(decoded, after);
+      compare(micros, after, after);
+      return;
     }
+    U2SAData decoded = before == null ? null : before.decoded();
+    differs(micros, difference(decoded, after));
+    compare(micros, decoded, after);
+  }
+
+  private static FieldDifference difference(U2SAData before, U2SAData after) {
+    if (before == null) {
+      return new FieldDifference("", "no message", after.type().name());
+    }
+    return after == null
+        ? new FieldDifference("", before.type().name(), "no message")
+        : FieldDifference.between(before, after)
+            .orElse(new FieldDifference("(encoding)", "other bytes", "other bytes"));
   }
 
   private void differs(long micros, FieldDifference field) {
@@ -77,17 +62,37 @@ public final class ChannelComparison {
     }
   }
 
-  private void deviate(U2SAData before, U2SAData after) {
-    Map<String, Double> ofBefore = new LinkedHashMap<>();
-    FieldDifference.numbers(before).forEach(one -> ofBefore.put(one.field(), one.value()));
-    for (FieldDifference.NumberAt one : FieldDifference.numbers(after)) {
-      Double other = ofBefore.get(one.field());
-      if (other != null && other != one.value()) {
-        deviations
-            .computeIfAbsent(one.field(), name -> new NumberDeviation())
-            .add(one.value() - other);
+  /** Compares the numbers that differ here or have differed before. */
+  private void compare(long micros, U2SAData before, U2SAData after) {
+    if (first == null) {
+      return;
+    }
+    Map<String, MessageNumbers.At> ofBefore = numbersOf(before);
+    Map<String, MessageNumbers.At> ofAfter = numbersOf(after);
+    Set<String> names = new LinkedHashSet<>(ofBefore.keySet());
+    names.addAll(ofAfter.keySet());
+    for (String name : names) {
+      MessageNumbers.At a = ofBefore.get(name);
+      MessageNumbers.At b = ofAfter.get(name);
+      double was = a == null ? Double.NaN : a.value();
+      double is = b == null ? Double.NaN : b.value();
+      if (was != is || numbers.containsKey(name)) {
+        String unit = (a == null ? b : a).unit();
+        numbers
+            .computeIfAbsent(name, key -> new NumberComparison(name, unit))
+            .add(Clock.seconds(micros), was, is);
       }
     }
+  }
+
+  private Map<String, MessageNumbers.At> numbersOf(U2SAData message) {
+    Map<String, MessageNumbers.At> all = new LinkedHashMap<>();
+    if (message != null) {
+      String source = channel.sourceOf(message);
+      String suffix = source.isEmpty() ? "" : " (" + source + ")";
+      MessageNumbers.of(message).forEach(each -> all.put(each.field() + suffix, each));
+    }
+    return all;
   }
 
   /** The channel's name. */
@@ -110,11 +115,6 @@ public final class ChannelComparison {
     return same;
   }
 
-  /** Messages that stand in both, at the same place. */
-  public long pairs() {
-    return pairs;
-  }
-
   /** Whether every message is the same, and none is missing or too many. */
   public boolean isIdentical() {
     return first == null;
@@ -125,8 +125,8 @@ public final class ChannelComparison {
     return Optional.ofNullable(first);
   }
 
-  /** Numbers that deviate, by the paths of their fields. */
-  public Map<String, NumberDeviation> deviations() {
-    return new LinkedHashMap<>(deviations);
+  /** Numbers that differ anywhere, in the order in which they did. */
+  public List<NumberComparison> numbers() {
+    return new ArrayList<>(numbers.values());
   }
 }

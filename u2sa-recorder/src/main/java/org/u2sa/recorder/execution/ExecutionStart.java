@@ -18,6 +18,7 @@ import org.u2sa.recorder.mcap.McapException;
 import org.u2sa.recorder.mcap.McapMetadata;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
+import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -26,7 +27,8 @@ import org.u2sa.service.ServiceContext;
  *
  * @param texts what it was given, by name
  * @param files contents by name: {@link #CONFIGURATION}, {@code variables/NAME} of the file that a
- *     variable names, {@code state/NAME} of what an earlier life has left
+ *     variable names, {@code state/NAME} of what an earlier life has left, {@link #HANDED_OVER} of
+ *     what the service before wrote down whose place it took
  */
 public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> files) {
   /** Begins the names of metadata and attachments; the execution's name follows. */
@@ -35,6 +37,9 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   static final String CONFIGURATION = "configuration.xml";
   static final String OF_VARIABLE = "variables/";
   static final String OF_STATE = "state/";
+  static final String HANDED_OVER = "handed-over";
+  static final String FIRST_STEP = "first step";
+  static final String TOLERATED = "tolerated";
   static final String OVERRIDE = "override ";
   static final String CLASS = "class";
   static final String CONFIGURATION_NAME = "configuration";
@@ -68,6 +73,9 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     texts.put(RESTART, Boolean.toString(context.isRestart()));
     texts.put(CONFIGURATION_NAME, configuration.origin());
     configuration.overrides().forEach((name, value) -> texts.put(OVERRIDE + name, typed(value)));
+    if (!configuration.tolerated().isEmpty()) {
+      texts.put(TOLERATED, String.join("\t", configuration.tolerated()));
+    }
     if (configuration.file().isPresent()) {
       files.put(CONFIGURATION, Files.readAllBytes(configuration.file().get()));
     }
@@ -131,6 +139,15 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
         moreTexts.put(OF_VARIABLE + variable.getKey(), (String) variable.getValue());
       }
     }
+    execution
+        .inherited()
+        .ifPresent(
+            before -> {
+              before
+                  .firstStepMicros()
+                  .ifPresent(micros -> moreTexts.put(FIRST_STEP, Long.toString(micros)));
+              moreFiles.put(HANDED_OVER, HandOverText.bytes(before.state(), context.systemId()));
+            });
     return new ExecutionStart(moreTexts, moreFiles);
   }
 

@@ -1,9 +1,7 @@
 package org.u2sa.recorder.execution;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -58,44 +56,5 @@ public record FieldDifference(String field, String recorded, String now) {
           new FieldDifference(path, ofA.size() + " elements", ofB.size() + " elements"));
     }
     return Optional.of(new FieldDifference(path, a.toString(), b.toString()));
-  }
-
-  /** All numbers of a message by the paths of their fields; the timestamp is left out. */
-  static List<NumberAt> numbers(U2SAData message) {
-    List<NumberAt> all = new ArrayList<>();
-    collect("", message, all);
-    return all;
-  }
-
-  /** A number and where it stands. */
-  record NumberAt(String field, double value) {}
-
-  private static final int MOST_NUMBERS = 256; // of a grid there are many more
-
-  private static void collect(String path, Object value, List<NumberAt> all) {
-    if (all.size() >= MOST_NUMBERS) {
-      return;
-    }
-    if (value instanceof Number) {
-      all.add(new NumberAt(path, ((Number) value).doubleValue()));
-    } else if (value instanceof Point) {
-      Point point = (Point) value;
-      all.add(new NumberAt(path + ".x", point.x()));
-      all.add(new NumberAt(path + ".y", point.y()));
-      all.add(new NumberAt(path + ".z", point.z()));
-    } else if (value instanceof U2SAData) {
-      String prefix = path.isEmpty() ? "" : path + ".";
-      for (FieldValue field : ((U2SAData) value).enumerateFields()) {
-        boolean counts = !field.name().equals("timestamp") && field.value().isPresent();
-        if (counts) {
-          collect(prefix + field.name(), field.value().get(), all);
-        }
-      }
-    } else if (value instanceof List<?>) {
-      int i = 0;
-      for (Object element : (List<?>) value) {
-        collect(path + "[" + i++ + "]", element, all);
-      }
-    }
   }
 }

@@ -1,7 +1,6 @@
 package org.u2sa.recorder.execution;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -20,43 +19,39 @@ import org.u2sa.service.U2SAService;
  * it. All but its clock and {@link #publishes} belongs to the thread that executes the service.
  */
 public final class KeptExecution implements Execution {
-  private static final long PART_MICROS = 250_000;
-  private static final int PART_MESSAGES = 64;
-  private static final int PART_BYTES = 1 << 12;
-  private static final int LARGEST_PART = 16; // as many times: of a service that never waits
-
   private final Clock clock;
-  private final Consumer<ExecutionPart> parts;
-  private final Consumer<KeptExecution> onMade;
-  private final PackedWriter entries = new PackedWriter();
-  private final List<ExecutionPart.Passed> messages = new ArrayList<>();
+  private final PartBuilder part;
+  private final Consumer<KeptExecution> onBegin;
+  private final boolean awaitsPlace;
   private final AtomicLong elsewhere = new AtomicLong(); // published by other threads
-  private String name = ""; // of the execution; empty: not kept
   private U2SAService service;
   private volatile String instance = "";
   private int threadId;
   private volatile Thread owner; // null: nobody executes the service
   private boolean kept = true;
   private long elsewhereNoted;
-  private long number;
-  private long partBeganMicros;
-  private long baseMicros; // what the next reading is written relative to
-  private long readingMicros;
-  private long readings; // of the same time, not yet written
+  private Inheritance inherited; // null if the service took nobody's place
 
   /**
    * An execution that begins on the calling thread, which makes the service.
    *
    * @param clock of the run
-   * @param onMade asked when the service is made; is to {@link #keepAs} it, or to leave it
+   * @param awaitsPlace whether the service is made to take another one's place, which may be
+   *     refused
+   * @param onBegin asked when it is sure that the service will run; is to {@link #keepAs} it, or to
+   *     leave it
    * @param parts takes what was noted, on the service's thread
    */
-  public KeptExecution(Clock clock, Consumer<KeptExecution> onMade, Consumer<ExecutionPart> parts) {
+  KeptExecution(
+      Clock clock,
+      boolean awaitsPlace,
+      Consumer<KeptExecution> onBegin,
+      Consumer<ExecutionPart> parts) {
     this.clock = clock;
-    this.onMade = onMade;
-    this.parts = parts;
+    this.awaitsPlace = awaitsPlace;
+    this.onBegin = onBegin;
+    part = new PartBuilder(clock, parts);
     owner = Clock.runningThread();
-    partBeganMicros = clock.micros();
   }
 
   /** The service; null before it is made. */
@@ -69,9 +64,15 @@ public final class KeptExecution implements Execution {
     return instance;
   }
 
+  /** What the service was given of the one whose place it took, if it took one. */
+  Optional<Inheritance> inherited() {
+    return Optional.ofNullable(inherited);
+  }
+
   /** Sets the name under which the execution is kept, unique in the recording. */
-  public void keepAs(String executionName) {
-    name = executionName;
+  void keepAs(String executionName) {
+    part.name(executionName);
+    kept = true;
   }
 
   /**
@@ -109,10 +110,50 @@ public final class KeptExecution implements Execution {
   @Override
   public void made(U2SAService made) {
     service = made;
-    onMade.accept(this);
-    kept = !name.isEmpty();
     note(Kind.MADE, 0);
     owner = null;
+    if (!awaitsPlace) {
+      begin();
+    }
+  }
+
+  private void begin() {
+    kept = false; // unless it is given a name
+    onBegin.accept(this);
+  }
+
+  @Override
+  public Optional<Inheritance> inheritance() {
+    return Optional.empty(); // the service takes the place of one that runs
+  }
+
+  @Override
+  public void onBehalf(Runnable code) {
+    Thread before = owner;
+    owner = Clock.runningThread();
+    try {
+      code.run();
+    } finally {
+      owner = before;
+    }
+  }
+
+  @Override
+  public void succeeds(Inheritance inheritance, String connection) {
+    inherited = inheritance;
+    instance = connection;
+    begin();
+  }
+
+  @Override
+  public boolean apart(BooleanSupplier code) {
+    Thread before = owner;
+    owner = null;
+    try {
+      return code.getAsBoolean();
+    } finally {
+      owner = before;
+    }
   }
 
   @Override
@@ -128,8 +169,7 @@ public final class KeptExecution implements Execution {
   @Override
   public Arrival receives(Arrival waiting) {
     if (waiting != null && kept) {
-      note(Kind.RECEIVED, waiting.arrivedMicros());
-      messages.add(new ExecutionPart.Passed(waiting.channel(), waiting.message()));
+      part.add(Kind.RECEIVED, waiting.arrivedMicros(), waiting.channel(), waiting.message());
     }
     return waiting;
   }
@@ -158,8 +198,7 @@ public final class KeptExecution implements Execution {
       return taken;
     }
     if (Clock.runningThread() == owner) {
-      note(taken ? Kind.PUBLISHED : Kind.REFUSED, 0);
-      messages.add(new ExecutionPart.Passed(channel, message));
+      part.add(taken ? Kind.PUBLISHED : Kind.REFUSED, 0, channel, message);
     } else if (!channel.equals(Channels.HEALTH)) { // the last report may be by whoever ends it
       elsewhere.incrementAndGet();
     }
@@ -175,72 +214,27 @@ public final class KeptExecution implements Execution {
   }
 
   private void note(Kind kind, long micros) {
-    if (!kept) {
-      return;
-    }
-    writeReadings();
-    new ExecutionEntry(kind, micros, 1).write(entries, baseMicros);
-    if (entries.length() >= LARGEST_PART * PART_BYTES
-        || messages.size() >= LARGEST_PART * PART_MESSAGES) {
-      handOnLater = true;
-    }
-  }
-
-  private boolean handOnLater; // once the message of the entry is there too
-
-  private void noteReading(long micros) {
-    if (!kept) {
-      return;
-    }
-    if (handOnLater) {
-      handOn();
-    }
-    if (readings > 0 && micros != readingMicros) {
-      writeReadings();
-    }
-    readingMicros = micros;
-    readings++;
-  }
-
-  private void writeReadings() {
-    if (readings > 0) {
-      new ExecutionEntry(Kind.READING, readingMicros, readings).write(entries, baseMicros);
-      baseMicros = readingMicros;
-      readings = 0;
+    if (kept) {
+      part.add(kind, micros);
     }
   }
 
   private void noteWait(long deadlineMicros) {
-    if (!kept) {
-      return;
-    }
     note(Kind.WAIT, deadlineMicros);
-    long now = clock.micros();
-    if (now - partBeganMicros >= PART_MICROS
-        || entries.length() >= PART_BYTES
-        || messages.size() >= PART_MESSAGES) {
+    if (kept && part.isFull()) {
       handOn();
     }
   }
 
   private void handOn() {
-    if (!kept || name.isEmpty()) {
-      return;
-    }
-    writeReadings();
     long others = elsewhere.get();
-    if (others != elsewhereNoted) {
+    if (kept && others != elsewhereNoted) {
       elsewhereNoted = others;
-      new ExecutionEntry(Kind.ELSEWHERE, 0, 1).write(entries, baseMicros);
+      part.add(Kind.ELSEWHERE, 0);
     }
-    partBeganMicros = clock.micros();
-    parts.accept(
-        new ExecutionPart(
-            name, number++, partBeganMicros, entries.toBytes(), new ArrayList<>(messages)));
-    entries.clear();
-    messages.clear();
-    handOnLater = false;
-    baseMicros = 0; // each part can be read by itself
+    if (kept) {
+      part.handOn();
+    }
   }
 
   /** The run's clock; what the service's thread reads of it is noted. */
@@ -248,8 +242,8 @@ public final class KeptExecution implements Execution {
     @Override
     public long micros() {
       long now = clock.micros();
-      if (Clock.runningThread() == owner) {
-        noteReading(now);
+      if (kept && Clock.runningThread() == owner) {
+        part.addReading(now);
       }
       return now;
     }

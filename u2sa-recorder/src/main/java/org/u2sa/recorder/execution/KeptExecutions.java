@@ -35,7 +35,8 @@ public final class KeptExecutions implements Execution.Keeper {
     try {
       ExecutionStart before = ExecutionStart.before(className, context);
       return Optional.of(
-          new KeptExecution(context.clock(), made -> begin(made, before, context), parts));
+          new KeptExecution(
+              context.clock(), context.isSwap(), made -> begin(made, before, context), parts));
     } catch (IOException e) {
       trouble.accept(className + " cannot be executed again: " + e);
       return Optional.empty();
@@ -56,7 +57,7 @@ public final class KeptExecutions implements Execution.Keeper {
     }
   }
 
-  /** The service's name; of a restarted one with the number of its life. */
+  /** The service's name; of one that was restarted or swapped with the number of its life. */
   private synchronized String nameOfNext(String service) {
     int life = lives.merge(service, 1, Integer::sum);
     return life == 1 ? service : service + "#" + life;

@@ -5,15 +5,21 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.mcap.McapException;
+import org.u2sa.service.Execution;
+import org.u2sa.service.HandOverText;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -51,6 +57,27 @@ final class MadeAgain {
         .build();
   }
 
+  /**
+   * What the service was given of the one whose place it took; empty if it took none.
+   *
+   * @throws IOException if that cannot be read
+   */
+  Optional<Execution.Inheritance> inheritance(MessageTypes types) throws IOException {
+    byte[] handedOver = start.files().get(ExecutionStart.HANDED_OVER);
+    if (handedOver == null) {
+      return Optional.empty();
+    }
+    Path file = Files.write(folder.resolve(ExecutionStart.HANDED_OVER), handedOver);
+    String firstStep = start.text(ExecutionStart.FIRST_STEP);
+    return Optional.of(
+        new Execution.Inheritance(
+            start.service(),
+            HandOverText.read(file, start.text(ExecutionStart.SYSTEM), new MessageCodec(types)),
+            firstStep.isEmpty()
+                ? OptionalLong.empty()
+                : OptionalLong.of(start.number(ExecutionStart.FIRST_STEP))));
+  }
+
   private String instance() {
     return start.text(ExecutionStart.INSTANCE);
   }
@@ -85,6 +112,8 @@ final class MadeAgain {
             ExecutionStart.value(text.getValue()));
       }
     }
+    String tolerated = start.text(ExecutionStart.TOLERATED);
+    configuration.tolerate(tolerated.isEmpty() ? List.of() : List.of(tolerated.split("\t")));
     for (Map.Entry<String, byte[]> file : start.files().entrySet()) {
       if (file.getKey().startsWith(ExecutionStart.OF_VARIABLE)) {
         layOut(configuration, file.getKey(), file.getValue());

@@ -40,11 +40,6 @@ final class RecordedMessage {
         && track.topic.typeChain().equals(other.typeChain());
   }
 
-  /** Name of the message's type. */
-  String typeName() {
-    return track.topic.typeChain().get(track.topic.typeChain().size() - 1);
-  }
-
   /**
    * The message, frozen.
    *

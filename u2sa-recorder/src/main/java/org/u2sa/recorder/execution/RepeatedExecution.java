@@ -1,5 +1,6 @@
 package org.u2sa.recorder.execution;
 
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
@@ -19,6 +20,7 @@ final class RepeatedExecution implements Execution {
   private final RecordedCourse course;
   private final Clock machine;
   private final int threadId;
+  private final Optional<Inheritance> inheritance;
   private volatile Thread owner;
   private U2SAService service;
 
@@ -26,14 +28,17 @@ final class RepeatedExecution implements Execution {
    * @param outputs takes what the service publishes
    * @param machine real time, to wait for a disk by
    * @param recordedThreadId which thread the service was in the recording
+   * @param inheritance what the service was given of the one whose place it took, if it took one
    */
   RepeatedExecution(
       ExecutionReader recorded,
       RecordedCourse.Outputs outputs,
       Clock machine,
-      int recordedThreadId) {
+      int recordedThreadId,
+      Optional<Inheritance> inheritance) {
     course = new RecordedCourse(recorded, outputs, this::stop);
     threadId = recordedThreadId;
+    this.inheritance = inheritance;
     this.machine = machine;
     owner = Thread.currentThread();
   }
@@ -69,6 +74,31 @@ final class RepeatedExecution implements Execution {
     service = made;
     course.passIf(Kind.MADE);
     owner = null;
+  }
+
+  @Override
+  public Optional<Inheritance> inheritance() {
+    return inheritance;
+  }
+
+  @Override
+  public void onBehalf(Runnable code) {
+    owner = Thread.currentThread();
+    try {
+      code.run();
+    } finally {
+      owner = null;
+    }
+  }
+
+  @Override
+  public void succeeds(Inheritance inherited, String connection) {
+    throw new IllegalStateException("nobody runs in whose place the service could be");
+  }
+
+  @Override
+  public boolean apart(BooleanSupplier code) {
+    return code.getAsBoolean();
   }
 
   @Override

@@ -30,11 +30,16 @@ public final class Rerun {
    *
    * @param execution which
    * @param channels what was published, channel by channel
+   * @param startMicros when the recording begins [µs of the run's clock]
    * @param micros the run's time that was gone through [µs]
    * @param remarks what keeps the execution from being repeated, or kept it
    */
   public record Outcome(
-      String execution, List<ChannelComparison> channels, long micros, List<String> remarks) {
+      String execution,
+      List<ChannelComparison> channels,
+      long startMicros,
+      long micros,
+      List<String> remarks) {
     public Outcome {
       channels = List.copyOf(channels);
       remarks = List.copyOf(remarks);
@@ -79,11 +84,13 @@ public final class Rerun {
       throws IOException, InterruptedException {
     Clock machine = new SystemClock();
     OutputComparison outputs = new OutputComparison();
+    MadeAgain made = new MadeAgain(start, folder);
     RepeatedExecution repeated =
-        new RepeatedExecution(recorded, outputs, machine, start.threadId());
+        new RepeatedExecution(
+            recorded, outputs, machine, start.threadId(), made.inheritance(types));
     RecordedCourse course = repeated.course();
     long fromMicros = recorded.startNanos() / 1_000L;
-    ServiceContext context = new MadeAgain(start, folder).context(types).with(repeated);
+    ServiceContext context = made.context(types).with(repeated);
     U2SAService service;
     try {
       service = maker.apply(context);
@@ -109,7 +116,11 @@ public final class Rerun {
       remarks.add("read the clock, waited or published in another order than in the recording");
     }
     return new Outcome(
-        execution, outputs.channels(), Math.max(0, course.micros() - fromMicros), remarks);
+        execution,
+        outputs.channels(),
+        fromMicros,
+        Math.max(0, course.micros() - fromMicros),
+        remarks);
   }
 
   private static boolean awaitEnd(U2SAService service, RecordedCourse course)

@@ -104,6 +104,7 @@ class FoxgloveMessagesTest {
             .maxRange(30.0)
             .x(0.5)
             .z(-0.25)
+            .psi(Math.PI / 2)
             .beams(
                 -1.0,
                 0.5,
@@ -111,6 +112,7 @@ class FoxgloveMessagesTest {
     ProtobufFields view = named(of(Channels.SCANS, scan), "/rover/scan/lidar");
     assertThat(view.text(2)).isEqualTo("body");
     assertVector(view.message(3).message(1), 0.5, 0.0, 0.25); // BODY's z is down
+    assertQuaternion(view.message(3).message(2), 0, 0, HALF, HALF); // to the left
     assertThat(view.number(4)).isEqualTo(-1.0);
     assertThat(view.number(5)).isEqualTo(0.0);
     assertThat(view.numbers(6)).containsExactly(3.0, Double.POSITIVE_INFINITY, 4.0);

@@ -125,6 +125,18 @@ class McapRecoveryTest {
 
   @Test
   void recover_chunkDamagedInTheMiddle_keepsTheChunksAfterIt() throws IOException {
+    int lastBlock = -8; // from the chunk's end
+    requireOtherChunksAreKept(lastBlock);
+  }
+
+  @Test
+  void recover_chunkOfUnknownCompression_keepsTheChunksAfterIt() throws IOException {
+    int nameOfCompression = 1 + 8 + 8 + 8 + 8 + 4 + 4; // opcode, length, times, size, CRC, length
+    requireOtherChunksAreKept(nameOfCompression);
+  }
+
+  /** Changes a byte of the second chunk: at a place from its begin, or if negative from its end. */
+  private void requireOtherChunksAreKept(int place) throws IOException {
     Path file = folder.resolve("a.mcap");
     List<String> written =
         SmallRecording.texts(
@@ -134,7 +146,7 @@ class McapRecoveryTest {
     wholeChunks(file, chunks);
     byte[] bytes = Files.readAllBytes(file);
     ChunkIndex second = chunks.get(1);
-    bytes[(int) (second.offset() + second.length() - 8)] ^= 0x55; // in its last block
+    bytes[(int) (second.offset() + (place < 0 ? second.length() : 0)) + place] ^= 0x55;
     List<String> found = recovered(bytes, true);
     List<String> ofOtherChunks = new ArrayList<>(written);
     List<Integer> messagesBy = wholeChunks(file, new ArrayList<>());

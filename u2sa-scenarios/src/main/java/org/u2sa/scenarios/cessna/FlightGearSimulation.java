@@ -23,7 +23,8 @@ import org.u2sa.sim.aircraft.RunwayStart;
  * stopped after the flight; or one that somebody else starts and stops, who is told how.
  */
 final class FlightGearSimulation implements Simulation {
-  private static final long STARTED_WITHIN_S = 180;
+  private static final long LISTENS_WITHIN_S = 300; // on a busy machine, 100 s were seen
+  private static final long ENDS_WITHIN_S = LISTENS_WITHIN_S + 60;
 
   private final Path scripts = HomeFolder.holding("config/cessna").resolve("scripts/flightgear");
   private final Path directory;
@@ -75,7 +76,9 @@ final class FlightGearSimulation implements Simulation {
             "--in-port",
             String.valueOf(ports.in()),
             "--props-port",
-            String.valueOf(ports.property())));
+            String.valueOf(ports.property()),
+            "--wait",
+            String.valueOf(LISTENS_WITHIN_S)));
   }
 
   private void tell(PrintWriter out) {
@@ -99,10 +102,10 @@ final class FlightGearSimulation implements Simulation {
               .redirectErrorStream(true)
               .redirectOutput(log.toFile())
               .start();
-      if (!process.waitFor(STARTED_WITHIN_S, TimeUnit.SECONDS)) {
+      if (!process.waitFor(ENDS_WITHIN_S, TimeUnit.SECONDS)) {
         process.destroy();
         throw new RunFailedException(
-            command.get(0) + " did not end within " + STARTED_WITHIN_S + " s; see " + log);
+            command.get(0) + " did not end within " + ENDS_WITHIN_S + " s; see " + log);
       }
       if (process.exitValue() != 0) {
         throw new RunFailedException(

@@ -114,11 +114,45 @@ class RecordedDriveTest {
         .contains("StateEstimator", "MissionManager", "PathPlanner", "Control", "SafetyManager")
         .contains("\nIdentical: ");
     StringWriter other = new StringWriter();
-    replay(other, file, "--rerun", "Control", "--against", "Control:TURN GAIN=1.0000001");
-    assertThat(other.toString()).contains("\nNot identical: ").contains("actuation  ");
+    Path page = folder.resolve("against.html");
+    String change = "Control:TURN GAIN=1.0000001";
+    replay(other, file, "--rerun", "Control", "--against", change, "--page", page.toString());
+    assertThat(other.toString())
+        .contains("\nNot identical: ")
+        .contains("actuation  percentage (LEFT MOTOR)")
+        .contains(page.toString());
+    assertThat(page)
+        .content()
+        .contains("\"title\":\"Control: actuation, percentage (LEFT MOTOR)\"", change)
+        .contains("\"name\":\"now − recorded\"")
+        .doesNotContain("http://localhost", "https://");
     StringWriter unknown = new StringWriter();
     assertThat(replay(unknown, file, "--rerun", "PathPlaner")).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(unknown.toString()).contains("PathPlaner").contains("PathPlanner");
+  }
+
+  @Test
+  void rerun_servicesSwappedWhileDriving_thoseBeforeAndAfterAreIdentical() throws IOException {
+    UgvCommandLine run =
+        drive(
+            "swapped",
+            "--record",
+            "--swap",
+            "5:StateEstimator=org.u2sa.core.estimation.ComplementaryStateEstimator",
+            "--swap",
+            "8:PathPlanner=org.u2sa.core.planning.VectorFieldPlanner",
+            "--swap",
+            "12:Control=org.u2sa.core.control.ground.DifferentialDriveControl",
+            "--swap",
+            "15:StateEstimator=org.u2sa.core.estimation.FusingStateEstimator");
+    assertThat(run.out()).contains("15.0 s: StateEstimator swapped");
+    StringWriter out = new StringWriter();
+    int exitCode =
+        replay(out, folder.resolve("swapped/recording.mcap").toString(), "--rerun", "all");
+    assertThat(exitCode).as(out.toString()).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString())
+        .contains("StateEstimator#2", "StateEstimator#3", "PathPlanner#2", "Control#2")
+        .contains("\nIdentical: ");
   }
 
   private static int replay(StringWriter out, String... options) {

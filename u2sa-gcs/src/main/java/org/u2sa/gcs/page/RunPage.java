@@ -1,26 +1,30 @@
-package org.u2sa.gcs.report;
+package org.u2sa.gcs.page;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.interfaces.JsonText;
 
 /** Writes the page: a template with style and script in it, and the runs as JSON. */
-final class ReportPage {
-  private static final List<String> PARTS = List.of("report.css", "report.js");
+public final class RunPage {
+  private static final List<String> PARTS = List.of("page.css", "page.js");
 
-  private ReportPage() {}
+  private RunPage() {}
 
-  static void write(Path file, String title, List<RunContent> runs) {
-    List<JsonText> all = new ArrayList<>();
-    runs.forEach(run -> all.add(run.json()));
-    String data = inScript(new JsonText().put("title", title).put("runs", all).line());
-    String page = resource("report.html");
+  /**
+   * Writes the page, as a whole or not at all.
+   *
+   * @param runs name, durationS, figures, charts, timeline and facts of each; map and latency where
+   *     the page is to have them
+   * @throws org.u2sa.gcs.command.RunFailedException if it cannot be written
+   */
+  public static void write(Path file, String title, List<JsonText> runs) {
+    String data = inScript(new JsonText().put("title", title).put("runs", runs).line());
+    String page = resource("page.html");
     for (String part : PARTS) {
       page = page.replace("{{" + part + "}}", resource(part));
     }
@@ -38,7 +42,7 @@ final class ReportPage {
   }
 
   private static String resource(String name) {
-    try (InputStream in = ReportPage.class.getResourceAsStream(name)) {
+    try (InputStream in = RunPage.class.getResourceAsStream(name)) {
       if (in == null) {
         throw new IllegalStateException(name + " is missing: incomplete build");
       }

@@ -1,4 +1,4 @@
-package org.u2sa.gcs.report;
+package org.u2sa.gcs.page;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,14 +12,15 @@ import org.u2sa.interfaces.JsonText;
  * @param lines the quantities
  * @param sigma standard deviation, or null
  */
-record Chart(String title, String unit, List<Trace> lines, Trace sigma) {
+public record Chart(String title, String unit, List<Trace> lines, Trace sigma) {
   /** Whether there is anything to draw. */
-  boolean isEmpty() {
+  public boolean isEmpty() {
     return lines.stream().allMatch(line -> line.size() == 0)
         && (sigma == null || sigma.size() == 0);
   }
 
-  JsonText json() {
+  /** For the page. */
+  public JsonText json() {
     List<JsonText> all = new ArrayList<>();
     for (Trace line : lines) {
       if (line.size() > 0) {

@@ -179,7 +179,11 @@
     document.getElementById("map-note").textContent = "Metres east and north of the first state. Circles are goals with their threshold: filled, reached; red, not. "
       + (runs[0].map.truth && !several ? "Wide grey: where the vehicle really was. " : "") + (runs[0].map.objects.length || runs[0].map.cells.squares.length ? "Orange: what was seen in the way. " : "") + "Click: move the cursor there.";
   };
-  drawMap();
+  // Leaves a section out of which no run says anything.
+  const section = (id, isThere, draw) => {
+    if (runs.some(isThere)) draw(); else document.getElementById(id).remove();
+  };
+  section("map-section", run => run.map, drawMap);
 
   // --- charts
   const WIDTH = 1140;
@@ -228,7 +232,7 @@
       unit = chart.unit;
       if (!several && chart.sigma) sigma = chart.sigma;
       chart.lines.forEach((line, i) => lines.push({
-        line, name: several ? (i === 0 ? run.name + ": " : "") + line.name : line.name, colour: colour(several ? r : i),
+        line, name: several ? (i === 0 ? run.name + (line.name ? ": " : "") : "") + line.name : line.name, colour: colour(several ? r : i),
         dash: several ? ["", "5 3", "2 3"][i % 3] : line.name === "true" ? "5 3" : "" }));
     });
     if (lines.length === 0 && !sigma) return;
@@ -309,7 +313,7 @@
   [...new Set(runs.flatMap(run => run.charts.map(chart => chart.title)))].forEach(drawChart);
 
   // --- condition of services
-  {
+  section("health-section", run => run.timeline.conditions, () => {
     const parent = document.getElementById("health");
     const rows = runs.flatMap(run => run.timeline.conditions.map(row => ({ ...row, run })));
     const fills = { ALIVE: "var(--c2)", STOPPED: "var(--c7)", STARTING: "var(--c6)", UNWATCHED: "var(--c7)" };
@@ -347,7 +351,7 @@
         if (shown) { cursor.setAttribute("x1", xs(view.cursor)); cursor.setAttribute("x2", xs(view.cursor)); }
       });
     }
-  }
+  });
 
   // --- events
   {
@@ -371,7 +375,7 @@
   }
 
   // --- tables
-  {
+  section("latency-section", run => run.latency, () => {
     const table = element("table", {}, document.getElementById("latency"));
     const head = element("tr", {}, table);
     (several ? ["run"] : []).concat("channel", "messages", "rate", "median", "99 %", "longest").forEach(text => element("th", {}, head, text));
@@ -382,6 +386,8 @@
       [[each.messages, ""], [each.rateHz, " Hz"], [each.p50Ms, " ms"], [each.p99Ms, " ms"], [each.maxMs, " ms"]]
         .forEach(([value, unit]) => element("td", { class: "number" }, row, number(value) + unit));
     }));
+  });
+  {
     const facts = element("table", {}, document.getElementById("facts"));
     runs.forEach(run => run.facts.forEach(fact => {
       const row = element("tr", {}, facts);

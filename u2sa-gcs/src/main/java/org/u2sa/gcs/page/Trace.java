@@ -1,29 +1,36 @@
-package org.u2sa.gcs.report;
+package org.u2sa.gcs.page;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.u2sa.interfaces.JsonText;
 
 /** A quantity over time, thinned where it is drawn: of each stretch its least and greatest stay. */
-final class Trace {
+public final class Trace {
   private static final int MOST_POINTS = 1_600;
   private static final double DIGITS = 1e5;
+  private static final double SMALL = 1e-3;
+  private static final MathContext SMALL_DIGITS = new MathContext(6);
 
   private final String name;
   private double[] times = new double[256];
   private double[] values = new double[256];
   private int size;
 
-  Trace(String name) {
+  /** An empty one of that name. */
+  public Trace(String name) {
     this.name = name;
   }
 
-  String name() {
+  /** What it is called. */
+  public String name() {
     return name;
   }
 
-  void add(double timeS, double value) {
+  /** Adds a value at a time of the run [s], not before the last one. */
+  public void add(double timeS, double value) {
     if (size == times.length) {
       times = Arrays.copyOf(times, 2 * size);
       values = Arrays.copyOf(values, 2 * size);
@@ -32,20 +39,23 @@ final class Trace {
     values[size++] = value;
   }
 
-  int size() {
+  /** How many values there are. */
+  public int size() {
     return size;
   }
 
-  double time(int index) {
+  /** When a value was [s of the run]. */
+  public double time(int index) {
     return times[index];
   }
 
-  double value(int index) {
+  /** A value. */
+  public double value(int index) {
     return values[index];
   }
 
   /** The quantile of the values by the nearest rank; 0 without any. */
-  double quantile(double share) {
+  public double quantile(double share) {
     if (size == 0) {
       return 0.0;
     }
@@ -55,7 +65,7 @@ final class Trace {
   }
 
   /** Root of the mean square; 0 without any. */
-  double rootMeanSquare() {
+  public double rootMeanSquare() {
     double sum = 0.0;
     for (int i = 0; i < size; i++) {
       sum += values[i] * values[i];
@@ -63,7 +73,8 @@ final class Trace {
     return size == 0 ? 0.0 : Math.sqrt(sum / size);
   }
 
-  double greatestMagnitude() {
+  /** The largest value without sign; 0 without any. */
+  public double greatestMagnitude() {
     double greatest = 0.0;
     for (int i = 0; i < size; i++) {
       greatest = Math.max(greatest, Math.abs(values[i]));
@@ -72,7 +83,7 @@ final class Trace {
   }
 
   /** The points that are drawn, in order. */
-  int[] kept() {
+  public int[] kept() {
     if (size <= MOST_POINTS) {
       int[] all = new int[size];
       for (int i = 0; i < size; i++) {
@@ -110,9 +121,12 @@ final class Trace {
   }
 
   /**
-   * Five digits behind the point are below what is seen, and above what a file can hold cheaply.
+   * Five digits behind the point are below what is seen, and above what a file can hold cheaply. Of
+   * a number so small that they say little, six digits are kept.
    */
-  static double rounded(double value) {
-    return Math.round(value * DIGITS) / DIGITS;
+  public static double rounded(double value) {
+    return Math.abs(value) < SMALL
+        ? BigDecimal.valueOf(value).round(SMALL_DIGITS).doubleValue()
+        : Math.round(value * DIGITS) / DIGITS;
   }
 }
