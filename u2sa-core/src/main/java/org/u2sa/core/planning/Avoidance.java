@@ -19,6 +19,7 @@ import org.u2sa.core.planning.route.Mobility;
 import org.u2sa.core.planning.route.Route;
 import org.u2sa.core.planning.route.RoutePlanner;
 import org.u2sa.core.planning.route.RouteRequest;
+import org.u2sa.core.planning.seen.PlanarShape;
 import org.u2sa.core.planning.seen.PlanningPlane;
 import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.interfaces.configuration.Configurator;
@@ -36,6 +37,9 @@ import org.u2sa.messages.frame.Point;
  */
 final class Avoidance {
   private static final String NONE = "NONE";
+
+  /** What moves on begins its search anew, and may never come to its end. */
+  private static final String NOT_IN_TIME = "no way to the goal was found in time";
 
   /** A new route is taken if it costs no more than this share of what is left of the old one. */
   private static final double BETTER = 0.9;
@@ -60,6 +64,9 @@ final class Avoidance {
   private final Supplier<LineSettings> lines;
   private final BiConsumer<String, Boolean> say; // what, and whether it is trouble
   private final SeenWorld world;
+  private final FalseGaps gaps = new FalseGaps();
+  private List<PlanarShape> wayBack = List.of();
+  private PlanningPlane plane; // on which both lie
 
   private Optional<RouteTrack> track = Optional.empty();
   private Optional<PlannedPath> path = Optional.empty(); // not yet published
@@ -156,6 +163,8 @@ final class Avoidance {
     begun = false;
     obstacle = "";
     searches = false;
+    gaps.forget();
+    guess();
     recoveries = 0;
     recoversUntil = Long.MIN_VALUE;
     overlooksUntil = Long.MIN_VALUE;
@@ -166,13 +175,29 @@ final class Avoidance {
   void reached(Vehicle vehicle, StateInformation state) {
     AvoidanceSettings now = settings.get();
     if (now.closeBehind() > 0.0) {
-      Point at = vehicle.on(world.plane(state));
+      lieOn(world.plane(state));
+      Point at = vehicle.on(plane);
       Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
-      world.guess(
+      wayBack =
           WayBack.closed(world.shapes(), pose, now.body().circleM(), now.closeBehind())
               .map(List::of)
-              .orElse(List.of()));
+              .orElse(List.of());
+      guess();
     }
+  }
+
+  private void lieOn(PlanningPlane now) {
+    if (now != plane) {
+      plane = now;
+      wayBack = List.of();
+      gaps.forget();
+    }
+  }
+
+  private void guess() {
+    List<PlanarShape> all = new ArrayList<>(wayBack);
+    all.addAll(gaps.shapes());
+    world.guess(all);
   }
 
   /** What is new for screens; empty if nothing. */
@@ -192,7 +217,7 @@ final class Avoidance {
   Step step(Vehicle vehicle, StateInformation state, Wanted wanted) {
     AvoidanceSettings now = settings.get();
     long micros = vehicle.timestampMicros();
-    PlanningPlane plane = world.plane(state);
+    lieOn(world.plane(state));
     Point at = vehicle.on(plane);
     Point toGoal = vehicle.nedOf(wanted.target());
     goalNorthM = at.x() + toGoal.x();
@@ -219,7 +244,7 @@ final class Avoidance {
     maintain(pose, wanted, limits, now, micros, off);
     ArcChoice choice = choose(pose, vehicle, limits, now, micros);
     Optional<String> givenUp = progress(choice, limits, now, micros);
-    announce(choice, givenUp, wanted, plane, at);
+    announce(choice, givenUp, wanted, at);
     return new Step(
         Point.of(choice.northM() - at.x(), choice.eastM() - at.y(), toGoal.z()),
         now.stops() ? choice.speedMps() : wantedMps(wanted, now),
@@ -289,8 +314,16 @@ final class Avoidance {
     boolean hopeless = track.isEmpty() && world.revision() == triedRevision;
     boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
     revision = world.revision();
+    if (blocked && now.stops()) {
+      gaps.blocked(track.get(), world.costs(), micros);
+      guess(); // seen from the next state on
+    }
     if (goalMoved || lacking || blocked || (left && due)) {
       Route route = plan(pose, wanted, now, micros);
+      if (!route.exists() && !route.goesOn()) {
+        gaps.forget();
+        guess();
+      }
       obstacle = route.obstacle();
       searches = route.goesOn();
       take(route, micros);
@@ -392,7 +425,7 @@ final class Avoidance {
     if (track.isEmpty()) {
       progressMicros = micros;
       return micros - routelessSince >= now.giveUpMicros()
-          ? Optional.of(obstacle)
+          ? Optional.of(searches ? NOT_IN_TIME : obstacle)
           : Optional.empty();
     }
     routelessSince = micros;
@@ -444,8 +477,7 @@ final class Avoidance {
   }
 
   /** Says what changes, in the log and for screens. */
-  private void announce(
-      ArcChoice choice, Optional<String> givenUp, Wanted wanted, PlanningPlane plane, Point at) {
+  private void announce(ArcChoice choice, Optional<String> givenUp, Wanted wanted, Point at) {
     PathStatus before = status;
     if (givenUp.isPresent()) {
       status = PathStatus.GIVEN_UP;
@@ -481,7 +513,7 @@ final class Avoidance {
             .planner(chosen.get())
             .status(status)
             .referenceFrame(plane.frame())
-            .points(points(plane, at.z()));
+            .points(points(at.z()));
     if (!reason.isEmpty()) {
       news.reason(reason);
     }
@@ -489,7 +521,7 @@ final class Avoidance {
     path = Optional.of(news);
   }
 
-  private List<Point> points(PlanningPlane plane, double downM) {
+  private List<Point> points(double downM) {
     List<Point> points = new ArrayList<>();
     for (int i = 0; track.isPresent() && i < track.get().count(); i++) {
       points.add(plane.point(track.get().northM(i), track.get().eastM(i), downM));

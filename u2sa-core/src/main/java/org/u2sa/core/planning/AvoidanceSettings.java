@@ -39,6 +39,13 @@ record AvoidanceSettings(
     @Variable(
             unit = "m",
             min = 0,
+            ifAbsent = 0,
+            text =
+                "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn.")
+        double narrowestPassage,
+    @Variable(
+            unit = "m",
+            min = 0,
             ifAbsent = 1,
             text = "Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
         double inflation,
@@ -172,7 +179,7 @@ record AvoidanceSettings(
             max = 1_000_000,
             ifAbsent = 2000,
             text =
-                "Nodes that HYBRID searches at each state, if the vehicle can stand; a longer search goes on with the next state.")
+                "Nodes that HYBRID searches at each state, five times as many if the vehicle cannot stand; a longer search goes on with the next state.")
         int planningEffort,
     @Variable(
             unit = "s",
@@ -204,14 +211,22 @@ record AvoidanceSettings(
   /** Distances nearer than this to an obstacle are a collision, to rounding [share of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
 
+  private static final double COVER_CELLS = 1.5; // from disc to disc that cover it closely
+  private static final int EFFORTS_IN_FLIGHT = 5;
+
   BodyDiscs body() {
-    return new BodyDiscs(vehicleFront, vehicleRear, vehicleWidth);
+    return narrowestPassage > 0.0
+        ? BodyDiscs.closely(vehicleFront, vehicleRear, vehicleWidth, COVER_CELLS * planningCell)
+        : new BodyDiscs(vehicleFront, vehicleRear, vehicleWidth);
   }
 
   /** How the surroundings are read, for a vehicle that turns on the spot or not. */
   SeenWorld.Reading reading(boolean onTheSpot) {
     BodyDiscs body = body();
     double radius = (onTheSpot ? body.circleM() : body.radiusM()) + clearance;
+    if (onTheSpot && narrowestPassage > 0.0) {
+      radius = Math.min(radius, 0.5 * Math.max(vehicleWidth, narrowestPassage));
+    }
     return new SeenWorld.Reading(
         planningCell,
         planningSpan,
@@ -237,9 +252,9 @@ record AvoidanceSettings(
     return leastSpeed == 0.0;
   }
 
-  /** Nodes to search at one state: what cannot stand must know its way at once. */
+  /** Nodes to search at one state: what cannot stand needs its way sooner. */
   int effort() {
-    return stops() ? planningEffort : Integer.MAX_VALUE;
+    return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
   }
 
   long replanMicros() {

@@ -122,10 +122,17 @@ final class MappedObject {
     return known;
   }
 
-  /** Takes note that a sensor looked where it is and did not see it. */
-  void miss(double detectionProbability) {
+  /**
+   * Takes note that a sensor looked where it is and did not see it. An object of the world file is
+   * as certain as before, unless such objects may be doubted: not every sensor sees what a map has.
+   */
+  void miss(ObjectMapSettings settings) {
+    if (fromFile && !settings.doubtFile()) {
+      return;
+    }
     occasion(0);
-    existence = existence * (1.0 - detectionProbability) / (1.0 - existence * detectionProbability);
+    double detection = settings.detectionProbability();
+    existence = existence * (1.0 - detection) / (1.0 - existence * detection);
   }
 
   /** Takes note that a sensor, of whose field of view nothing is known, saw other things. */

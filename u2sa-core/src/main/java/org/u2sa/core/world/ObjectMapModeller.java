@@ -103,7 +103,7 @@ final class ObjectMapModeller implements Modeller {
         continue;
       }
       if (field != null && field.sees(fromVehicle(track.place(), sighting))) {
-        track.miss(tuning.detectionProbability());
+        track.miss(tuning);
       } else if (field == null
           && !track.isConfirmed()
           && track.template().sensorName().equals(sensor)) {
@@ -134,7 +134,7 @@ final class ObjectMapModeller implements Modeller {
         Point sigma = track.filter().sigma();
         double radius = track.radius() + Math.max(sigma.x(), sigma.y());
         if (through.passed(track.place(), radius)) {
-          track.miss(tuning.detectionProbability());
+          track.miss(tuning);
         }
       }
     }

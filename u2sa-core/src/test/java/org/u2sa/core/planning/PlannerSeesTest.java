@@ -19,6 +19,7 @@ import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.messages.shape.Polygon;
 
 /** The planner with objects around the vehicle. */
@@ -65,6 +66,34 @@ class PlannerSeesTest extends PlannedVehicle {
               points.get(i - 1).x(), points.get(i - 1).y(), points.get(i).x(), points.get(i).y());
       assertThat(leg.distanceM(5.0, 0.0)).isGreaterThan(1.5);
     }
+  }
+
+  private static PolyLine wall(String uid, double fromEast, double toEast) {
+    PolyLine wall = new PolyLine();
+    wall.points(List.of(Point.of(5, fromEast, 0), Point.of(5, toEast, 0))).width(0.0);
+    wall.uid(uid).referenceFrame(ReferenceFrame.LOCAL_NED).x(5).y(fromEast);
+    return wall;
+  }
+
+  /** What the way costs of a vehicle 0.92 m wide to behind a wall with a gap of 1.25 m. */
+  private double costThroughAGap(double narrowestPassageM) {
+    kit.with("PLANNER", "GRID").with("CLEARANCE", 0.03).with("INFLATION COST", 0.0);
+    kit.with("VEHICLE FRONT", 0.4).with("VEHICLE REAR", 0.2).with("VEHICLE WIDTH", 0.92);
+    kit.with("NARROWEST PASSAGE", narrowestPassageM).start(PathPlanner::new);
+    goals(waypoint("1", 10, 0));
+    see(wall("west", -8.0, -0.625), wall("east", 0.625, 8.0));
+    drive(1, 0, 0, 0);
+    return path().cost().orElseThrow();
+  }
+
+  @Test
+  void state_gapTooNarrowToTurnIn_goesAround() {
+    assertThat(costThroughAGap(0.0)).isGreaterThan(15.0);
+  }
+
+  @Test
+  void state_gapTooNarrowToTurnInButNoNarrowerThanThePassage_goesThrough() {
+    assertThat(costThroughAGap(1.0)).isBetween(9.9, 10.5);
   }
 
   @Test
@@ -201,6 +230,25 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed()).hasValue(0.0);
     drive(190, 0, 0, Math.PI / 2.0);
     assertThat(kit.published(Channels.NAVIGATION)).hasSize(191);
+    assertThat(kit.published(Channels.PLANS)).anyMatch(plan -> !plan.points().isEmpty());
+  }
+
+  /**
+   * It cannot wait for its way, nor may one state's search keep it from its next navigation point.
+   */
+  @Test
+  void state_wayInFlightIsHardToFind_goesOnWhileItIsSoughtInParts() {
+    kit.with("PLANNER", "HYBRID").with("TURN RADIUS", 0.9).with("LEAST SPEED", 0.5);
+    kit.with("CLEARANCE", 0.15).with("PLANNING SPAN", 20.0).with("PLANNING EFFORT", 100);
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", -4.4, 0).horizontalThreshold(0.2).psi(0.0));
+    see(bay("left", 0.8), bay("right", -0.8));
+    drive(1, 0, 0, Math.PI / 2.0);
+
+    assertThat(kit.published(Channels.PLANS)).allMatch(plan -> plan.points().isEmpty());
+    assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed().orElseThrow())
+        .isGreaterThanOrEqualTo(0.5);
+    drive(190, 0, 0, Math.PI / 2.0);
     assertThat(kit.published(Channels.PLANS)).anyMatch(plan -> !plan.points().isEmpty());
   }
 

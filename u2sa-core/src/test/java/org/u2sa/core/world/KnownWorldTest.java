@@ -94,6 +94,40 @@ class KnownWorldTest {
   }
 
   @Test
+  void world_neverSeenWhereItIsSaidToBe_isAsCertainAsBefore() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    world.kit.with("FIELDS OF VIEW", "Camera: 120 deg, 8 m").start(WorldModeler::new);
+    world.tick(local(0.0, 0.0, 0.0));
+    double before = mast().confidence().orElseThrow();
+    lookElsewhere();
+
+    assertThat(mast().confidence().orElseThrow()).isEqualTo(before).isGreaterThan(0.9);
+  }
+
+  @Test
+  void doubtFile_neverSeenWhereItIsSaidToBe_isDropped() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    world.kit.with("FIELDS OF VIEW", "Camera: 120 deg, 8 m").with("DOUBT FILE", true);
+    world.kit.start(WorldModeler::new);
+    lookElsewhere();
+
+    assertThat(world.objects()).extracting(ObjectDescription::uid).doesNotContain("mast");
+  }
+
+  private ObjectDescription mast() {
+    return world.objects().stream()
+        .filter(object -> object.uid().equals("mast"))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private void lookElsewhere() {
+    for (int i = 0; i < 30; i++) {
+      world.tick(local(0.0, 0.0, 0.0), seen("barrel", 3.0, -2.0));
+    }
+  }
+
+  @Test
   void world_wrongFile_refusesToStartNamingTheLine() throws IOException {
     Path file = folder.resolve("world.xml");
     Files.writeString(file, "<world>\n<Circel><x>1</x></Circel></world>");

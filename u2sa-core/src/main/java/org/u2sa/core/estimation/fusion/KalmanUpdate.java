@@ -1,5 +1,6 @@
 package org.u2sa.core.estimation.fusion;
 
+import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 
@@ -16,6 +17,9 @@ final class KalmanUpdate {
   private final DMatrixRMaj ks = new DMatrixRMaj(N, 3);
   private final DMatrixRMaj s = new DMatrixRMaj(3, 3);
   private final DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
+  private final double[][] gains = new double[3][N]; // columns of K
+  private final double[][] shared = new double[3][N]; // columns of G
+  private final double[] sum = new double[N];
   private final double[] dx = new double[N];
   private final int[] columns = new int[N]; // of error states that are concerned
   private int rows;
@@ -91,6 +95,8 @@ final class KalmanUpdate {
       dx[i] = 0.0;
       boolean isTouched = false;
       for (int c = 0; c < rows; c++) {
+        gains[c][i] = k.data[i * rows + c];
+        shared[c][i] = g.data[i * rows + c];
         isTouched |= g.data[i * rows + c] != 0.0;
         dx[i] += k.data[i * rows + c] * m.innovation[c];
       }
@@ -100,27 +106,38 @@ final class KalmanUpdate {
     }
     double[] p = state.p.data;
     for (int a = 0; a < touched; a++) {
-      int i = columns[a];
-      p[i * N + i] += change(i, i);
+      change(p, columns[a]);
+    }
+    for (int a = 1; a < touched; a++) {
       for (int b = 0; b < a; b++) {
-        int j = columns[b];
-        double mean = 0.5 * (p[i * N + j] + change(i, j) + (p[j * N + i] + change(j, i)));
-        p[i * N + j] = mean;
-        p[j * N + i] = mean;
+        int here = columns[a] * N + columns[b];
+        int there = columns[b] * N + columns[a];
+        double mean = 0.5 * (p[here] + p[there]);
+        p[here] = mean;
+        p[there] = mean;
       }
     }
     correct(state);
   }
 
-  /** A number of K S Kᵀ - K Gᵀ - G Kᵀ. */
-  private double change(int i, int j) {
-    double sum = 0.0;
+  /**
+   * Adds a row of K S Kᵀ - K Gᵀ - G Kᵀ: rows of arrays, which the compiler takes several at once.
+   */
+  private void change(double[] p, int i) {
+    Arrays.fill(sum, 0.0);
     for (int c = 0; c < rows; c++) {
-      double ki = k.data[i * rows + c];
-      double kj = k.data[j * rows + c];
-      sum += ks.data[i * rows + c] * kj - ki * g.data[j * rows + c] - g.data[i * rows + c] * kj;
+      double[] kc = gains[c];
+      double[] gc = shared[c];
+      double ksi = ks.data[i * rows + c];
+      double ki = kc[i];
+      double gi = gc[i];
+      for (int j = 0; j < N; j++) {
+        sum[j] += ksi * kc[j] - ki * gc[j] - gi * kc[j];
+      }
     }
-    return sum;
+    for (int j = 0; j < N; j++) {
+      p[i * N + j] += sum[j];
+    }
   }
 
   private void correct(FilterState state) {

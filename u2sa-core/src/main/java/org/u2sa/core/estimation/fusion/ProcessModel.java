@@ -1,7 +1,5 @@
 package org.u2sa.core.estimation.fusion;
 
-import org.ejml.data.DMatrixRMaj;
-
 /**
  * Carries state and covariance ahead in time (Solà 2017, section 7.2). With inertial input it is a
  * strapdown integration; without, the vehicle keeps its speed and turns at its last rate, which
@@ -72,7 +70,7 @@ final class ProcessModel {
     turn(s, dt);
     f.carry(s.p.data);
     addNoise(s, dt);
-    symmetrise(s.p);
+    f.symmetrise(s.p.data);
   }
 
   /** v̇ = R (f - b) + g, δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, equations 272 and 283). */
@@ -223,16 +221,5 @@ final class ProcessModel {
 
   private static void add(FilterState s, int i, double noise, double dt) {
     s.p.data[i * (N + 1)] += noise * noise * dt;
-  }
-
-  private static void symmetrise(DMatrixRMaj p) {
-    double[] d = p.data;
-    for (int i = 1; i < N; i++) {
-      for (int k = 0; k < i; k++) {
-        double mean = 0.5 * (d[i * N + k] + d[k * N + i]);
-        d[i * N + k] = mean;
-        d[k * N + i] = mean;
-      }
-    }
   }
 }

@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * How the error state goes on over a step: the identity, but for a few numbers (four of a hundred
- * differ from 0). P ← F P Fᵀ works on those alone, which is a tenth of the work of full matrices.
+ * differ from 0). P ← F P Fᵀ works on those alone, and P is symmetric: where only one of two errors
+ * changes, one half of the product is the other one.
  */
 final class Transition {
   private static final int N = FilterState.N;
@@ -41,7 +42,10 @@ final class Transition {
     values[row][at] = value;
   }
 
-  /** P ← F P Fᵀ. */
+  /**
+   * P ← F P Fᵀ of a symmetric P. Where both errors change, halves of the result differ by rounding
+   * until {@link #symmetrise}.
+   */
   void carry(double[] p) {
     changes = 0;
     for (int row = 0; row < N; row++) {
@@ -49,11 +53,16 @@ final class Transition {
         changed[changes++] = row;
       }
     }
-    System.arraycopy(p, 0, product, 0, N * N);
     for (int c = 0; c < changes; c++) {
       combineRows(p, changed[c]);
     }
-    System.arraycopy(product, 0, p, 0, N * N);
+    for (int c = 0; c < changes; c++) {
+      int row = changed[c];
+      System.arraycopy(product, row * N, p, row * N, N);
+      for (int k = 0; k < N; k++) {
+        p[k * N + row] = product[row * N + k];
+      }
+    }
     for (int c = 0; c < changes; c++) {
       combineColumns(p, changed[c]);
     }
@@ -71,17 +80,31 @@ final class Transition {
     }
   }
 
-  /** A column of (F P) Fᵀ. */
-  private void combineColumns(double[] p, int column) {
-    int[] of = columns[column];
-    double[] by = values[column];
-    int size = sizes[column];
-    for (int from = 0; from < N * N; from += N) {
+  /** A row of (F P) Fᵀ, in the columns that change. */
+  private void combineColumns(double[] p, int row) {
+    int from = row * N;
+    for (int c = 0; c < changes; c++) {
+      int column = changed[c];
+      int[] of = columns[column];
+      double[] by = values[column];
       double sum = 0.0;
-      for (int n = 0; n < size; n++) {
+      for (int n = 0; n < sizes[column]; n++) {
         sum += by[n] * product[from + of[n]];
       }
       p[from + column] = sum;
+    }
+  }
+
+  /** Makes halves equal again after {@link #carry}; both may have been changed alike meanwhile. */
+  void symmetrise(double[] p) {
+    for (int c = 1; c < changes; c++) {
+      for (int b = 0; b < c; b++) {
+        int here = changed[c] * N + changed[b];
+        int there = changed[b] * N + changed[c];
+        double mean = 0.5 * (p[here] + p[there]);
+        p[here] = mean;
+        p[there] = mean;
+      }
     }
   }
 }

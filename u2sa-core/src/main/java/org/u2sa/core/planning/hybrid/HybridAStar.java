@@ -89,7 +89,6 @@ public final class HybridAStar {
   private final List<Curve> shots = new ArrayList<>(); // moves from HEADINGS on
   private int looked; // nodes looked at since the search began
   private int nextShot;
-  private Pose ended; // where the arc ends whose cost was computed last
   private Optional<Way> found = Optional.empty();
 
   /** How many nodes the last search made. */
@@ -191,14 +190,16 @@ public final class HybridAStar {
     for (int move = 0; move < (motion.reverses() ? 2 : 1) * STEERING.length; move++) {
       boolean backwards = move >= STEERING.length;
       double curvature = STEERING[move % STEERING.length] / motion.radiusM();
-      double metres = cost(from, backwards ? -stepM : stepM, curvature);
+      double length = backwards ? -stepM : stepM;
+      Pose end = from.along(length, curvature);
+      double metres = cost(from, end, length, curvature);
       if (metres == Double.POSITIVE_INFINITY) {
         continue;
       }
       boolean turnsBack =
           nodes.parent(node) != SearchNodes.NONE && backwards != before >= STEERING.length;
       double total = nodes.cost(node) + metres + (turnsBack ? motion.switchPenaltyM() : 0.0);
-      offer(ended, total, node, move, backwards);
+      offer(end, total, node, move, backwards);
     }
   }
 
@@ -226,12 +227,13 @@ public final class HybridAStar {
     double metres = 0.0;
     Pose at = from;
     for (Curve.Piece piece : curve.pieces()) {
-      double here = cost(at, piece.lengthM(), piece.curvature());
+      Pose end = at.along(piece.lengthM(), piece.curvature());
+      double here = cost(at, end, piece.lengthM(), piece.curvature());
       if (here == Double.POSITIVE_INFINITY) {
         return;
       }
       metres += here;
-      at = ended;
+      at = end;
     }
     int move = 2 * HEADINGS + shots.size();
     shots.add(curve);
@@ -245,16 +247,12 @@ public final class HybridAStar {
         : Dubins.shortest(from, to, motion.radiusM());
   }
 
-  /**
-   * Cost of an arc [m]; infinite if the vehicle comes too near to something on it. Where it ends is
-   * in {@link #ended} then.
-   */
-  private double cost(Pose from, double lengthM, double curvature) {
+  /** Cost of an arc [m]; infinite if the vehicle comes too near to something on it. */
+  private double cost(Pose from, Pose end, double lengthM, double curvature) {
     int parts = Math.max(1, (int) Math.ceil(Math.abs(lengthM) / grid.frame().cellM()));
     double sum = 0.0;
     for (int k = 1; k <= parts; k++) {
-      Pose at = from.along(k == parts ? lengthM : lengthM * k / parts, curvature);
-      ended = at;
+      Pose at = k == parts ? end : from.along(lengthM * k / parts, curvature);
       double clearance = body.clearanceM(grid, at.northM(), at.eastM(), at.headingRad());
       if (clearance < required(at)) {
         return Double.POSITIVE_INFINITY;

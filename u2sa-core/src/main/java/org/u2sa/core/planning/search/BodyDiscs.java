@@ -9,6 +9,7 @@ public final class BodyDiscs {
   private final double[] ahead; // of the reference point [m]
   private final double radiusM;
   private final double circleM;
+  private final CloseCover close; // null: the discs along the axis are all there is
 
   /**
    * @param frontM from the reference point to the front [m]
@@ -16,6 +17,11 @@ public final class BodyDiscs {
    * @param widthM width [m], above 0
    */
   public BodyDiscs(double frontM, double rearM, double widthM) {
+    this(frontM, rearM, widthM, null);
+  }
+
+  private BodyDiscs(double frontM, double rearM, double widthM, CloseCover close) {
+    this.close = close;
     double length = frontM + rearM;
     int count = Math.max(1, (int) Math.ceil(length / widthM));
     ahead = new double[count];
@@ -24,6 +30,17 @@ public final class BodyDiscs {
     }
     radiusM = Math.hypot(0.5 * length / count, 0.5 * widthM);
     circleM = Math.hypot(Math.max(Math.abs(frontM), Math.abs(rearM)), 0.5 * widthM);
+  }
+
+  /**
+   * The same, but near obstacles the rectangle itself counts, to a few centimetres: for passages
+   * hardly wider than the vehicle.
+   *
+   * @param spacingM of the small discs that cover it [m]
+   */
+  public static BodyDiscs closely(double frontM, double rearM, double widthM, double spacingM) {
+    CloseCover close = new CloseCover(frontM, rearM, widthM, spacingM);
+    return new BodyDiscs(frontM, rearM, widthM, close);
   }
 
   /** How many discs there are. */
@@ -46,8 +63,17 @@ public final class BodyDiscs {
     return circleM;
   }
 
-  /** What is left between the discs and the nearest occupied cell [m]; negative if they touch. */
+  /**
+   * What is left between the discs and the nearest occupied cell [m], or less than that where it is
+   * farther away than a cell; negative if they touch.
+   */
   public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
+    if (close != null) {
+      double aroundM = grid.distanceM(northM, eastM) - circleM; // whatever the heading
+      return aroundM > grid.frame().cellM()
+          ? aroundM
+          : close.clearanceM(grid, northM, eastM, headingRad);
+    }
     double cos = Math.cos(headingRad);
     double sin = Math.sin(headingRad);
     double least = Double.POSITIVE_INFINITY;

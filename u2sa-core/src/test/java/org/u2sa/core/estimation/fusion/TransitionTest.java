@@ -47,6 +47,22 @@ class TransitionTest {
   }
 
   @Test
+  void symmetrise_afterCarry_makesHalvesEqualToTheLastBit() {
+    transition.reset();
+    for (int i = 0; i < 40; i++) {
+      transition.set(random.nextInt(N), random.nextInt(N), random.nextGaussian());
+    }
+    DMatrixRMaj p = RandomMatrices_DDRM.symmetric(N, -1.0, 1.0, random);
+    transition.carry(p.data);
+    transition.symmetrise(p.data);
+    for (int i = 0; i < N; i++) {
+      for (int k = 0; k < i; k++) {
+        assertThat(p.get(i, k)).as("number %d, %d", i, k).isEqualTo(p.get(k, i));
+      }
+    }
+  }
+
+  @Test
   void carry_numberSetTwice_theSecondCounts() {
     transition.reset();
     CommonOps_DDRM.setIdentity(f);

@@ -21,7 +21,7 @@ class HybridRoutesTest {
 
   private final HybridRoutes planner = new HybridRoutes();
   private boolean gate; // whether something stands in the bay's mouth
-  private final CostGrid costs = grid();
+  private CostGrid costs = grid();
 
   private static CostGrid grid() {
     double radius = BODY.radiusM() + 0.15;
@@ -109,6 +109,51 @@ class HybridRoutesTest {
 
     Route.Point end = route.points().get(route.points().size() - 1);
     assertThat(Math.hypot(end.northM() - 6.9, end.eastM() - 5.0)).isLessThan(0.2);
+  }
+
+  @Test
+  void plan_otherHeadingAtTheGoal_isNotAnsweredWithTheWayToTheOneBefore() {
+    look();
+    planner.plan(request(START, 6.0, 1));
+    RouteRequest other =
+        new RouteRequest(
+            START,
+            6.0,
+            5.0,
+            OptionalDouble.of(Math.PI),
+            0.2,
+            TRUCK,
+            costs,
+            List.of(),
+            List.of(),
+            Integer.MAX_VALUE);
+
+    assertThat(planner.plan(other)).isEqualTo(new HybridRoutes().plan(other));
+  }
+
+  @Test
+  void plan_otherWindowOfCosts_isSearchedAnew() {
+    look();
+    planner.plan(request(START, 2.6, PART));
+    CostGrid before = costs;
+    gate = true;
+    costs = grid();
+    look();
+
+    assertThat(planner.plan(request(START, 2.6, Integer.MAX_VALUE)).obstacle())
+        .isEqualTo(Entrances.NO_WAY);
+    assertThat(costs).isNotSameAs(before);
+  }
+
+  @Test
+  void plan_answered_nextSearchBeginsAnew() {
+    look();
+    Route first = planner.plan(request(START, 2.6, Integer.MAX_VALUE));
+    gate = true;
+    look();
+
+    assertThat(first.exists()).isTrue();
+    assertThat(planner.plan(request(START, 2.6, Integer.MAX_VALUE)).exists()).isFalse();
   }
 
   @Test
