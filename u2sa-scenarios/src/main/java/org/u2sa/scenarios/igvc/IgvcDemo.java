@@ -2,7 +2,9 @@ package org.u2sa.scenarios.igvc;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.u2sa.core.mission.Mission;
 import org.u2sa.device.LidarSensor;
@@ -55,6 +57,14 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   private double lidarDiesS = Double.POSITIVE_INFINITY;
 
   @Option(
+      names = "--hard",
+      paramLabel = "WHAT",
+      split = ",",
+      description =
+          "What is worse than usual, at places and times of the seed: ${COMPLETION-CANDIDATES}; several with commas between.")
+  private Set<Hardness> hardness = EnumSet.noneOf(Hardness.class);
+
+  @Option(
       names = "--snapshot-every",
       paramLabel = "S",
       description =
@@ -86,7 +96,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
             ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
             : given;
     Path known = CourseMission.writeKnown(course, ORIGIN, directory.resolve("known.xml"));
-    IgvcWorld world = new IgvcWorld(course, ORIGIN, seed, cameraDiesS, lidarDiesS);
+    IgvcWorld world = new IgvcWorld(course, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
     RunFilm film = new RunFilm(course, ORIGIN, directory);
     RunSnapshots snapshots = new RunSnapshots(course, directory, snapshotEveryS);
     Judge judge = new Judge(course, IgvcWorld.FRONT_M, IgvcWorld.REAR_M, IgvcWorld.WIDTH_M);

@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.igvc;
 
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.u2sa.device.Camera;
 import org.u2sa.device.LaserScanner;
@@ -71,6 +72,7 @@ final class IgvcWorld {
   private final long seed;
   private final double cameraDiesS;
   private final double lidarDiesS;
+  private final Set<Hardness> hardness;
   private volatile SimulatedLaser laser; // null: not yet asked for
   private volatile SimulatedColourCamera camera;
 
@@ -78,8 +80,16 @@ final class IgvcWorld {
    * @param origin of the course on the earth
    * @param cameraDiesS when the camera is pulled out [s]; infinite: never
    * @param lidarDiesS the same of the laser
+   * @param hardness what is worse than usual
    */
-  IgvcWorld(Course course, Geodetic origin, long seed, double cameraDiesS, double lidarDiesS) {
+  IgvcWorld(
+      Course course,
+      Geodetic origin,
+      long seed,
+      double cameraDiesS,
+      double lidarDiesS,
+      Set<Hardness> hardness) {
+    this.hardness = hardness;
     this.cameraDiesS = cameraDiesS;
     this.lidarDiesS = lidarDiesS;
     this.course = course;
@@ -97,6 +107,7 @@ final class IgvcWorld {
             .vehicle(new DifferentialVehicle(measures, at))
             .gps(RECEIVER, UbloxSettings.factory())
             .compass(CompassParameters.calibrated(declinationRad), COMPASS_BAUD)
+            .hazards(Hardness.hazards(hardness, course, new NoiseStreams(seed)))
             .seed(seed)
             .build();
     board = new IoioFirmware(IoioBoard.OTG, vehicle);
@@ -162,6 +173,7 @@ final class IgvcWorld {
     laser =
         new SimulatedLaser(
             LASER,
+            Hardness.laser(hardness),
             new NoiseStreams(seed),
             new LaserOnVehicle(world, this::truth, LASER_FORWARD_M, LASER_UP_M, LASER.farthestM()));
     time(0.0);

@@ -19,7 +19,7 @@ import org.u2sa.sim.world.World;
  * Judges a run by the competition's rules and the truth: no part of the vehicle on a line, gaps in
  * its paint and the ends of the course included, nor on an obstacle; more than 1 mph on average
  * over the first 44 ft, never more than 5 mph; not more than a minute at rest; six minutes in all.
- * A touch that lasts is one.
+ * A touch that lasts is one. Flags passed on the wrong side are counted, but spoil no run.
  */
 final class Judge {
   static final double SLOWEST_MPS = 0.44704; // 1 mph
@@ -35,11 +35,13 @@ final class Judge {
   private final World obstacles;
   private final Footprint overPaint;
   private final Footprint body;
+  private final FlagSides flags;
   private final List<String> log = new ArrayList<>();
   private final List<String> violations = new ArrayList<>();
   private final Map<String, Double> lastTouch = new LinkedHashMap<>();
   private int crossings;
   private int touches;
+  private int wrongFlags;
   private double beganS = Double.NaN;
   private double lastS;
   private Point last;
@@ -63,6 +65,7 @@ final class Judge {
                 .filter(CourseChecker::isInTheWay)
                 .filter(object -> !(object instanceof PolyLine))
                 .toList());
+    flags = new FlagSides(course);
     double half = 0.5 * Course.LINE_M;
     overPaint = Footprint.rectangle(frontM + half, rearM + half, widthM + 2.0 * half, -1.0, 0.5);
     body = Footprint.rectangle(frontM, rearM, widthM, -1.0, 0.5);
@@ -99,6 +102,10 @@ final class Judge {
         touches++;
         say(truth, "touches " + obstacle.uid());
       }
+    }
+    for (ObjectDescription flag : flags.wrong(truth)) {
+      wrongFlags++;
+      say(truth, "has passed " + flag.uid() + " on the wrong side");
     }
     pace(truth);
   }
@@ -176,6 +183,7 @@ final class Judge {
     Map<String, Integer> counts = new LinkedHashMap<>();
     counts.put("lineCrossings", crossings);
     counts.put("touches", touches);
+    counts.put("flagsOnWrongSide", wrongFlags);
     Map<String, Double> figures = new LinkedHashMap<>();
     double goneS = Double.isNaN(beganS) ? 0.0 : lastS - beganS;
     figures.put("averageSpeedMps", goneS > 0.0 ? distanceM / goneS : 0.0);

@@ -12,14 +12,18 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Rows of barrels, seen by the laser alone: a vehicle 0.92 m wide leaves a gap of 1.1 m alone for a
- * wider one aside. The row's angle, the gap's place and all noise follow from the seed.
+ * Rows of barrels, seen by the laser alone: a vehicle 0.92 m wide goes through a gap of 1.524 m,
+ * and leaves one of 1.1 m alone for a wider one aside. The row's angle, the gap's place and all
+ * noise follow from the seed.
  */
 class GapTest {
   private static final double DECOY_M = 1.1;
   private static final double WIDE_M = 2.2;
   private static final double ASIDE_M = 4.2; // from the decoy to the wide gap
+  private static final double NARROW_M = 1.524; // 5 ft, the rules' narrowest passage
   private static final double ROW_M = 8.0; // to each side: farther than the way through
+  private static final double LONG_ROW_M = 16.0; // farther than the laser sees
+  private static final double AROUND_M = 25.0; // a way shorter than this leads through the gap
   private static final double SPACING_M = 0.9;
   private static final double MOST_ANGLE = Math.toRadians(25.0);
 
@@ -31,7 +35,7 @@ class GapTest {
   @TempDir private Path directory;
 
   /** A row of barrels, with gaps at these places along it. */
-  private static Course row(long seed, double[] middles, double[] widths) {
+  private static Course row(long seed, double halfM, double[] middles, double[] widths) {
     SplittableRandom random = new SplittableRandom(seed);
     double angle = MOST_ANGLE * (2.0 * random.nextDouble() - 1.0);
     double ahead = 5.0 + random.nextDouble();
@@ -40,10 +44,10 @@ class GapTest {
         new CourseBuilder(Point.ORIGIN, 2.0 * Math.PI * random.nextDouble(), random.nextBoolean());
     builder.start(Point.ORIGIN, Point.of(1.0, 0.0, 0.0));
     builder.waypoint(Point.of(ahead + 6.0, shift, 0.0));
-    double place = -ROW_M;
+    double place = -halfM;
     for (int i = 0; i <= middles.length; i++) {
       boolean isLast = i == middles.length;
-      double end = isLast ? ROW_M : middles[i] - 0.5 * widths[i] - CourseBuilder.BARREL_RADIUS_M;
+      double end = isLast ? halfM : middles[i] - 0.5 * widths[i] - CourseBuilder.BARREL_RADIUS_M;
       int steps = (int) Math.ceil((end - place) / SPACING_M);
       for (int k = 0; k <= steps; k++) {
         builder.barrel(on(place + (end - place) * k / steps + shift, ahead, angle));
@@ -76,7 +80,28 @@ class GapTest {
     double aside = seed % 2 == 0 ? ASIDE_M : -ASIDE_M;
     double[] middles = {Math.min(0.0, aside), Math.max(0.0, aside)};
     double[] widths = {aside < 0.0 ? WIDE_M : DECOY_M, aside < 0.0 ? DECOY_M : WIDE_M};
-    requireClean(drive(row(seed, middles, widths), seed));
+    requireClean(drive(row(seed, ROW_M, middles, widths), seed));
+  }
+
+  private void thread(long seed) {
+    Course course = row(seed, LONG_ROW_M, new double[] {0.0}, new double[] {NARROW_M});
+    IgvcRun run = drive(course, seed);
+    requireClean(run);
+    assertThat(run.summary().path("distanceM").asDouble()).as(run.said()).isLessThan(AROUND_M);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = 3)
+  void demo_narrowestGapOfTheRules_isThreaded(long seed) {
+    thread(seed);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(
+      longs = {61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80})
+  void demo_twentyNarrowestGapsOfTheRules_areThreaded(long seed) {
+    thread(seed);
   }
 
   @ParameterizedTest

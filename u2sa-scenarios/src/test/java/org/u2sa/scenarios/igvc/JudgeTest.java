@@ -65,6 +65,29 @@ class JudgeTest {
   }
 
   @Test
+  void see_redFlagToTheRightBlueToTheLeft_areAsTheyShould() {
+    builder.flag(Point.of(1.0, 5.0, 0.0), true);
+    builder.flag(Point.of(-1.0, 10.0, 0.0), false);
+    Judge judge = judge();
+    drive(judge, 0.0, 1.0, 20.0);
+    assertThat(count(judge, "flagsOnWrongSide")).isZero();
+  }
+
+  @Test
+  void see_flagsOnTheWrongSides_areCountedAndNamedButSpoilNoRun() {
+    builder.flag(Point.of(-1.0, 5.0, 0.0), true);
+    builder.flag(Point.of(1.0, 10.0, 0.0), false);
+    builder.flag(Point.of(3.0, 12.0, 0.0), false); // of another lane
+    Judge judge = judge();
+    drive(judge, 0.0, 1.0, 20.0);
+    assertThat(count(judge, "flagsOnWrongSide")).isEqualTo(2);
+    assertThat(judge.log())
+        .anyMatch(line -> line.endsWith("has passed red flag 1 on the wrong side"))
+        .anyMatch(line -> line.endsWith("has passed blue flag 1 on the wrong side"));
+    assertThat(judge.outcome().isClean()).isTrue();
+  }
+
+  @Test
   void see_sideOnTheInnerEdgeOfTheLine_isOneCrossing() {
     lane(1.524);
     Judge judge = judge();

@@ -46,7 +46,17 @@ class ShortCourseTest {
 
   @Test
   void demo_cameraDiesOnTheWay_standsBetweenItsLines() {
-    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--camera-dies", "5");
+    standsBetweenItsLines("--camera-dies");
+  }
+
+  @Tag("long")
+  @Test
+  void demo_laserDiesOnTheWay_standsBetweenItsLines() {
+    standsBetweenItsLines("--lidar-dies");
+  }
+
+  private void standsBetweenItsLines(String dies) {
+    IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, dies, "5");
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isZero();
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();

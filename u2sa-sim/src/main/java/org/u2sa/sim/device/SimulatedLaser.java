@@ -14,9 +14,13 @@ import org.u2sa.sim.sensor.NoiseStreams;
 /** A scanning laser whose beams all go out at one moment. */
 public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
     implements LaserScanner {
+  private static final double EDGE_M = 0.2; // between neighbouring beams
+
   private final Optics optics;
   private final Supplier<DoubleUnaryOperator> view;
   private final Random noise;
+  private final Faults faults;
+  private final Random faulty;
 
   /**
    * What it sees.
@@ -45,27 +49,65 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   }
 
   /**
-   * Takes the stream {@code laser}.
+   * What goes wrong with single beams.
+   *
+   * @param dropOut share of echoes that are lost, 0…1: dark or smooth surfaces
+   * @param mixed share of the beams at an edge that hit both what is before and what is behind it,
+   *     0…1: they measure a distance between (Tuley, Vandapel, Hebert: Analysis and Removal of
+   *     Artifacts in 3-D LADAR Data, ICRA 2005)
+   */
+  public record Faults(double dropOut, double mixed) {
+    /** None. */
+    public static final Faults NONE = new Faults(0.0, 0.0);
+
+    /**
+     * @throws IllegalArgumentException if a share is outside 0…1
+     */
+    public Faults {
+      Arguments.requireInside("share of echoes that are lost", dropOut, 0.0, 1.0);
+      Arguments.requireInside("share of mixed pixels at edges", mixed, 0.0, 1.0);
+    }
+  }
+
+  /**
+   * Without faults; takes the stream {@code laser}.
    *
    * @param view what it sees from where it is now: the distance to the nearest thing in a
    *     direction, to the left positive [rad]; infinite if there is none [m]
    */
   public SimulatedLaser(Optics optics, NoiseStreams streams, Supplier<DoubleUnaryOperator> view) {
+    this(optics, Faults.NONE, streams, view);
+  }
+
+  /**
+   * Takes the streams {@code laser} and {@code laser faults}.
+   *
+   * @param view what it sees from where it is now: the distance to the nearest thing in a
+   *     direction, to the left positive [rad]; infinite if there is none [m]
+   */
+  public SimulatedLaser(
+      Optics optics, Faults faults, NoiseStreams streams, Supplier<DoubleUnaryOperator> view) {
     super(optics.rateHz(), 0.0);
     Arguments.requireInside("beams", optics.beams(), 1.0, 100_000.0);
     this.optics = optics;
     this.view = view;
+    this.faults = faults;
     noise = streams.of("laser");
+    faulty = streams.of("laser faults");
   }
 
   @Override
   Scan measure(double timeS, long measuredAtMicros) {
     DoubleUnaryOperator distance = view.get();
+    double[] seen = new double[optics.beams()];
+    for (int i = 0; i < seen.length; i++) {
+      seen[i] = distance.applyAsDouble(optics.firstRad() + i * optics.stepRad());
+    }
     List<OptionalDouble> ranges = new ArrayList<>(optics.beams());
     for (int i = 0; i < optics.beams(); i++) {
-      double trueM = distance.applyAsDouble(optics.firstRad() + i * optics.stepRad());
-      double rangeM = trueM + optics.sigmaM() * noise.nextGaussian();
-      boolean isEcho = rangeM >= optics.nearestM() && rangeM <= optics.farthestM();
+      double rangeM = mixed(seen, i) + optics.sigmaM() * noise.nextGaussian();
+      boolean isLost = faults.dropOut() > 0.0 && faulty.nextDouble() < faults.dropOut();
+      boolean isEcho = !isLost && rangeM >= optics.nearestM() && rangeM <= optics.farthestM();
       ranges.add(isEcho ? OptionalDouble.of(rangeM) : OptionalDouble.empty());
     }
     RangeScan scan =
@@ -75,5 +117,16 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
             .beams(optics.firstRad(), optics.stepRad(), ranges);
     scan.timestamp(measuredAtMicros);
     return new Scan(measuredAtMicros, scan);
+  }
+
+  /** What a beam measures without noise: at an edge perhaps something between both sides. */
+  private double mixed(double[] seen, int beam) {
+    double here = seen[beam];
+    double next = seen[Math.min(beam + 1, seen.length - 1)];
+    boolean isEdge = Math.abs(next - here) > EDGE_M && Math.max(here, next) <= optics.farthestM();
+    if (faults.mixed() == 0.0 || !isEdge || faulty.nextDouble() >= faults.mixed()) {
+      return here;
+    }
+    return here + faulty.nextDouble() * (next - here);
   }
 }

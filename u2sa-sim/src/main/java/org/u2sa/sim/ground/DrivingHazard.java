@@ -28,6 +28,19 @@ public sealed interface DrivingHazard {
   }
 
   /**
+   * Satellites are heard by reflections: positions are off by so much, and the receiver does not
+   * know [m].
+   */
+  record Multipath(double fromS, double toS, double eastM, double northM) implements Window {
+    /** Checks that it ends after it begins, and the error. */
+    public Multipath {
+      window("multipath", fromS, toS);
+      Arguments.requireInside("multipath east", eastM, -1_000.0, 1_000.0);
+      Arguments.requireInside("multipath north", northM, -1_000.0, 1_000.0);
+    }
+  }
+
+  /**
    * Somebody holds the radio transmitter with its switch on manual: its sticks drive the motors.
    */
   record Manual(double fromS, double toS, DriveCommand sticks) implements Window {

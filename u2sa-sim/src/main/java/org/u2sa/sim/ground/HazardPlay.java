@@ -2,7 +2,9 @@ package org.u2sa.sim.ground;
 
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.CompassModel;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
 /** Applies the hazards of a run to a vehicle. */
@@ -12,6 +14,7 @@ final class HazardPlay {
   private final List<DrivingHazard.BatteryAt> batteries;
   private final List<DrivingHazard.Push> pushes;
   private final List<DrivingHazard.Magnetic> magnets;
+  private final List<DrivingHazard.Multipath> reflections;
   private double lastS = -1.0;
 
   HazardPlay(Hazards hazards, GroundVehicle vehicle, World world) {
@@ -20,6 +23,7 @@ final class HazardPlay {
     batteries = hazards.of(DrivingHazard.BatteryAt.class);
     pushes = hazards.of(DrivingHazard.Push.class);
     magnets = hazards.of(DrivingHazard.Magnetic.class);
+    reflections = hazards.of(DrivingHazard.Multipath.class);
     vehicle.enter(world.with(hazards.on(world.surface())));
   }
 
@@ -71,6 +75,27 @@ final class HazardPlay {
 
   boolean gpsBlocked(double timeS) {
     return now(DrivingHazard.GpsOutage.class, timeS).isPresent();
+  }
+
+  /** Where the receiver takes the vehicle to be, before its own errors. */
+  VehicleTruth received(VehicleTruth truth) {
+    double east = 0.0;
+    double north = 0.0;
+    for (DrivingHazard.Multipath reflection : reflections) {
+      if (reflection.lasts(truth.timeS())) {
+        east += reflection.eastM();
+        north += reflection.northM();
+      }
+    }
+    return east == 0.0 && north == 0.0
+        ? truth
+        : new VehicleTruth(
+            truth.timeS(),
+            truth.position().plus(Point.of(east, north, 0.0)),
+            truth.attitude(),
+            truth.velocity(),
+            truth.rates(),
+            truth.acceleration());
   }
 
   private <T extends DrivingHazard.Window> Optional<T> now(Class<T> kind, double timeS) {

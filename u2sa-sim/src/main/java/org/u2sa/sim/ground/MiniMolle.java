@@ -95,7 +95,7 @@ public final class MiniMolle implements Pins {
 
   private void sense(long micros) {
     GroundState s = state;
-    gps.advance(micros, truth, hazards.gpsBlocked(micros / US_PER_S));
+    gps.advance(micros, hazards.received(truth), hazards.gpsBlocked(micros / US_PER_S));
     compass.advance(
         micros, truth, hazards.field(s.eastM(), s.northM(), s.leftMotorA(), s.rightMotorA()));
   }

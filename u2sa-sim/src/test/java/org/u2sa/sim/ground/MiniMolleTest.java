@@ -139,6 +139,30 @@ class MiniMolleTest {
   }
 
   @Test
+  void hazards_multipath_positionIsOffThenAndTheReceiverDoesNotKnow() {
+    MiniMolle molle =
+        MiniMolle.in(WORLD)
+            .gps(GpsParameters.survey(), UbloxSettings.factory())
+            .hazards(Hazards.none().with(new DrivingHazard.Multipath(1.5, 2.5, 100.0, 0.0)))
+            .build();
+    run(molle, 4.0);
+    double minute =
+        WORLD.plane().at(100.0, 0.0, 0.0).longitudeDeg()
+            - WORLD.plane().at(0.0, 0.0, 0.0).longitudeDeg();
+    assertThat(westMinutes("120002.00") - westMinutes("120001.00"))
+        .isCloseTo(-60.0 * minute, within(1e-4));
+    assertThat(westMinutes("120003.00")).isCloseTo(westMinutes("120001.00"), within(1e-4));
+  }
+
+  /** Minutes of longitude of a fix that the receiver calls valid. */
+  private double westMinutes(String time) {
+    String fix = "$GPRMC," + time + ",A,";
+    assertThat(heard).contains(fix);
+    String longitude = heard.substring(heard.indexOf(fix)).split(",")[5];
+    return Double.parseDouble(longitude.substring(3));
+  }
+
+  @Test
   void hazards_batteryAndPush_areFelt() {
     MiniMolle molle =
         MiniMolle.in(WORLD)
