@@ -88,8 +88,10 @@ final class DirectSession implements MqttSession {
     long keepAliveMicros = TimeUnit.SECONDS.toMicros(options.getKeepAliveInterval());
     Thread reader = new Thread(() -> read(keepAliveMicros), "u2sa-mqtt " + clientId);
     reader.setDaemon(true);
-    reader.start(); // from here on it closes what was opened
-    send(MqttPackets.connect(clientId, options));
+    synchronized (lock) {
+      put(MqttPackets.connect(clientId, options));
+    }
+    reader.start(); // which sends it, knows why an answer is wrong, and closes what was opened
     int code = await(connected);
     if (code != 0) {
       throw new MqttException(code);
@@ -150,13 +152,18 @@ final class DirectSession implements MqttSession {
 
   private void send(ByteBuffer packet) throws MqttException {
     synchronized (lock) {
-      ByteBuffer room = outbox.room(packet.remaining());
-      if (room == null) {
-        throw new MqttException(MqttException.REASON_CODE_MAX_INFLIGHT);
-      }
-      room.put(packet);
+      put(packet);
       sendOutbox();
     }
+  }
+
+  /** Called with the lock. */
+  private void put(ByteBuffer packet) throws MqttException {
+    ByteBuffer room = outbox.room(packet.remaining());
+    if (room == null) {
+      throw new MqttException(MqttException.REASON_CODE_MAX_INFLIGHT);
+    }
+    room.put(packet);
   }
 
   /** Called with the lock. */
