@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa plot actuation.percentage --for 20 --png actuation.png",
       "",
       "FIELD is CHANNEL.FIELD, such as state.psi, scans.ranges[3] or objects.objects.size. Each source of a channel (sensor, actuator) is a "
-          + "line; each unit has a chart of its own. With --for, or where the terminal cannot redraw, the plot is printed at the end.",
+          + "line; each unit has a chart of its own. Where the terminal cannot redraw, the plot is printed at the end.",
       "",
       "Exit code 1: no values were heard."
     })
@@ -89,7 +89,7 @@ public final class PlotCommand implements Callable<Integer> {
       MessageStream stream = new MessageStream(link);
       wanted.stream().map(Wanted::channel).distinct().forEach(stream::of);
       long began = link.clock().micros();
-      boolean live = png == null && !json && terminal.redraws() && !time.isBounded();
+      boolean live = png == null && !json && terminal.redraws();
       double nowS = listen(link, stream, wanted, began, live ? terminal : null);
       if (series.isEmpty()) {
         throw new RunFailedException(
@@ -99,7 +99,11 @@ public final class PlotCommand implements Callable<Integer> {
                 + link.systemId()
                 + "\"");
       }
-      show(terminal, nowS);
+      if (live) {
+        redraw(terminal, nowS);
+      } else {
+        show(terminal, nowS);
+      }
       return ExitCode.DONE;
     }
   }
@@ -131,8 +135,7 @@ public final class PlotCommand implements Callable<Integer> {
       double nowS = (now - began) / MICROS;
       if (live != null && nowS - drawnS >= DRAW_EVERY_S) {
         drawnS = nowS;
-        live.out().print(TO_TOP_AND_CLEAR);
-        draw(live, nowS);
+        redraw(live, nowS);
         if (live.out().checkError()) {
           return nowS;
         }
@@ -174,6 +177,11 @@ public final class PlotCommand implements Callable<Integer> {
         terminal.out().println(png.toString());
       }
     }
+  }
+
+  private void redraw(Terminal terminal, double nowS) {
+    terminal.out().print(TO_TOP_AND_CLEAR);
+    draw(terminal, nowS);
   }
 
   private void draw(Terminal terminal, double nowS) {
