@@ -3,11 +3,13 @@ package org.u2sa.gcs.export;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.ProgramVersion;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.gcs.record.RecordedMessages;
 import org.u2sa.gcs.record.RecordedSpan;
@@ -23,14 +25,16 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "export",
     description = {
-      "Write a recording as CSV, KML, GPX or GeoJSON.",
+      "Write a recording as CSV, KML, GPX or GeoJSON, or for viewers that know no CBOR.",
       "",
       "  ./u2sa export recording.mcap --format csv --channel state,actuation --out tables",
       "  ./u2sa export recording.mcap --format kml",
+      "  ./u2sa export recording.mcap --format mcap",
       "",
       "csv: a folder with a table for each topic: time of recording [s], then each field that any message of the topic has, with "
           + "its unit. Lists and messages within a message are JSON.",
-      "kml, gpx, geojson: tracks of the states in the frame GLOBAL, one for each source, and the goals. Default channel: state."
+      "kml, gpx, geojson: tracks of the states in the frame GLOBAL, one for each source, and the goals. Default channel: state.",
+      "mcap: a recording whose messages are JSON, for Foxglove, Lichtblick and PlotJuggler; with its views, unless --channel names channels."
     })
 public final class ExportCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
@@ -43,7 +47,8 @@ public final class ExportCommand implements Callable<Integer> {
     csv,
     kml,
     gpx,
-    geojson
+    geojson,
+    mcap
   }
 
   @Option(
@@ -84,6 +89,8 @@ public final class ExportCommand implements Callable<Integer> {
       RecordedSpan span = part.of(recording.reader());
       if (format == Format.csv) {
         tables(recording, span);
+      } else if (format == Format.mcap) {
+        viewers(recording, span);
       } else {
         map(recording, span);
       }
@@ -102,6 +109,19 @@ public final class ExportCommand implements Callable<Integer> {
     for (Map.Entry<Path, Long> table : tables.write(target("-csv")).entrySet()) {
       printer.println(table.getKey() + " (" + table.getValue() + " rows)");
     }
+  }
+
+  private void viewers(RecordedMessages recording, RecordedSpan span) throws IOException {
+    Path target = target("-viewer.mcap");
+    if (Files.exists(target) && Files.isSameFile(target, file)) {
+      throw new ParameterException(
+          command.commandLine(), "--out " + out + ": expected another file than the recording");
+    }
+    long messages =
+        new ViewerRecording(
+                recording, span, recording.channels(channels), channels.isEmpty(), everyS)
+            .write(target, "u2sa " + ProgramVersion.text());
+    command.commandLine().getOut().printf("%s (%d messages)%n", target, messages);
   }
 
   private void map(RecordedMessages recording, RecordedSpan span) throws IOException {

@@ -1,8 +1,10 @@
 package org.u2sa.gcs.view;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import org.u2sa.gcs.message.ViewerJson;
 import org.u2sa.gcs.record.Playback;
 import org.u2sa.gcs.record.RecordedMessages;
 import org.u2sa.gcs.record.RecordedSpan;
@@ -83,10 +85,15 @@ final class RecordedView {
             channel.topic(),
             isView(channel) ? ViewChannel.PROTOBUF : ViewChannel.JSON,
             schema.name(),
-            schema::data,
+            () -> isView(channel) ? schema.data() : forViewers(schema),
             latched);
       }
     }
+  }
+
+  private static byte[] forViewers(McapSchema schema) {
+    String recorded = new String(schema.data(), StandardCharsets.UTF_8);
+    return ViewerJson.schema(schema.name(), recorded).getBytes(StandardCharsets.UTF_8);
   }
 
   /** Hands views over as they are, messages as views are made of them. */

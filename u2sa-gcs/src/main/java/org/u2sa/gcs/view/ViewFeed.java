@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import org.u2sa.gcs.message.MessageJson;
+import org.u2sa.gcs.message.ViewerJson;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.U2SAData;
@@ -45,10 +46,12 @@ final class ViewFeed {
             topic.toString(),
             ViewChannel.JSON,
             MessageJson.typeName(message),
-            () -> SchemaText.of(message.type()).getBytes(StandardCharsets.UTF_8),
+            () ->
+                ViewerJson.schema(message.type().name(), SchemaText.of(message.type()))
+                    .getBytes(StandardCharsets.UTF_8),
             channel.isRetained());
     server.publish(
-        own, nanos, () -> MessageJson.fields(message).line().getBytes(StandardCharsets.UTF_8));
+        own, nanos, () -> ViewerJson.fields(message).line().getBytes(StandardCharsets.UTF_8));
     if (!makesViews) {
       return;
     }
