@@ -5,14 +5,17 @@ import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.ProgramVersion;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.gcs.record.RecordedMessages;
 import org.u2sa.gcs.record.RecordedSpan;
+import org.u2sa.interfaces.JsonText;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -79,6 +82,9 @@ public final class ExportCommand implements Callable<Integer> {
           "Where to: a file; of csv, a folder. Default: beside the recording, with its name.")
   private Path out;
 
+  @Option(names = "--json", description = "Say what was written as JSON, an object a file.")
+  private boolean json;
+
   @Override
   public Integer call() throws IOException {
     if (!(everyS >= 0.0)) {
@@ -105,9 +111,21 @@ public final class ExportCommand implements Callable<Integer> {
 
   private void tables(RecordedMessages recording, RecordedSpan span) throws IOException {
     CsvTables tables = new CsvTables(recording, span, recording.channels(channels), everyS);
+    tables.write(target("-csv")).forEach((table, rows) -> say(table, Map.of("rows", rows)));
+  }
+
+  /** A line of what was written, and how much of it. */
+  private void say(Path written, Map<String, Long> counts) {
     PrintWriter printer = command.commandLine().getOut();
-    for (Map.Entry<Path, Long> table : tables.write(target("-csv")).entrySet()) {
-      printer.println(table.getKey() + " (" + table.getValue() + " rows)");
+    if (json) {
+      JsonText line = new JsonText().put("file", written.toString());
+      counts.forEach(line::put);
+      printer.println(line.line());
+    } else {
+      printer.println(
+          counts.entrySet().stream()
+              .map(count -> count.getValue() + " " + count.getKey())
+              .collect(Collectors.joining(", ", written + " (", ")")));
     }
   }
 
@@ -121,7 +139,7 @@ public final class ExportCommand implements Callable<Integer> {
         new ViewerRecording(
                 recording, span, recording.channels(channels), channels.isEmpty(), everyS)
             .write(target, "u2sa " + ProgramVersion.text());
-    command.commandLine().getOut().printf("%s (%d messages)%n", target, messages);
+    say(target, Map.of("messages", messages));
   }
 
   private void map(RecordedMessages recording, RecordedSpan span) throws IOException {
@@ -129,12 +147,11 @@ public final class ExportCommand implements Callable<Integer> {
     String title = file.getFileName().toString();
     Path target = target("." + format);
     ReportFile.writeText(target, text -> write(text, title, run));
-    command
-        .commandLine()
-        .getOut()
-        .printf(
-            "%s (%d tracks, %d points, %d goals)%n",
-            target, run.tracks().size(), run.points(), run.goals().size());
+    Map<String, Long> counts = new LinkedHashMap<>();
+    counts.put("tracks", (long) run.tracks().size());
+    counts.put("points", (long) run.points());
+    counts.put("goals", (long) run.goals().size());
+    say(target, counts);
   }
 
   private void write(Writer text, String title, GeoRun run) throws IOException {

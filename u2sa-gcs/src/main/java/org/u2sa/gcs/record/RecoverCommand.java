@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.ProgramVersion;
+import org.u2sa.interfaces.JsonText;
 import org.u2sa.recorder.mcap.McapRecovery;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -20,6 +21,8 @@ import picocli.CommandLine.Spec;
     name = "recover",
     description = {
       "Make a whole recording of one that breaks off or is damaged.",
+      "",
+      "  ./u2sa recover out/drive/recording.mcap",
       "",
       "Copies every message, attachment and metadata record that can be read, also of a chunk of which only a part is there. "
           + "The broken file is not changed."
@@ -38,6 +41,9 @@ public final class RecoverCommand implements Callable<Integer> {
       description = "The whole recording. Default: FILE with \"-recovered\" in its name.")
   private Path out;
 
+  @Option(names = "--json", description = "Say what was recovered as JSON.")
+  private boolean json;
+
   @Override
   public Integer call() throws IOException {
     if (!Files.isRegularFile(file)) {
@@ -51,6 +57,15 @@ public final class RecoverCommand implements Callable<Integer> {
     }
     McapRecovery.Result result = McapRecovery.recover(file, whole, "u2sa " + ProgramVersion.text());
     PrintWriter printer = command.commandLine().getOut();
+    if (json) {
+      printer.println(
+          new JsonText()
+              .put("file", whole.toString())
+              .put("messages", result.messages())
+              .put("trouble", result.trouble())
+              .line());
+      return ExitCode.DONE;
+    }
     printer.println(
         result
             .trouble()

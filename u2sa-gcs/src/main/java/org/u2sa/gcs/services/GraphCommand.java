@@ -31,6 +31,9 @@ import picocli.CommandLine.Spec;
     description = {
       "Show which service feeds which in a running system, and data without a publisher or subscriber.",
       "",
+      "  ./u2sa graph",
+      "  ./u2sa graph --broker vehicle.local --dot | dot -Tsvg > system.svg",
+      "",
       "Left out: the channels that every service uses (discovery, functionality, stop, configuration, "
           + "health)."
     })
@@ -49,12 +52,20 @@ public final class GraphCommand implements Callable<Integer> {
 
     @Option(names = "--dot", description = "The same as --format dot.")
     private boolean dot;
+
+    @Option(names = "--json", description = "The same as --format json.")
+    private boolean json;
+
+    Format chosen() {
+      return json ? Format.JSON : dot ? Format.DOT : format;
+    }
   }
 
   private enum Format {
     TEXT,
     MERMAID,
-    DOT
+    DOT,
+    JSON
   }
 
   @Override
@@ -79,10 +90,11 @@ public final class GraphCommand implements Callable<Integer> {
   }
 
   private List<String> lines(String systemId, ServiceGraph graph) {
-    return switch (form.dot ? Format.DOT : form.format) {
+    return switch (form.chosen()) {
       case TEXT -> GraphText.lines(graph);
       case MERMAID -> GraphText.mermaid(graph);
       case DOT -> GraphText.dot(systemId, graph);
+      case JSON -> List.of(GraphText.json(systemId, graph));
     };
   }
 

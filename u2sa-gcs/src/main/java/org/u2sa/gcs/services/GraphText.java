@@ -6,8 +6,9 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.u2sa.gcs.services.ServiceGraph.Feed;
 import org.u2sa.gcs.terminal.TextTable;
+import org.u2sa.interfaces.JsonText;
 
-/** A {@link ServiceGraph} to read, and for programs that draw: Mermaid and Graphviz. */
+/** A {@link ServiceGraph} to read, for programs that draw (Mermaid, Graphviz), and as JSON. */
 final class GraphText {
   private GraphText() {}
 
@@ -38,6 +39,32 @@ final class GraphText {
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE");
     ends.forEach(end -> table.add(end.from() + end.to(), end.channel(), end.type()));
     table.lines().stream().skip(1).forEach(line -> lines.add("  " + line));
+  }
+
+  /** The graph on one line; the key {@code from} or {@code to} of a loose end is left out. */
+  static String json(String systemId, ServiceGraph graph) {
+    JsonText roles = new JsonText();
+    graph.services().forEach(name -> roles.put(name, graph.roles().get(name)));
+    return new JsonText()
+        .put("system", systemId)
+        .put("services", roles)
+        .put("feeds", json(graph.feeds()))
+        .put("unheard", json(graph.unheard()))
+        .put("unfed", json(graph.unfed()))
+        .put("unanswered", graph.unanswered())
+        .line();
+  }
+
+  private static List<JsonText> json(List<Feed> feeds) {
+    return feeds.stream()
+        .map(
+            feed ->
+                new JsonText()
+                    .put("from", Optional.of(feed.from()).filter(name -> !name.isEmpty()))
+                    .put("to", Optional.of(feed.to()).filter(name -> !name.isEmpty()))
+                    .put("channel", feed.channel())
+                    .put("type", feed.type()))
+        .toList();
   }
 
   /** The graph in Mermaid's language; loose ends are dashed. */

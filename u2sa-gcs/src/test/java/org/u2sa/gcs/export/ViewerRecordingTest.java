@@ -42,6 +42,7 @@ class ViewerRecordingTest {
       Topic.of("rover", Channels.PLANS, new PlannedPath()).toString();
 
   @TempDir private Path folder;
+  private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();
   private Path recording;
 
@@ -72,8 +73,7 @@ class ViewerRecordingTest {
   private int export(String... more) {
     List<String> all = new ArrayList<>(List.of("export", recording.toString(), "--format", "mcap"));
     all.addAll(List.of(more));
-    return Main.run(
-        new PrintWriter(new StringWriter()), new PrintWriter(err), all.toArray(new String[0]));
+    return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(new String[0]));
   }
 
   private static List<McapMessage> messages(McapReader reader) throws IOException {
@@ -113,6 +113,14 @@ class ViewerRecordingTest {
     try (McapReader reader = McapReader.open(folder.resolve("run-viewer.mcap"))) {
       assertThat(messages(reader)).hasSize(1);
     }
+  }
+
+  @Test
+  void mcap_json_saysFileAndMessages() throws IOException {
+    assertThat(export("--json")).as(err.toString()).isEqualTo(ExitCode.DONE);
+    JsonNode said = new ObjectMapper().readTree(out.toString());
+    assertThat(said.get("file").asText()).endsWith("run-viewer.mcap");
+    assertThat(said.get("messages").asLong()).isEqualTo(2);
   }
 
   @Test

@@ -2,6 +2,8 @@ package org.u2sa.gcs.record;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -115,6 +117,18 @@ class RecordCommandsTest {
     for (int i = 0; i < found.size(); i++) {
       assertThat(found.get(i)).isEqualTo(before.get(i));
     }
+  }
+
+  @Test
+  void recover_json_saysHowManyAndWhatWasWrong() throws IOException {
+    Path broken = directory.resolve("cut.mcap");
+    byte[] bytes = Files.readAllBytes(recording);
+    Files.write(broken, Arrays.copyOf(bytes, bytes.length / 2));
+    assertThat(run("recover", broken.toString(), "--json")).isEqualTo(ExitCode.DONE);
+    JsonNode said = new ObjectMapper().readTree(out.toString());
+    assertThat(said.get("messages").asLong()).isPositive();
+    assertThat(said.get("trouble").asText()).contains("breaks off");
+    assertThat(Path.of(said.get("file").asText())).isRegularFile();
   }
 
   @Test

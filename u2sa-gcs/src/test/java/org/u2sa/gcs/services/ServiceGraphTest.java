@@ -60,6 +60,18 @@ class ServiceGraphTest {
   }
 
   @Test
+  void json_feedsAndLooseEnds_nameWhoIsThere() {
+    add("From", ServiceRole.OBSERVER, List.of("a/Base", "b/Base"), List.of());
+    add("To", ServiceRole.OBSERVER, List.of(), List.of("a/Base"));
+
+    assertThat(GraphText.json("rover", graph()))
+        .startsWith("{\"system\":\"rover\",\"services\":{\"From\":")
+        .contains(
+            "\"feeds\":[{\"from\":\"From\",\"to\":\"To\",\"channel\":\"a\",\"type\":\"Base\"}]",
+            "\"unheard\":[{\"from\":\"From\",\"channel\":\"b\",\"type\":\"Base\"}],\"unfed\":[]");
+  }
+
+  @Test
   void of_itsOwnSubscription_isNoFeed() {
     add("Alone", ServiceRole.OBSERVER, List.of("a/Base"), List.of("a/Base"));
 
