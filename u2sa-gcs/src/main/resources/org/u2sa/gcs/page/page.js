@@ -388,13 +388,18 @@
     }));
   });
   {
-    const facts = element("table", {}, document.getElementById("facts"));
+    const place = document.getElementById("facts");
+    const facts = element("table", {}, place);
+    const folded = element("details", {}, place);
+    element("summary", {}, folded, "What services were given when they were made");
+    const executions = element("table", {}, folded);
     runs.forEach(run => run.facts.forEach(fact => {
-      const row = element("tr", {}, facts);
+      const row = element("tr", {}, fact.name.startsWith("execution/") ? executions : facts);
       if (several) element("td", {}, row, run.name);
-      element("th", {}, row, fact.name);
+      element("th", {}, row, fact.name.replace(/^execution\//, ""));
       element("td", {}, row, fact.value);
     }));
+    folded.hidden = !executions.hasChildNodes();
   }
 
   const hash = /^#t=([0-9.]+)$/.exec(location.hash); // report.html#t=125 opens at that second
