@@ -1,5 +1,6 @@
 package org.u2sa.core.planning.search;
 
+import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.function.IntPredicate;
 
@@ -140,6 +141,11 @@ public final class CostGrid {
   /** Cost of a metre in a cell, at least 1; infinite where no way leads. */
   public float cost(int index) {
     return cost[index];
+  }
+
+  /** Those of a row of cells; to be read only. */
+  FloatBuffer costs(int row) {
+    return FloatBuffer.wrap(cost, frame.index(row, 0), frame.columns());
   }
 
   /**

@@ -201,6 +201,24 @@ class SearchProperties {
     }
   }
 
+  @Property(tries = 50)
+  void dStarLite_goalToldAnewInItsCell_repairsWhatItFound(@ForAll long seed) {
+    Random random = new Random(seed);
+    CostGrid grid = grid(random);
+    int goal = free(grid, random);
+    double north = FRAME.centreNorthM(goal);
+    double east = FRAME.centreEastM(goal);
+    DStarLite search = new DStarLite(grid, north, east);
+    int start = free(grid, random);
+    search.plan(start);
+
+    double trembles = 0.4 * FRAME.cellM() * (2.0 * random.nextDouble() - 1.0);
+    assertThat(search.isFor(grid, north + trembles, east - trembles)).isTrue();
+    assertThat(search.isFor(grid, north + FRAME.cellM(), east)).isFalse();
+    search.plan(start);
+    assertThat(search.expanded()).isZero();
+  }
+
   static Optional<GridPath> plan(ThetaStar search, CostGrid grid, int start, int goal) {
     return search.plan(grid, start, FRAME.centreNorthM(goal), FRAME.centreEastM(goal));
   }
