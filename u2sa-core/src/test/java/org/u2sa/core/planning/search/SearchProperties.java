@@ -39,6 +39,23 @@ class SearchProperties {
     }
   }
 
+  @Property(tries = 100)
+  void cost_ofACellThatWasSeen_isTheInflationsAtItsDistance(@ForAll long seed) {
+    Random random = new Random(seed);
+    double reachM = 0.7 + 5.0 * random.nextDouble();
+    Inflation inflation = new Inflation(0.6, reachM, 3.0);
+    CostGrid grid = new CostGrid(FRAME, inflation);
+    double density = 0.1 * random.nextDouble();
+    byte[] states = new byte[SIZE * SIZE];
+    for (int i = 0; i < states.length; i++) {
+      states[i] = random.nextDouble() < density ? CostGrid.OCCUPIED : 0;
+    }
+    grid.update(states);
+    for (int i = 0; i < states.length; i++) {
+      assertThat(grid.cost(i)).isEqualTo((float) inflation.cost(grid.distanceM(i)));
+    }
+  }
+
   private static byte state(Random random, double density) {
     int full = random.nextDouble() < density ? CostGrid.OCCUPIED : 0;
     return (byte) (random.nextInt(4) == 0 ? full | CostGrid.UNKNOWN : full);
