@@ -3,6 +3,7 @@ package org.u2sa.messages;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.DeferredTexts;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
@@ -131,8 +132,9 @@ public final class OccupancyGrid extends U2SAData {
     GridCells.side("rows", cells.length / columns);
     put(COLUMNS, (long) columns);
     put(ROWS, (long) (cells.length / columns));
-    put(CELLS, GridCells.pack(cells));
-    unpacked = cells.clone();
+    byte[] own = cells.clone();
+    put(CELLS, new DeferredTexts(() -> GridCells.pack(own)));
+    unpacked = own;
     return this;
   }
 

@@ -1,5 +1,6 @@
 package org.u2sa.drivers.ioio;
 
+import java.io.IOException;
 import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 
@@ -66,6 +67,7 @@ final class BoardConnector implements AutoCloseable {
   }
 
   private void stepInLockstep(long nowMicros) {
+    awaitSent();
     connection.exchange(nowMicros);
     BoardSession before = session;
     if (before != null && !before.isUp()) {
@@ -77,6 +79,18 @@ final class BoardConnector implements AutoCloseable {
       once.setDaemon(true); // and so are the library's threads, which inherit it
       once.start();
       join(once, Long.MAX_VALUE);
+    }
+  }
+
+  /** In lockstep, what was written to UARTs arrives before the board's time passes. */
+  private void awaitSent() {
+    BoardSession present = session;
+    if (present != null && present.isUp()) {
+      try {
+        present.awaitSent();
+      } catch (IOException e) {
+        giveUp(present, String.valueOf(e.getMessage()));
+      }
     }
   }
 
@@ -171,6 +185,7 @@ final class BoardConnector implements AutoCloseable {
   @Override
   public void close() {
     closed = true;
+    awaitSent();
     BoardSession last = attempt;
     synchronized (lock) {
       lock.notifyAll();

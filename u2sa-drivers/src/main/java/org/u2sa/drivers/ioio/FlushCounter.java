@@ -47,7 +47,10 @@ final class FlushCounter extends OutputStream {
     dataExpected = dataBytes;
   }
 
-  /** Waits until the data are sent; an interrupt ends that, and leaves the thread's flag set. */
+  /**
+   * Waits until the data are sent, if any are expected; an interrupt ends that, and leaves the
+   * thread's flag set.
+   */
   synchronized void await() throws IOException {
     try {
       while (dataSent < dataExpected) {
@@ -57,10 +60,9 @@ final class FlushCounter extends OutputStream {
           throw new IOException("the IOIO library does not send what was written to a UART");
         }
       }
+      counting = false;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-    } finally {
-      counting = false;
     }
   }
 }

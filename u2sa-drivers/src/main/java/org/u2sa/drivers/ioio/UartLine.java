@@ -54,7 +54,8 @@ final class UartLine {
   /**
    * Sends as much of it as the line takes by now.
    *
-   * @param lockstep waits for the library's sending; empty in real time
+   * @param lockstep of which the library's sending is awaited before anything else is written or
+   *     time passes; empty in real time
    */
   void send(long nowMicros, Optional<FlushCounter> lockstep) throws IOException {
     double elapsedS = atMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(nowMicros - atMicros);
@@ -65,11 +66,11 @@ final class UartLine {
       return;
     }
     credit -= count;
-    lockstep.ifPresent(counter -> counter.expect(count));
+    if (lockstep.isPresent()) {
+      lockstep.get().await(); // what another line sent
+      lockstep.get().expect(count);
+    }
     out.write(waiting, 0, count);
     waiting = Arrays.copyOfRange(waiting, count, waiting.length);
-    if (lockstep.isPresent()) {
-      lockstep.get().await();
-    }
   }
 }

@@ -30,7 +30,8 @@ final class UartLink implements ByteLink {
   /**
    * Sends what waits, as fast as the line takes it.
    *
-   * @param lockstep waits for the library's sending; empty in real time
+   * @param lockstep of which the library's sending is awaited before anything else is written or
+   *     time passes; empty in real time
    */
   void send(long nowMicros, Optional<FlushCounter> lockstep) throws IOException {
     if (line.isPresent()) {

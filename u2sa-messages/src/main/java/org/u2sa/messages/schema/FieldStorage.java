@@ -59,15 +59,18 @@ final class FieldStorage {
   /** Freezes this message and the messages within. */
   void freeze() {
     for (Object value : values) {
-      if (value instanceof List<?> list) {
+      if (value instanceof List<?> list && holdsMessages(list)) {
         for (Object element : list) {
-          if (element instanceof U2SAData nested) {
-            nested.freeze();
-          }
+          ((U2SAData) element).freeze();
         }
       }
     }
     frozen = true;
+  }
+
+  /** The first element tells: a list is of one kind. */
+  private static boolean holdsMessages(List<?> list) {
+    return !(list instanceof DeferredTexts) && !list.isEmpty() && list.get(0) instanceof U2SAData;
   }
 
   boolean isFrozen() {

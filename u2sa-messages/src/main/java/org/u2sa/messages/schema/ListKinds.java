@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.Point;
 /** Kinds of lists: their elements are checked, parsed, written and read as single values are. */
 final class ListKinds {
   static final ValueKind<List<String>> TEXTS =
-      new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT);
+      new TextList(new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT));
   static final ValueKind<List<Point>> POINTS =
       new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT);
   static final ValueKind<List<Double>> NUMBERS = new NumberList();
@@ -90,6 +90,34 @@ final class ListKinds {
     @Override
     public List<V> read(CborReader in) throws MalformedMessageException {
       return in.list(() -> element.read(in));
+    }
+  }
+
+  /** May be kept as {@link DeferredTexts}, which check themselves. */
+  private record TextList(ValueKind<List<String>> made) implements ValueKind<List<String>> {
+    @Override
+    public Kind kind() {
+      return made.kind();
+    }
+
+    @Override
+    public List<String> checked(Object value) {
+      return value instanceof DeferredTexts later ? later : made.checked(value);
+    }
+
+    @Override
+    public List<String> parsed(List<String> texts) {
+      return made.parsed(texts);
+    }
+
+    @Override
+    public void write(CborOutput out, List<String> values) {
+      made.write(out, values);
+    }
+
+    @Override
+    public List<String> read(CborReader in) throws MalformedMessageException {
+      return made.read(in);
     }
   }
 

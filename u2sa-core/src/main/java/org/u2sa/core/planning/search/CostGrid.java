@@ -1,5 +1,6 @@
 package org.u2sa.core.planning.search;
 
+import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.function.IntPredicate;
 
@@ -27,6 +28,7 @@ public final class CostGrid {
   private final byte[] states;
   private final float[] cost;
   private final DistanceField distances;
+  private final float[] costAt; // of a cell that was seen, by the square of its distance
 
   /** A grid with nothing in it, all of it seen. */
   public CostGrid(GridFrame frame, Inflation inflation) {
@@ -37,6 +39,10 @@ public final class CostGrid {
     Arrays.fill(cost, 1.0f);
     int reach = (int) Math.ceil(inflation.reachM() / frame.cellM()) + 1;
     distances = new DistanceField(frame.rows(), frame.columns(), reach);
+    costAt = new float[reach * reach + 1];
+    for (int square = 0; square < costAt.length; square++) {
+      costAt[square] = (float) inflation.cost(metres(DistanceField.root(square)));
+    }
   }
 
   /** Where its cells lie. */
@@ -115,7 +121,7 @@ public final class CostGrid {
       int[] near = distances.update(states, top, left, bottom, right);
       for (int row = near[0]; row <= near[2]; row++) {
         for (int i = frame.index(row, near[1]); i <= frame.index(row, near[3]); i++) {
-          cost[i] = (float) inflation.cost(distanceM(i)) + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
+          cost[i] = costAt[distances.square(i)] + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
         }
       }
       return new Area(near[0], near[1], near[2], near[3]);
@@ -142,12 +148,21 @@ public final class CostGrid {
     return cost[index];
   }
 
+  /** Those of a row of cells; to be read only. */
+  FloatBuffer costs(int row) {
+    return FloatBuffer.wrap(cost, frame.index(row, 0), frame.columns());
+  }
+
   /**
    * Distance from a cell's centre to the edge of the nearest occupied cell [m]; at most a little
    * more than the inflation's reach.
    */
   public double distanceM(int index) {
-    return Math.max(0.0, distances.cells(index) - 0.5) * frame.cellM();
+    return metres(distances.cells(index));
+  }
+
+  private double metres(float cells) {
+    return Math.max(0.0, cells - 0.5) * frame.cellM();
   }
 
   /** The same for a point; outside the grid as far as distances reach. */

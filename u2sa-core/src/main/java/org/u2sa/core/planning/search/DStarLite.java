@@ -1,7 +1,9 @@
 package org.u2sa.core.planning.search;
 
+import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 
@@ -18,6 +20,7 @@ public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final double ROUNDING = 1.0e-6; // sums of floats, taken in different order
+  private static final double SAME_GOAL = 0.01; // of a cell: a goal told by the vehicle trembles
 
   private final CostGrid grid;
   private final GridFrame frame;
@@ -28,6 +31,8 @@ public final class DStarLite {
   private final double[] g;
   private final double[] rhs;
   private final PairHeap open;
+  private final BitSet changed = new BitSet(); // cells whose cost has changed since
+  private final BitSet taken = new BitSet(); // those and their neighbours
   private double km;
   private int start = -1;
   private int last = -1;
@@ -46,9 +51,14 @@ public final class DStarLite {
     open = new PairHeap(frame.cells());
   }
 
-  /** Whether it searches that grid for a way to that goal. */
+  /** Whether it searches that grid for a way to that goal, or to another place in its cell. */
   public boolean isFor(CostGrid costs, double north, double east) {
-    return grid == costs && goalNorthM == north && goalEastM == east;
+    boolean isThere =
+        goal >= 0
+            ? frame.indexAt(north, east) == goal
+            : Math.abs(north - goalNorthM) <= SAME_GOAL * frame.cellM()
+                && Math.abs(east - goalEastM) <= SAME_GOAL * frame.cellM();
+    return grid == costs && isThere;
   }
 
   double goalNorthM() {
@@ -125,21 +135,35 @@ public final class DStarLite {
 
   /** Costs whatever has changed in the grid since the last search. */
   private void takeChanges() {
-    List<Integer> changed = new ArrayList<>();
-    for (int i = 0; i < cost.length; i++) {
-      if (cost[i] != grid.cost(i)) {
-        cost[i] = grid.cost(i);
-        changed.add(i);
-      }
-    }
-    for (int cell : changed) {
+    findChanges();
+    for (int cell = changed.nextSetBit(0); cell >= 0; cell = changed.nextSetBit(cell + 1)) {
       int row = cell / frame.columns();
       int column = cell % frame.columns();
       for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
         for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {
           int near = frame.index(r, c);
-          rhs[near] = cost[near] == NEVER ? NEVER : best(near);
-          updateVertex(near);
+          if (!taken.get(near)) {
+            taken.set(near);
+            rhs[near] = cost[near] == NEVER ? NEVER : best(near);
+            updateVertex(near);
+          }
+        }
+      }
+    }
+    changed.clear();
+    taken.clear();
+  }
+
+  /** Takes costs over; of most rows none has changed, and buffers are compared many at a time. */
+  private void findChanges() {
+    for (int row = 0; row < frame.rows(); row++) {
+      int begin = frame.index(row, 0);
+      if (!FloatBuffer.wrap(cost, begin, frame.columns()).equals(grid.costs(row))) {
+        for (int i = begin; i < begin + frame.columns(); i++) {
+          if (cost[i] != grid.cost(i)) {
+            cost[i] = grid.cost(i);
+            changed.set(i);
+          }
         }
       }
     }

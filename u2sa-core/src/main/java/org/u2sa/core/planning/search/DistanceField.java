@@ -39,6 +39,16 @@ final class DistanceField {
     return distance[index];
   }
 
+  /** Its square, a whole number. */
+  int square(int index) {
+    return Math.round(distance[index] * distance[index]);
+  }
+
+  /** The distance of that square, as {@link #cells} has it. */
+  static float root(int square) {
+    return (float) Math.sqrt(square);
+  }
+
   /**
    * Takes what has changed within these cells, ends included.
    *

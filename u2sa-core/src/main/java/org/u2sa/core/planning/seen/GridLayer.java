@@ -46,7 +46,7 @@ final class GridLayer {
     if (alike && before.grid == grid) {
       return before;
     }
-    if (alike && before.placement.fits() && before.placement.isOf(grid)) {
+    if (alike && before.placement.isAligned() && before.placement.isOf(grid)) {
       GridLayer layer = new GridLayer(grid, before.placement, occupiedAbove, before.said.clone());
       layer.redraw(before.cells);
       return layer;
@@ -65,26 +65,15 @@ final class GridLayer {
   }
 
   private void draw() {
-    Spans northward = placement.northward();
-    Spans eastward = placement.eastward();
     for (int row = 0, k = 0; row < placement.rows(); row++) {
       for (int column = 0; column < placement.columns(); column++, k++) {
         if (cells[k] != OccupancyGrid.UNKNOWN) {
-          if (northward.fits(row) && eastward.fits(column)) {
-            fill(
-                northward.first(row),
-                northward.last(row),
-                eastward.first(column),
-                eastward.last(column),
-                state(cells[k]));
-          } else {
-            fill(
-                placement.firstRow(column, row),
-                placement.lastRow(column, row),
-                placement.firstColumn(column, row),
-                placement.lastColumn(column, row),
-                state(cells[k]));
-          }
+          fill(
+              placement.firstRow(column, row),
+              placement.lastRow(column, row),
+              placement.firstColumn(column, row),
+              placement.lastColumn(column, row),
+              state(cells[k]));
         }
       }
     }
@@ -129,12 +118,16 @@ final class GridLayer {
     for (int row = northward.firstOver(planned); row <= northward.lastOver(planned); row++) {
       for (int column = left; column <= right; column++) {
         byte cell = cells[row * placement.columns() + column];
-        if (cell != OccupancyGrid.UNKNOWN) {
+        boolean covers =
+            cell != OccupancyGrid.UNKNOWN
+                && placement.firstRow(column, row) <= planned
+                && placement.lastRow(column, row) >= planned;
+        if (covers) {
           fill(
               planned,
               planned,
-              Math.max(from, eastward.first(column)),
-              Math.min(to, eastward.last(column)),
+              Math.max(from, placement.firstColumn(column, row)),
+              Math.min(to, placement.lastColumn(column, row)),
               state(cell));
         }
       }

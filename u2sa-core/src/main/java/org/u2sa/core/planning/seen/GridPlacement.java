@@ -102,29 +102,37 @@ final class GridPlacement {
     return eastward;
   }
 
-  /** Whether each row of the grid lies in the same rows of the plan from end to end. */
-  boolean fits() {
-    return northward.allFit() && eastward.allFit();
+  /** Whether both have about the same axes. */
+  boolean isAligned() {
+    return northward.isAligned() && eastward.isAligned();
   }
 
-  /** First row of the plan that a cell covers, by its own place. */
+  /** First row of the plan that a cell covers. */
   int firstRow(int column, int row) {
-    return Math.max(0, frame.row(north(column, row) - half));
+    return northward.fits(row)
+        ? northward.first(row)
+        : Math.max(0, frame.row(north(column, row) - half));
   }
 
   /** The last one. */
   int lastRow(int column, int row) {
-    return Math.min(frame.rows() - 1, frame.row(north(column, row) + half));
+    return northward.fits(row)
+        ? northward.last(row)
+        : Math.min(frame.rows() - 1, frame.row(north(column, row) + half));
   }
 
-  /** First column of the plan that a cell covers, by its own place. */
+  /** First column of the plan that a cell covers. */
   int firstColumn(int column, int row) {
-    return Math.max(0, frame.column(east(column, row) - half));
+    return eastward.fits(column)
+        ? eastward.first(column)
+        : Math.max(0, frame.column(east(column, row) - half));
   }
 
   /** The last one. */
   int lastColumn(int column, int row) {
-    return Math.min(frame.columns() - 1, frame.column(east(column, row) + half));
+    return eastward.fits(column)
+        ? eastward.last(column)
+        : Math.min(frame.columns() - 1, frame.column(east(column, row) + half));
   }
 
   private double north(int column, int row) {

@@ -5,8 +5,8 @@ import java.util.function.DoubleToIntFunction;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Which rows (or columns) of a plan each row (or column) of the World Modeler's grid covers, and
- * which cover a row of the plan. Immutable.
+ * Which rows (or columns) of a plan each row (or column) of the World Modeler's grid covers from
+ * end to end, and which cover a row of the plan. Immutable.
  */
 final class Spans {
   private final int[] first;
@@ -14,7 +14,7 @@ final class Spans {
   private final boolean[] fits;
   private final int[] firstOver; // by row of the plan
   private final int[] lastOver; // below the first if none covers it
-  private boolean allFit = true;
+  private boolean isAligned = true;
 
   /**
    * @param lines how many rows or columns the grid has
@@ -43,10 +43,12 @@ final class Spans {
       double to = end.applyAsDouble(i);
       int low = index.applyAsInt(from - half);
       int high = index.applyAsInt(from + half);
-      fits[i] = low == index.applyAsInt(to - half) && high == index.applyAsInt(to + half);
-      allFit &= fits[i];
-      first[i] = Math.max(0, low);
-      last[i] = Math.min(limit - 1, high);
+      int endLow = index.applyAsInt(to - half);
+      int endHigh = index.applyAsInt(to + half);
+      fits[i] = low == endLow && high == endHigh;
+      isAligned &= Math.abs(endLow - low) <= 1 && Math.abs(endHigh - high) <= 1;
+      first[i] = Math.max(0, Math.min(low, endLow));
+      last[i] = Math.min(limit - 1, Math.max(high, endHigh));
       for (int k = first[i]; k <= last[i]; k++) {
         firstOver[k] = Math.min(firstOver[k], i);
         lastOver[k] = Math.max(lastOver[k], i);
@@ -64,17 +66,17 @@ final class Spans {
     return last[line];
   }
 
-  /** Whether the line covers the same rows from end to end; not so where the axes differ. */
+  /** Whether each of its cells covers the same rows; not so where the axes differ. */
   boolean fits(int line) {
     return fits[line];
   }
 
-  /** Whether all of them do. */
-  boolean allFit() {
-    return allFit;
+  /** Whether no line crosses the plan's by more than one. */
+  boolean isAligned() {
+    return isAligned;
   }
 
-  /** First row of the grid that covers one of the plan, if all fit. */
+  /** First row of the grid of which a cell may cover one of the plan. */
   int firstOver(int planned) {
     return firstOver[planned];
   }

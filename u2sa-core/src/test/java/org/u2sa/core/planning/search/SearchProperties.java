@@ -39,6 +39,23 @@ class SearchProperties {
     }
   }
 
+  @Property(tries = 100)
+  void cost_ofACellThatWasSeen_isTheInflationsAtItsDistance(@ForAll long seed) {
+    Random random = new Random(seed);
+    double reachM = 0.7 + 5.0 * random.nextDouble();
+    Inflation inflation = new Inflation(0.6, reachM, 3.0);
+    CostGrid grid = new CostGrid(FRAME, inflation);
+    double density = 0.1 * random.nextDouble();
+    byte[] states = new byte[SIZE * SIZE];
+    for (int i = 0; i < states.length; i++) {
+      states[i] = random.nextDouble() < density ? CostGrid.OCCUPIED : 0;
+    }
+    grid.update(states);
+    for (int i = 0; i < states.length; i++) {
+      assertThat(grid.cost(i)).isEqualTo((float) inflation.cost(grid.distanceM(i)));
+    }
+  }
+
   private static byte state(Random random, double density) {
     int full = random.nextDouble() < density ? CostGrid.OCCUPIED : 0;
     return (byte) (random.nextInt(4) == 0 ? full | CostGrid.UNKNOWN : full);
@@ -199,6 +216,24 @@ class SearchProperties {
                   : grid.isOccupied(i),
           grid::isUnknown);
     }
+  }
+
+  @Property(tries = 50)
+  void dStarLite_goalToldAnewInItsCell_repairsWhatItFound(@ForAll long seed) {
+    Random random = new Random(seed);
+    CostGrid grid = grid(random);
+    int goal = free(grid, random);
+    double north = FRAME.centreNorthM(goal);
+    double east = FRAME.centreEastM(goal);
+    DStarLite search = new DStarLite(grid, north, east);
+    int start = free(grid, random);
+    search.plan(start);
+
+    double trembles = 0.4 * FRAME.cellM() * (2.0 * random.nextDouble() - 1.0);
+    assertThat(search.isFor(grid, north + trembles, east - trembles)).isTrue();
+    assertThat(search.isFor(grid, north + FRAME.cellM(), east)).isFalse();
+    search.plan(start);
+    assertThat(search.expanded()).isZero();
   }
 
   static Optional<GridPath> plan(ThetaStar search, CostGrid grid, int start, int goal) {

@@ -135,6 +135,33 @@ class GridLayerTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4})
+  void of_cellsThatChangeOnAxesOfSlightlyOtherDirection_saysWhatEachCellSays(long seed) {
+    Random random = new Random(seed);
+    Point anchor = Point.of(15.002 + 0.001 * random.nextDouble(), 60.0, 0.0);
+    PlanningPlane plane = onEarth(15.0, 60.0);
+    Point middle = plane.ned(ReferenceFrame.GLOBAL, anchor);
+    double half = 0.5 * (1.0 + random.nextDouble());
+    GridFrame frame = new GridFrame(middle.x() - half, middle.y() - half, 0.1, 21, 22);
+    byte[] cells = random(random, 30 * 28);
+    GridLayer layer = null;
+    for (int step = 0; step < 10; step++) {
+      byte[] other = random(random, cells.length);
+      for (int i = random.nextInt(9); i > 0; i--) {
+        int changed = random.nextInt(cells.length);
+        cells[changed] = other[changed];
+      }
+      OccupancyGrid grid = grid(ReferenceFrame.GLOBAL, anchor, 0.1, 30, cells);
+      GridPlacement placement = new GridPlacement(grid, plane, frame);
+      assertThat(placement.isAligned()).isTrue();
+
+      layer = GridLayer.of(grid, plane, frame, THRESHOLD, layer);
+
+      assertThat(said(layer, frame)).isEqualTo(expected(grid, plane, frame));
+    }
+  }
+
   @Test
   void of_gridThatRollsOn_isDrawnWhereItLiesNow() {
     GridFrame frame = new GridFrame(-1.0, -1.0, 0.1, 20, 20);
