@@ -35,7 +35,7 @@ final class ExecutorsJoined extends SparkListener {
                 + WITHIN_S
                 + " s: it has no worker with a free core and "
                 + spark.getConf().get("spark.executor.memory", "1g")
-                + " of memory, or its workers do not reach this host");
+                + " of memory, its workers do not reach this host, or they want a secret (spark.authenticate)");
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
