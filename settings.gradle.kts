@@ -36,6 +36,7 @@ include("u2sa-drivers")
 include("u2sa-gcs")
 include("u2sa-flightgear")
 include("u2sa-scenarios")
+include("u2sa-spark")
 include("u2sa-system-tests")
 include("u2sa-bom")
 

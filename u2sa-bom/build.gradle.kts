@@ -18,6 +18,7 @@ dependencies {
         api(project(":u2sa-gcs"))
         api(project(":u2sa-flightgear"))
         api(project(":u2sa-scenarios"))
+        api(project(":u2sa-spark"))
     }
 }
 

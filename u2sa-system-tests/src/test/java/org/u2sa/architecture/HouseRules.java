@@ -68,6 +68,7 @@ final class HouseRules {
                   "sim",
                   "gcs",
                   "flightgear")),
+          Map.entry("spark", List.of("interfaces", "gcs", "scenarios")),
           Map.entry(
               "android",
               List.of(
@@ -134,6 +135,7 @@ final class HouseRules {
         "BoofCV", confined("vision.calibration", "boofcv..", "georegression..", "org.ddogleg.."));
     rules.put("SVG", confined("scenarios.report", "org.apache.batik..", "org.w3c.dom.."));
     rules.put("charts", confined("scenarios.report", "org.jfree.."));
+    rules.put("Spark", confined("spark", "org.apache.spark..", "scala.."));
     rules.put("no circles between packages", noCircles());
     rules.put("one clock", oneClock());
     rules.put("services repeat", servicesRepeat());

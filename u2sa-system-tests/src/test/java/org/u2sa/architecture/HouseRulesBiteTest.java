@@ -40,6 +40,8 @@ class HouseRulesBiteTest {
           "package org.u2sa.scenarios; public class N {}",
           "package org.u2sa.testkit; public class T {}",
           "package com.fasterxml.jackson.databind; public class ObjectMapper {}",
+          "package org.u2sa.spark; public class K {}",
+          "package org.apache.spark; public class SparkConf {}",
           "package io.moquette.broker; public class Server {}",
           "package org.eclipse.paho.client; public class Client {}");
 
@@ -75,6 +77,8 @@ class HouseRulesBiteTest {
           arrows of flightgear    | package org.u2sa.flightgear; class Bad { org.u2sa.gcs.G g; }
           arrows of gcs           | package org.u2sa.gcs; class Bad { org.u2sa.sim.X x; }
           arrows of gcs           | package org.u2sa.gcs; class Bad { org.u2sa.scenarios.N n; }
+          arrows of scenarios     | package org.u2sa.scenarios.campaign; class Bad { org.u2sa.spark.K k; }
+          Spark                   | package org.u2sa.scenarios.campaign; class Bad { org.apache.spark.SparkConf c; }
           known packages          | package org.u2sa.elsewhere; class Bad {}
           named by subject        | package org.u2sa.core.util; class Bad {}
           named by subject        | package org.u2sa.core.impl.mission; class Bad {}

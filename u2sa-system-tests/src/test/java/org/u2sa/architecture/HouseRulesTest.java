@@ -60,7 +60,8 @@ class HouseRulesTest {
                 "sim",
                 "gcs",
                 "flightgear",
-                "scenarios"))
+                "scenarios",
+                "spark"))
         .allSatisfy(
             module ->
                 assertThat(house)

@@ -56,6 +56,8 @@ class BuildsAgreeTest {
           settings.gradle.kts              | include("u2sa-android")                   | // gone                                   | module only in Maven: u2sa-android
           u2sa-android/build.gradle.kts    | api(libs.kotlin.stdlib)                   | // gone                                   | dependency of u2sa-android only in Maven: org.jetbrains.kotlin:kotlin-stdlib
           u2sa-core/build.gradle.kts       | api(libs.slf4j)                           | runtimeOnly(libs.slf4j)                   | dependency of u2sa-core only in Gradle: org.slf4j:slf4j-api
+          u2sa-spark/build.gradle.kts      | compileOnly(libs.spark.core)              | api(libs.spark.core)                      | dependency of u2sa-spark only in Gradle: org.apache.spark:spark-core_2.13
+          u2sa-spark/build.gradle.kts      | isTransitive = false                      | exclude(group = "x")                      | dependency of u2sa-spark only in Maven: org.scala-lang:scala-library
           u2sa-interfaces/build.gradle.kts | api(libs.paho)                            | // gone                                   | dependency of u2sa-interfaces only in Maven: org.eclipse.paho
           u2sa-core/pom.xml                | <scope>test</scope>                       | <scope>compile</scope>                    | dependency of u2sa-core only in Maven: org.u2sa:u2sa-abstract:test-fixtures
           u2sa-scenarios/build.gradle.kts  | module = "xmlgraphics-commons"            | module = "jackson-core"                   | org.apache.xmlgraphics:jackson-core

@@ -71,6 +71,7 @@ final class DependencyBlock {
     Dependency.Scope scope =
         switch (entry.group(1)) {
           case "api" -> Dependency.Scope.COMPILE;
+          case "compileOnly" -> Dependency.Scope.PROVIDED;
           case "runtimeOnly" -> Dependency.Scope.RUNTIME;
           case "testImplementation",
                   "testRuntimeOnly",
@@ -88,6 +89,9 @@ final class DependencyBlock {
   }
 
   private String exclusion(String text, int line) {
+    if (text.equals("isTransitive = false")) {
+      return Dependency.EVERYTHING;
+    }
     Matcher exclude = EXCLUDE.matcher(text);
     if (!exclude.matches()) {
       throw refused(text, line);

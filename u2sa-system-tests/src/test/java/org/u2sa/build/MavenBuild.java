@@ -23,6 +23,7 @@ import org.xml.sax.SAXException;
 final class MavenBuild {
   private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
   private static final String BOM = "u2sa-bom";
+  private static final String ANDROID = "org.robolectric:android-all";
 
   private final Path folder;
   private final Element root;
@@ -130,10 +131,10 @@ final class MavenBuild {
   private SortedSet<Dependency> declared(Element pom) {
     SortedSet<Dependency> declared = new TreeSet<>();
     for (Element dependency : dependencies(pom)) {
-      if (optional(dependency, "scope").filter("provided"::equals).isPresent()) {
+      String name = name(dependency);
+      if (name.equals(ANDROID)) {
         continue; // the platform itself: Gradle has it from the Android SDK
       }
-      String name = name(dependency);
       Optional<Element> management = Optional.ofNullable(managed.get(name));
       String version =
           optional(dependency, "version")

@@ -78,7 +78,7 @@ record DependencyData(List<Library> libraries, List<Advisory> advisories, LocalD
    *
    * @param name group:artifact
    * @param released when this version was built
-   * @param use "run", "test" or "android"
+   * @param use "run", "test", "android" or "build": to compile against
    */
   record Library(String name, String version, LocalDate released, String use, String licence) {}
 

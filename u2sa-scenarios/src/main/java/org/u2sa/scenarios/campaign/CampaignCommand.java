@@ -1,21 +1,19 @@
 package org.u2sa.scenarios.campaign;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.u2sa.gcs.command.ExitCode;
 import org.u2sa.gcs.command.ProgramVersion;
 import org.u2sa.gcs.command.ReportFile;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.gcs.terminal.TextTable;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.scenarios.report.RunReport;
 import org.u2sa.scenarios.run.Interruption;
@@ -24,7 +22,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa campaign}: many runs of one demo, on all cores. */
+/** {@code u2sa campaign}: many runs of one demo, on all cores or a cluster. */
 @Command(
     name = "campaign",
     description = {
@@ -35,7 +33,8 @@ import picocli.CommandLine.Spec;
       "",
       "Examples:",
       "  u2sa campaign ugv --runs 200",
-      "  u2sa campaign cessna --runs 50 --sweep wind=calm,breezy,gusty -- --world missions/cessna/obstructed.xml"
+      "  u2sa campaign cessna --runs 50 --sweep wind=calm,breezy,gusty -- --world missions/cessna/obstructed.xml",
+      "  u2sa campaign cessna --runs 2000 --master spark://10.0.0.1:7077"
     })
 final class CampaignCommand implements Callable<Integer> {
   private static final SystemClock CLOCK = new SystemClock();
@@ -46,6 +45,7 @@ final class CampaignCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, InterruptedException {
     List<Experiment> experiments = options.experiments();
+    RunBackend backend = options.backend();
     Path directory = options.directory();
     RunReport.prepare(directory);
     String campaign = "u2sa " + ProgramVersion.text() + ": " + options.inWords();
@@ -53,7 +53,7 @@ final class CampaignCommand implements Callable<Integer> {
     try (Interruption interruption = new Interruption();
         Journal journal =
             Journal.open(directory.resolve("runs.jsonl"), campaign, experiments, outcomes)) {
-      run(experiments, outcomes, journal, directory, interruption);
+      run(backend, experiments, outcomes, journal, interruption);
       if (outcomes.isEmpty()) {
         throw new RunFailedException("interrupted before the first run was done");
       }
@@ -62,13 +62,14 @@ final class CampaignCommand implements Callable<Integer> {
   }
 
   private void run(
+      RunBackend backend,
       List<Experiment> experiments,
       List<Outcome> outcomes,
       Journal journal,
-      Path directory,
       Interruption interruption)
       throws InterruptedException {
     Terminal terminal = options.terminal();
+    Path directory = options.directory();
     List<Experiment> left = new ArrayList<>(experiments);
     outcomes.forEach(outcome -> left.remove(outcome.experiment()));
     if (!outcomes.isEmpty()) {
@@ -76,41 +77,21 @@ final class CampaignCommand implements Callable<Integer> {
           .out()
           .printf("%d of %d runs were done before.%n", outcomes.size(), experiments.size());
     }
-    terminal
-        .out()
-        .printf("%d runs on %d processes; files: %s%n", left.size(), options.jobs(), directory);
+    terminal.out().printf("%d runs on %s; files: %s%n", left.size(), backend.inWords(), directory);
+    terminal.out().flush();
     Progress progress = new Progress(terminal, CLOCK::micros, experiments.size(), outcomes.size());
-    WorkerPool pool =
-        new WorkerPool(
-            options.jobs(),
-            directory.resolve("workers.log"),
-            experiment ->
-                options.machineArguments(experiment, runDirectory(directory, experiment)));
-    interruption.onRequest(pool::stop);
-    pool.run(
-        left,
-        outcome -> {
+    interruption.onRequest(backend::stop);
+    backend.run(
+        left.stream().map(options::request).toList(),
+        (request, answer) -> {
+          Outcome outcome = Outcome.of(experiments.get(request.number() - 1), answer);
+          if (outcome.exit() == ExitCode.BAD_INPUT) {
+            throw new BadInputException(outcome.trouble());
+          }
           journal.add(outcome);
           outcomes.add(outcome);
           progress.done(outcome);
-          if (outcome.success() && !options.keepsFiles()) {
-            delete(runDirectory(directory, outcome.experiment()));
-          }
         });
-  }
-
-  private static Path runDirectory(Path directory, Experiment experiment) {
-    return directory.resolve(String.format(Locale.ROOT, "run-%05d", experiment.number()));
-  }
-
-  private static void delete(Path directory) {
-    try (Stream<Path> files = Files.walk(directory)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
-      }
-    } catch (IOException e) {
-      throw new RunFailedException("cannot delete " + directory + ": " + ReportFile.reason(e), e);
-    }
   }
 
   private Integer report(String campaign, List<Outcome> outcomes, int runs, Path directory)

@@ -3,6 +3,9 @@ package org.u2sa.scenarios.campaign;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import java.util.ServiceLoader;
 import org.u2sa.gcs.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
@@ -19,7 +22,7 @@ final class CampaignOptions {
   private CommandSpec command;
 
   private int seeds = 100;
-  private int jobs = Runtime.getRuntime().availableProcessors();
+  private OptionalInt jobs = OptionalInt.empty();
   private final List<Sweep> sweeps = new ArrayList<>();
 
   @Parameters(
@@ -81,8 +84,15 @@ final class CampaignOptions {
       paramLabel = "N",
       description = "Number of processes that work side by side. Default: one for each core.")
   private void jobs(int value) {
-    jobs = atLeastOne("--jobs", value);
+    jobs = OptionalInt.of(atLeastOne("--jobs", value));
   }
+
+  @Option(
+      names = "--master",
+      paramLabel = "ADDRESS",
+      description =
+          "Make the runs with Apache Spark: local[N], local[*] or spark://HOST:PORT. Default: processes of our own (--jobs).")
+  private String master;
 
   @Option(
       names = "--sweep",
@@ -146,22 +156,42 @@ final class CampaignOptions {
     return words.toString();
   }
 
-  /** What a process is told to make one of the runs. */
-  List<String> machineArguments(Experiment experiment, Path directory) {
+  /** What makes the runs. */
+  RunBackend backend() {
+    if (master == null) {
+      return new WorkerPool(
+          jobs.orElseGet(() -> Runtime.getRuntime().availableProcessors()), directory());
+    }
+    if (jobs.isPresent()) {
+      throw refused(
+          "--jobs goes without --master; Spark's cores are local["
+              + jobs.getAsInt()
+              + "], or those of the cluster");
+    }
+    return ServiceLoader.load(RunBackendProvider.class)
+        .findFirst()
+        .orElseThrow(
+            () ->
+                refused(
+                    "--master \""
+                        + master
+                        + "\": needs the module u2sa-spark, which is not on the class path"))
+        .at(master, directory());
+  }
+
+  /** What makes one of the runs and prints its summary. */
+  RunRequest request(Experiment experiment) {
     List<String> arguments = new ArrayList<>(experiment.arguments());
-    arguments.addAll(List.of("--out", directory.toString(), "--json", "--port", "0"));
+    arguments.addAll(List.of("--json", "--port", "0"));
     if (!keep) {
       arguments.add("--summary-only");
     }
-    return arguments;
+    String folder = String.format(Locale.ROOT, "run-%05d", experiment.number());
+    return new RunRequest(experiment.number(), arguments, folder, keep);
   }
 
   List<Sweep> sweeps() {
     return sweeps;
-  }
-
-  int jobs() {
-    return jobs;
   }
 
   int worst() {
@@ -170,10 +200,6 @@ final class CampaignOptions {
 
   String ranking() {
     return ranking;
-  }
-
-  boolean keepsFiles() {
-    return keep;
   }
 
   boolean json() {

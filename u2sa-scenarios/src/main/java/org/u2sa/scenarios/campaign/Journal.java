@@ -81,7 +81,7 @@ final class Journal implements AutoCloseable {
       Map<String, String> fields = fields(line);
       int exit = Integer.parseInt(fields.get("exit"));
       Experiment experiment = experiments.get(Integer.parseInt(fields.get("run")) - 1);
-      if (exit != Outcome.LOST) {
+      if (exit != RunAnswer.LOST) {
         done.add(new Outcome(experiment, exit, fields.get("summary"), fields.get("trouble")));
       }
     }

@@ -10,14 +10,25 @@ import org.u2sa.gcs.command.ExitCode;
  * What came of one run.
  *
  * @param experiment which
- * @param exit code of the demo, {@link ExitCode}; −1: its process died, twice
+ * @param exit code of the demo, {@link ExitCode}; {@link RunAnswer#LOST}: its processes died
  * @param summary its {@code summary.json}; empty if there is none
  * @param trouble what the demo said went wrong; empty if nothing
  */
 record Outcome(Experiment experiment, int exit, String summary, String trouble) {
-  static final int LOST = -1;
-
   private static final List<String> OF_THE_MACHINE = List.of("wallSeconds", "simSecondsPerSecond");
+
+  static Outcome of(Experiment experiment, RunAnswer answer) {
+    String summary = answer.output().startsWith("{") ? answer.output() : "";
+    boolean isToldInSummary = !summary.isEmpty();
+    String said = isToldInSummary ? answer.errors() : answer.output() + answer.errors();
+    return new Outcome(
+        experiment,
+        answer.exit(),
+        summary,
+        answer.exit() == ExitCode.DONE || isToldInSummary
+            ? ""
+            : said.strip().replaceFirst("^u2sa: ", ""));
+  }
 
   /** Whether the run did all that was asked of it. */
   boolean success() {

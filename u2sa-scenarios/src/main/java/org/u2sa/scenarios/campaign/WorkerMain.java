@@ -1,8 +1,5 @@
 package org.u2sa.scenarios.campaign;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonToken;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -13,52 +10,58 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.gcs.Main;
-import org.u2sa.interfaces.JsonText;
+import org.u2sa.gcs.command.ExitCode;
+import org.u2sa.gcs.command.ReportFile;
 
 /**
- * Process that runs commands of {@code u2sa} one after the other, for a {@link Worker}: each line
- * of standard input is a JSON list of arguments, each line of standard output tells what came of
- * them. It ends when its input does.
+ * Process that makes runs one after the other, for a {@link WorkerProcess}: each line of standard
+ * input is a request of {@link RunLine}, each line of standard output its answer. It ends when its
+ * input does, and at once when the process that started it does.
  */
 final class WorkerMain {
-  static final String EXIT = "exit";
-  static final String OUTPUT = "output";
-  static final String ERRORS = "errors";
-
-  private static final JsonFactory FACTORY = new JsonFactory();
+  private static final byte[] NO_FILES = {};
 
   private WorkerMain() {}
 
   public static void main(String[] none) throws IOException {
+    // Killed with its parent, it would work on for nobody.
+    ProcessHandle.current()
+        .parent()
+        .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
     PrintStream answers = new PrintStream(System.out, true, StandardCharsets.UTF_8);
     System.setOut(System.err); // nothing but answers goes there
     BufferedReader asked =
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
     for (String line = asked.readLine(); line != null; line = asked.readLine()) {
-      StringWriter output = new StringWriter();
-      StringWriter errors = new StringWriter();
-      int exit =
-          Main.run(
-              new PrintWriter(output), new PrintWriter(errors), texts(line).toArray(String[]::new));
-      answers.println(
-          new JsonText()
-              .put(EXIT, exit)
-              .put(OUTPUT, output.toString())
-              .put(ERRORS, errors.toString())
-              .line());
+      answers.println(answer(RunLine.order(line)));
     }
     System.exit(0); // whatever thread a demo left behind
   }
 
-  private static List<String> texts(String line) throws IOException {
-    List<String> texts = new ArrayList<>();
-    try (JsonParser json = FACTORY.createParser(line)) {
-      while (json.nextToken() != null) {
-        if (json.currentToken() == JsonToken.VALUE_STRING) {
-          texts.add(json.getText());
-        }
-      }
+  private static String answer(RunLine.Order order) {
+    List<String> arguments = new ArrayList<>(order.arguments());
+    arguments.addAll(List.of("--out", order.out().toString()));
+    StringWriter output = new StringWriter();
+    StringWriter errors = new StringWriter();
+    int exit =
+        Main.run(
+            new PrintWriter(output), new PrintWriter(errors), arguments.toArray(String[]::new));
+    RunAnswer answer = new RunAnswer(exit, output.toString(), errors.toString());
+    try {
+      return RunLine.answered(answer, settled(order, exit));
+    } catch (IOException e) {
+      String why = "cannot read or delete " + order.out() + ": " + ReportFile.reason(e);
+      return RunLine.answered(new RunAnswer(ExitCode.FAILED, "", why), NO_FILES);
     }
-    return texts;
+  }
+
+  /** Leaves of the run's files what is to stay. Returns what is to be sent. */
+  private static byte[] settled(RunLine.Order order, int exit) throws IOException {
+    boolean stay = order.keepsFiles() || exit != ExitCode.DONE;
+    byte[] sent = stay && order.sendsFiles() ? FolderArchive.pack(order.out()) : NO_FILES;
+    if (!stay || order.sendsFiles()) {
+      FolderArchive.delete(order.out());
+    }
+    return sent;
   }
 }

@@ -11,52 +11,47 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.function.Consumer;
-import java.util.function.Function;
-import org.u2sa.gcs.command.ExitCode;
+import java.util.function.BiConsumer;
 import org.u2sa.gcs.command.RunFailedException;
-import org.u2sa.interfaces.BadInputException;
+import org.u2sa.scenarios.run.HomeFolder;
 
-/**
- * Makes runs on several processes. One that dies is replaced, and its run made again; a run that
- * kills two is given up. Which process makes a run does not change what comes of it.
- */
-final class WorkerPool {
+/** Makes runs on several processes of this machine. One that dies is replaced. */
+final class WorkerPool implements RunBackend {
   private static final int ATTEMPTS = 2;
 
   private final int jobs;
-  private final Path log;
-  private final Function<Experiment, List<String>> command;
+  private final Path directory;
   private final Object lock = new Object(); // guards what follows
-  private final Queue<Experiment> left = new ArrayDeque<>();
-  private final List<Worker> working = new ArrayList<>();
+  private final Queue<RunRequest> left = new ArrayDeque<>();
+  private final List<WorkerProcess> working = new ArrayList<>();
   private boolean stopped;
 
   /**
    * @param jobs how many processes, at least one
-   * @param log takes what they say of themselves
-   * @param command what makes a run and prints its {@code summary.json}
+   * @param directory the campaign's; its workers.log takes what they say of themselves
    */
-  WorkerPool(int jobs, Path log, Function<Experiment, List<String>> command) {
+  WorkerPool(int jobs, Path directory) {
     this.jobs = jobs;
-    this.log = log;
-    this.command = command;
+    this.directory = directory;
   }
 
-  /**
-   * Makes all runs, and returns when they are done or it was stopped.
-   *
-   * @param done is told of each run as it ends, by one thread at a time
-   * @throws BadInputException if a demo refuses its options: no more runs are begun
-   */
-  void run(List<Experiment> experiments, Consumer<Outcome> done) throws InterruptedException {
+  @Override
+  public String inWords() {
+    return jobs == 1 ? "1 process" : jobs + " processes";
+  }
+
+  @Override
+  public void run(List<RunRequest> requests, BiConsumer<RunRequest, RunAnswer> done)
+      throws InterruptedException {
     synchronized (lock) {
-      left.addAll(experiments);
+      if (!stopped) {
+        left.addAll(requests);
+      }
     }
     ExecutorService threads = Executors.newFixedThreadPool(jobs);
     try {
       List<Future<Void>> ends = new ArrayList<>();
-      for (int i = 0; i < Math.min(jobs, experiments.size()); i++) {
+      for (int i = 0; i < Math.min(jobs, requests.size()); i++) {
         Callable<Void> work =
             () -> {
               work(done);
@@ -85,32 +80,32 @@ final class WorkerPool {
     }
   }
 
-  /** Begins no more runs and breaks off those under way. For any thread. */
-  void stop() {
+  @Override
+  public void stop() {
     synchronized (lock) {
       stopped = true;
       left.clear();
-      working.forEach(Worker::close);
+      working.forEach(WorkerProcess::close);
     }
   }
 
-  private void work(Consumer<Outcome> done) throws IOException {
-    Worker worker = null;
+  private void work(BiConsumer<RunRequest, RunAnswer> done) throws IOException {
+    WorkerProcess worker = null;
     try {
-      for (Experiment next = next(); next != null; next = next()) {
-        Outcome outcome = null;
-        for (int attempt = 1; outcome == null && !isStopped(); attempt++) {
+      for (RunRequest next = next(); next != null; next = next()) {
+        RunAnswer answer = null;
+        for (int attempt = 1; answer == null && !isStopped(); attempt++) {
           worker = worker == null ? begin() : worker;
           try {
-            outcome = outcome(next, worker.run(command.apply(next)));
+            String line = worker.ask(RunLine.here(next, directory));
+            answer = RunLine.answer(line, directory.resolve(next.folder()));
           } catch (IOException e) {
             end(worker);
             worker = null;
-            outcome =
-                attempt < ATTEMPTS ? null : new Outcome(next, Outcome.LOST, "", e.getMessage());
+            answer = attempt < ATTEMPTS ? null : RunAnswer.lost(e.getMessage());
           }
         }
-        tell(outcome, done);
+        tell(next, answer, done);
       }
     } catch (RuntimeException e) {
       stop(); // the others shall not go on for nothing
@@ -122,32 +117,15 @@ final class WorkerPool {
     }
   }
 
-  private void tell(Outcome outcome, Consumer<Outcome> done) {
+  private void tell(RunRequest request, RunAnswer answer, BiConsumer<RunRequest, RunAnswer> done) {
     synchronized (lock) {
-      if (outcome == null || stopped) {
-        return; // broken off: as if it had not been begun
+      if (answer != null && !stopped) { // broken off: as if it had not been begun
+        done.accept(request, answer);
       }
-      if (outcome.exit() == ExitCode.BAD_INPUT) {
-        throw new BadInputException(outcome.trouble());
-      }
-      done.accept(outcome);
     }
   }
 
-  private static Outcome outcome(Experiment experiment, Worker.Answer answer) {
-    String summary = answer.output().startsWith("{") ? answer.output() : "";
-    boolean isToldInSummary = !summary.isEmpty();
-    String said = isToldInSummary ? answer.errors() : answer.output() + answer.errors();
-    return new Outcome(
-        experiment,
-        answer.exit(),
-        summary,
-        answer.exit() == ExitCode.DONE || isToldInSummary
-            ? ""
-            : said.strip().replaceFirst("^u2sa: ", ""));
-  }
-
-  private Experiment next() {
+  private RunRequest next() {
     synchronized (lock) {
       return left.poll();
     }
@@ -159,25 +137,25 @@ final class WorkerPool {
     }
   }
 
-  private Worker begin() throws IOException {
+  private WorkerProcess begin() throws IOException {
+    List<String> options = new ArrayList<>(WorkerProcess.javaOptions());
+    options.addAll(HomeFolder.javaOptions());
     synchronized (lock) {
-      Worker worker = new Worker(log);
+      WorkerProcess worker =
+          new WorkerProcess(
+              options,
+              System.getProperty("java.class.path"),
+              Path.of("").toAbsolutePath(),
+              ProcessBuilder.Redirect.appendTo(directory.resolve("workers.log").toFile()));
       working.add(worker);
       return worker;
     }
   }
 
-  private void end(Worker worker) {
+  private void end(WorkerProcess worker) {
     worker.close();
     synchronized (lock) {
       working.remove(worker);
-    }
-  }
-
-  /** Numbers of the processes that work now. */
-  List<Long> pids() {
-    synchronized (lock) {
-      return working.stream().map(Worker::pid).toList();
     }
   }
 }

@@ -41,7 +41,7 @@ class JournalTest {
 
   @Test
   void open_journalOfTheSameCampaign_givesWhatWasDoneButNotWhatWasLost() {
-    write(outcome(4, 0), outcome(2, Outcome.LOST), outcome(1, 1));
+    write(outcome(4, 0), outcome(2, RunAnswer.LOST), outcome(1, 1));
 
     assertThat(write(outcome(3, 0))).containsExactly(outcome(4, 0), outcome(1, 1));
     assertThat(write()).containsExactly(outcome(4, 0), outcome(1, 1), outcome(3, 0));

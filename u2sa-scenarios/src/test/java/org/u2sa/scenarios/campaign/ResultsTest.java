@@ -27,7 +27,7 @@ class ResultsTest {
   private final Outcome good = outcome(1, ExitCode.DONE, 0.5, 10.0);
   private final Outcome wide = outcome(2, ExitCode.DONE, 1.5, 11.0);
   private final Outcome failed = outcome(3, ExitCode.FAILED, 0.4, 12.0);
-  private final Outcome lost = new Outcome(RUNS.get(3), Outcome.LOST, "", "its process has died");
+  private final Outcome lost = new Outcome(RUNS.get(3), RunAnswer.LOST, "", "its process has died");
   private final Results results = new Results(List.of(failed, lost, good, wide), "worstMissM");
 
   @Test

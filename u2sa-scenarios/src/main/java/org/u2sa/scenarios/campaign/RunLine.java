@@ -1,0 +1,143 @@
+package org.u2sa.scenarios.campaign;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.interfaces.JsonText;
+
+/**
+ * What is said to a process that makes runs, and what it answers: a line of JSON each. Whoever only
+ * carries the lines need not understand them.
+ */
+public final class RunLine {
+  /** Files of a run may be larger than what Jackson takes from strangers. */
+  private static final JsonFactory FACTORY =
+      JsonFactory.builder()
+          .streamReadConstraints(
+              StreamReadConstraints.builder().maxStringLength(Integer.MAX_VALUE).build())
+          .build();
+
+  private static final String ARGUMENT = "argument";
+  private static final String OUT = "out";
+  private static final String KEEPS_FILES = "keepsFiles";
+  private static final String SENDS_FILES = "sendsFiles";
+  private static final String EXIT = "exit";
+  private static final String OUTPUT = "output";
+  private static final String ERRORS = "errors";
+  private static final String FILES = "files";
+
+  private RunLine() {}
+
+  /**
+   * A request as the process understands it.
+   *
+   * @param arguments what {@code u2sa} is told
+   * @param out folder of the run's files, as the process names it
+   * @param keepsFiles whether they stay when the run succeeds
+   * @param sendsFiles whether those that stay go into the answer, and none is left in the folder
+   */
+  record Order(List<String> arguments, Path out, boolean keepsFiles, boolean sendsFiles) {}
+
+  /**
+   * The line for a process that sees the campaign's folder: files stay where they are.
+   *
+   * @param directory the campaign's folder
+   */
+  static String here(RunRequest request, Path directory) {
+    return line(request, directory.resolve(request.folder()).toString(), false);
+  }
+
+  /**
+   * The line for a process on any host: files come with the answer.
+   *
+   * @param scratch folder within the process's current one that takes them meanwhile
+   */
+  public static String elsewhere(RunRequest request, String scratch) {
+    return line(request, scratch + "/" + request.folder(), true);
+  }
+
+  private static String line(RunRequest request, String out, boolean sendsFiles) {
+    return new JsonText()
+        .put(ARGUMENT, request.arguments())
+        .put(OUT, out)
+        .put(KEEPS_FILES, request.keepsFiles())
+        .put(SENDS_FILES, sendsFiles)
+        .line();
+  }
+
+  /**
+   * @throws IOException if the line is no request
+   */
+  static Order order(String line) throws IOException {
+    Map<String, List<String>> fields = fields(line);
+    return new Order(
+        fields.getOrDefault(ARGUMENT, List.of()),
+        Path.of(only(fields, OUT)),
+        Boolean.parseBoolean(only(fields, KEEPS_FILES)),
+        Boolean.parseBoolean(only(fields, SENDS_FILES)));
+  }
+
+  /**
+   * @param files the run's files as {@link FolderArchive} packs them; empty if none are sent
+   */
+  static String answered(RunAnswer answer, byte[] files) {
+    return new JsonText()
+        .put(EXIT, answer.exit())
+        .put(OUTPUT, answer.output())
+        .put(ERRORS, answer.errors())
+        .put(FILES, Base64.getEncoder().encodeToString(files))
+        .line();
+  }
+
+  /**
+   * Reads an answer, and puts the files that came with it in their place.
+   *
+   * @param folder for them
+   * @throws IOException if the line is no answer, or files cannot be written
+   */
+  public static RunAnswer answer(String line, Path folder) throws IOException {
+    Map<String, List<String>> fields = fields(line);
+    byte[] files = Base64.getDecoder().decode(only(fields, FILES));
+    if (files.length > 0) {
+      FolderArchive.unpack(files, folder);
+    }
+    return new RunAnswer(
+        Integer.parseInt(only(fields, EXIT)), only(fields, OUTPUT), only(fields, ERRORS));
+  }
+
+  private static String only(Map<String, List<String>> fields, String name) throws IOException {
+    List<String> values = fields.getOrDefault(name, List.of());
+    if (values.size() != 1) {
+      throw new IOException(
+          "a line between the processes of the campaign has "
+              + values.size()
+              + " fields \""
+              + name
+              + "\", expected one");
+    }
+    return values.get(0);
+  }
+
+  private static Map<String, List<String>> fields(String line) throws IOException {
+    Map<String, List<String>> fields = new HashMap<>();
+    String name = "";
+    try (JsonParser json = FACTORY.createParser(line)) {
+      for (JsonToken token = json.nextToken(); token != null; token = json.nextToken()) {
+        if (token == JsonToken.FIELD_NAME) {
+          name = json.getText();
+        } else if (token.isScalarValue()) {
+          fields.computeIfAbsent(name, n -> new ArrayList<>()).add(json.getText());
+        }
+      }
+    }
+    return fields;
+  }
+}

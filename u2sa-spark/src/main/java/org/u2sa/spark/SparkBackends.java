@@ -1,0 +1,15 @@
+package org.u2sa.spark;
+
+import java.nio.file.Path;
+import org.u2sa.scenarios.campaign.RunBackend;
+import org.u2sa.scenarios.campaign.RunBackendProvider;
+
+/** Makes runs with the Spark of {@code SPARK_HOME}. */
+public final class SparkBackends implements RunBackendProvider {
+  @Override
+  public RunBackend at(String master, Path directory) {
+    SparkMaster address = SparkMaster.of(master);
+    SparkHome home = SparkHome.of(System.getenv(SparkHome.VARIABLE));
+    return new SparkRuns(home, address, address.localAddress(), directory);
+  }
+}

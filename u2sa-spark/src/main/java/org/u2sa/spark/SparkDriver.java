@@ -1,0 +1,86 @@
+package org.u2sa.spark;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.Serializable;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.apache.spark.SparkConf;
+import org.apache.spark.TaskContext;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.apache.spark.broadcast.Broadcast;
+import scala.Function2;
+import scala.collection.Iterator;
+import scala.jdk.javaapi.CollectionConverters;
+import scala.reflect.ClassTag;
+import scala.runtime.BoxedUnit;
+
+/**
+ * Process with Spark's classes, for {@link SparkRuns}: one task for each line of a file of
+ * requests. Each line of standard output is the number of a request, from 0, a blank and its
+ * answer, as they come. The last line is {@value #ALL_DONE}, or {@value #TROUBLE} and what went
+ * wrong.
+ */
+final class SparkDriver {
+  static final String ALL_DONE = "done";
+  static final String TROUBLE = "trouble ";
+
+  private SparkDriver() {}
+
+  /**
+   * @param arguments file of requests, file of the workers' Java options, a line each
+   */
+  public static void main(String[] arguments) throws IOException {
+    ProcessHandle.current()
+        .parent()
+        .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+    PrintStream answers = new PrintStream(System.out, true, StandardCharsets.UTF_8);
+    System.setOut(System.err); // nothing but answers goes there
+    List<String> requests = Files.readAllLines(Path.of(arguments[0]));
+    List<String> javaOptions = Files.readAllLines(Path.of(arguments[1]));
+    try (JavaSparkContext spark = new JavaSparkContext(new SparkConf())) {
+      ExecutorsJoined.await(spark);
+      run(spark, requests, spark.broadcast(new ExecutorWorkers(javaOptions)), answers);
+      answers.println(ALL_DONE);
+    } catch (RuntimeException e) {
+      e.printStackTrace();
+      answers.println(TROUBLE + String.valueOf(e.getMessage()).lines().findFirst().orElse(""));
+    }
+  }
+
+  private static void run(
+      JavaSparkContext spark,
+      List<String> requests,
+      Broadcast<ExecutorWorkers> workers,
+      PrintStream answers) {
+    @SuppressWarnings("unchecked")
+    Function2<TaskContext, Iterator<String>, String> task =
+        (Function2<TaskContext, Iterator<String>, String> & Serializable)
+            (context, requested) -> answer(workers.value(), requested.next());
+    spark
+        .sc()
+        .runJob(
+            spark.parallelize(requests, requests.size()).rdd(),
+            task,
+            CollectionConverters.asScala(
+                    IntStream.range(0, requests.size()).<Object>mapToObj(i -> i).toList())
+                .toSeq(),
+            (number, answer) -> {
+              answers.println(number + " " + answer);
+              return BoxedUnit.UNIT;
+            },
+            ClassTag.apply(String.class));
+  }
+
+  private static String answer(ExecutorWorkers workers, String request) {
+    try {
+      return workers.call(request);
+    } catch (IOException e) {
+      throw new IllegalStateException(
+          "a process for runs could not be started: " + e.getMessage(), e);
+    }
+  }
+}
