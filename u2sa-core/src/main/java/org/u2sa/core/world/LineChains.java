@@ -24,6 +24,7 @@ final class LineChains {
       0.7; // share of the ground beyond an end that must be looked at
   private static final int LANE_POINTS = 60; // 9 m before its end say which lane a line belongs to
   private static final int LANE_STEP = 4;
+  private static final int LANE_PLACES = 4; // so many steps, 2.4 m, make it the driven lane
   private static final double BESIDE_M = 0.4; // an end so near to a longer line is a part of that
 
   private final List<List<Point>> lines;
@@ -291,7 +292,7 @@ final class LineChains {
       for (List<Point> other : lines) {
         if (other != end.line()) {
           List<Point> found = beside(end, other, reach);
-          boolean isOwn = found.size() > 1 && isBetween(end, other, driven);
+          boolean isOwn = found.size() > 1 && isBetween(end, other, reach.widestM(), driven);
           boolean farther = lengthM(found) > lengthM(best.points());
           if (isOwn == best.driven() ? farther : isOwn) {
             best = new Beside(found, isOwn);
@@ -302,17 +303,28 @@ final class LineChains {
     return best;
   }
 
-  /** Whether the vehicle has driven between the last part of a line and another line. */
-  private static boolean isBetween(End end, List<Point> other, Driven driven) {
+  /**
+   * Whether the vehicle has driven between the last part of a line and another line, along a lane
+   * of both: who passes an end on another way, as in no-man's land, was not in their lane.
+   */
+  private boolean isBetween(End end, List<Point> other, double widestM, Driven driven) {
     List<Point> line = end.line();
     boolean last = end.at() == line.get(line.size() - 1);
+    int passed = 0;
     for (int back = 0; back < Math.min(line.size(), LANE_POINTS); back += LANE_STEP) {
-      Point from = line.get(last ? line.size() - 1 - back : back);
-      if (driven.passesBetween(from, other.get(nearest(from, other)))) {
-        return true;
-      }
+      int at = last ? line.size() - 1 - back : back;
+      Point from = line.get(at);
+      int beside = nearest(from, other);
+      double wide = metres(from, other.get(beside));
+      double[] way = way(line, at);
+      double[] besideWay = way(other, beside);
+      boolean isLane =
+          wide >= laneWidthM
+              && wide <= widestM
+              && Math.abs(way[0] * besideWay[0] + way[1] * besideWay[1]) > FACING;
+      passed += isLane && driven.passesBetween(from, other.get(beside)) ? 1 : 0;
     }
-    return false;
+    return passed >= LANE_PLACES;
   }
 
   private static int nearest(Point place, List<Point> line) {

@@ -135,7 +135,7 @@ final class ObjectMapModeller implements Modeller {
   @Override
   public void scan(RangeScan scan, ScanPoses poses) {
     ObjectMapSettings tuning = settings.get();
-    if (!tuning.flatTypes().isBlank()) {
+    if (!tuning.flatTypes().trim().isEmpty()) {
       hidden.scan(scan, poses.at(scan, 0.5), poses.first().micros());
     }
     ScanThrough through = null;

@@ -211,7 +211,7 @@ class LineChainsTest {
   void gaps_besideTheLineOfTheDrivenLane_goOnWhereTheGroundWasLookedAt() {
     lookThrice(-6.0, 1.0, 8.0, 1.0, -6.0, -2.5, 0.0, -2.5);
     DrivenWay way = new DrivenWay();
-    for (double x = -5.0; x < -2.0; x += 0.5) {
+    for (double x = -5.0; x < -1.0; x += 0.5) {
       way.at(Point.of(x, -0.8, 0.0));
     }
     LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
@@ -227,8 +227,19 @@ class LineChainsTest {
   void gaps_bothSidesOfTheDrivenLaneEnd_endWhereTheGroundWasLookedAt() {
     lookThrice(-6.0, 1.0, 0.0, 1.0, -6.0, -2.5, 0.0, -2.5);
     DrivenWay way = new DrivenWay();
-    for (double x = -5.0; x < -2.0; x += 0.5) {
+    for (double x = -5.0; x < -1.0; x += 0.5) {
       way.at(Point.of(x, -0.8, 0.0));
+    }
+    LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
+    assertThat(chains().gaps(reach, (x, y) -> true, way::passesBetween)).isEmpty();
+  }
+
+  @Test
+  void gaps_endPassedOnAnotherWay_endsWhereTheGroundWasLookedAt() {
+    lookThrice(1.5, 0.0, 1.5, -1.5, -2.0, 3.0, -2.0, -10.0);
+    DrivenWay way = new DrivenWay();
+    for (double y = 3.0; y > -3.0; y -= 0.5) {
+      way.at(Point.of(-0.5, y, 0.0));
     }
     LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
     assertThat(chains().gaps(reach, (x, y) -> true, way::passesBetween)).isEmpty();
