@@ -3,6 +3,7 @@ package org.u2sa.scenarios.igvc;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -19,7 +20,10 @@ import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.vision.camera.CourseCamera;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** {@code u2sa demo igvc}: a course of the competition, driven by lidar, camera and GPS. */
 @Command(
@@ -55,6 +59,29 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       paramLabel = "S",
       description = "Pull the laser out that many seconds after the start.")
   private double lidarDiesS = Double.POSITIVE_INFINITY;
+
+  private Chassis chassis = Chassis.USUAL;
+
+  @Option(
+      names = "--width",
+      paramLabel = "M",
+      description =
+          "Width of the vehicle, for courses that are made for others; planner and control are told (default: 0.92).")
+  private void width(double metres) {
+    if (!(metres >= Chassis.NARROWEST_M && metres <= Chassis.WIDEST_M)) {
+      throw new ParameterException(
+          command.commandLine(),
+          String.format(
+              Locale.ROOT,
+              "--width %s: expected %.1f…%.1f m",
+              metres,
+              Chassis.NARROWEST_M,
+              Chassis.WIDEST_M));
+    }
+    chassis = Chassis.USUAL.wide(metres);
+  }
+
+  @Spec private CommandSpec command;
 
   @Option(
       names = "--hard",
@@ -96,10 +123,11 @@ final class IgvcDemo implements Callable<Integer>, Demo {
             ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
             : given;
     Path known = CourseMission.writeKnown(course, ORIGIN, directory.resolve("known.xml"));
-    IgvcWorld world = new IgvcWorld(course, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
-    RunFilm film = new RunFilm(course, ORIGIN, directory);
-    RunSnapshots snapshots = new RunSnapshots(course, directory, snapshotEveryS);
-    Judge judge = new Judge(course, IgvcWorld.FRONT_M, IgvcWorld.REAR_M, IgvcWorld.WIDTH_M);
+    IgvcWorld world =
+        new IgvcWorld(course, chassis, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
+    RunFilm film = new RunFilm(course, chassis, ORIGIN, directory);
+    RunSnapshots snapshots = new RunSnapshots(course, chassis, directory, snapshotEveryS);
+    Judge judge = new Judge(course, chassis.frontM(), chassis.rearM(), chassis.widthM());
     return new Trial(
         mission,
         TruthObserver.of(
@@ -118,6 +146,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
                           context,
                           snapshots.watch(
                               new WatchedCamera(world.camera()), context.configuration())));
+          chassis.tell(launch);
           world.sensors().attach(launch);
         },
         launch -> {
