@@ -35,7 +35,7 @@ record Chassis(double frontM, double rearM, double widthM) {
       launch
           .override("PathPlanner", "VEHICLE WIDTH", widthM)
           .override("PathPlanner", "NARROWEST PASSAGE", widthM + MAPPED_M)
-          .override("Control", "TRACK", trackM());
+          .override("DifferentialPursuitControl", "TRACK", trackM());
     }
   }
 }
