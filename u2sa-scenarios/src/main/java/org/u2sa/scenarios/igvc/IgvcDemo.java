@@ -37,6 +37,8 @@ import picocli.CommandLine.Spec;
 final class IgvcDemo implements Callable<Integer>, Demo {
   private static final String SIMULATOR = "differential vehicle behind an IOIO, lidar, camera, GPS";
 
+  private static final double MOST_MINUTES = 60.0;
+
   /** Rochester, Michigan, where the competition is held: a course's origin. */
   private static final Geodetic ORIGIN = new Geodetic(-83.2190, 42.6780, 290.0);
 
@@ -60,28 +62,28 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       description = "Pull the laser out that many seconds after the start.")
   private double lidarDiesS = Double.POSITIVE_INFINITY;
 
-  private Chassis chassis = Chassis.USUAL;
-
   @Option(
       names = "--width",
       paramLabel = "M",
       description =
           "Width of the vehicle, for courses that are made for others; planner and control are told (default: 0.92).")
   private void width(double metres) {
-    if (!(metres >= Chassis.NARROWEST_M && metres <= Chassis.WIDEST_M)) {
-      throw new ParameterException(
-          command.commandLine(),
-          String.format(
-              Locale.ROOT,
-              "--width %s: expected %.1f…%.1f m",
-              metres,
-              Chassis.NARROWEST_M,
-              Chassis.WIDEST_M));
-    }
-    chassis = Chassis.USUAL.wide(metres);
+    chassis =
+        Chassis.USUAL.wide(within("--width", metres, Chassis.NARROWEST_M, Chassis.WIDEST_M, "m"));
+  }
+
+  @Option(
+      names = "--minutes",
+      paramLabel = "N",
+      description =
+          "Minutes after which the judge ends the run, for courses longer than the rules' (default: 6).")
+  private void minutes(double minutes) {
+    runS = 60.0 * within("--minutes", minutes, 1.0, MOST_MINUTES, "min");
   }
 
   @Spec private CommandSpec command;
+  private Chassis chassis = Chassis.USUAL;
+  private double runS = Judge.RUN_S;
 
   @Option(
       names = "--hard",
@@ -98,6 +100,16 @@ final class IgvcDemo implements Callable<Integer>, Demo {
           "Seconds from one picture of what the vehicle sees and knows to the next, in snapshots; 0: none (default: ${DEFAULT-VALUE}).",
       defaultValue = "30")
   private double snapshotEveryS;
+
+  private double within(String option, double value, double least, double most, String unit) {
+    if (!(value >= least && value <= most)) {
+      throw new ParameterException(
+          command.commandLine(),
+          String.format(
+              Locale.ROOT, "%s %s: expected %.1f…%.1f %s", option, value, least, most, unit));
+    }
+    return value;
+  }
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -127,7 +139,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
         new IgvcWorld(course, chassis, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
     RunFilm film = new RunFilm(course, chassis, ORIGIN, directory);
     RunSnapshots snapshots = new RunSnapshots(course, chassis, directory, snapshotEveryS);
-    Judge judge = new Judge(course, chassis.frontM(), chassis.rearM(), chassis.widthM());
+    Judge judge = new Judge(course, chassis.frontM(), chassis.rearM(), chassis.widthM(), runS);
     return new Trial(
         mission,
         TruthObserver.of(
