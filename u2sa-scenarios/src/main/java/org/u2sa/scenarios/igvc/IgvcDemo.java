@@ -68,8 +68,9 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       description =
           "Width of the vehicle, for courses that are made for others; planner and control are told (default: 0.92).")
   private void width(double metres) {
-    chassis =
-        Chassis.USUAL.wide(within("--width", metres, Chassis.NARROWEST_M, Chassis.WIDEST_M, "m"));
+    outline =
+        VehicleOutline.USUAL.wide(
+            within("--width", metres, VehicleOutline.NARROWEST_M, VehicleOutline.WIDEST_M, "m"));
   }
 
   @Option(
@@ -82,7 +83,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   }
 
   @Spec private CommandSpec command;
-  private Chassis chassis = Chassis.USUAL;
+  private VehicleOutline outline = VehicleOutline.USUAL;
   private double runS = Judge.RUN_S;
 
   @Option(
@@ -136,10 +137,10 @@ final class IgvcDemo implements Callable<Integer>, Demo {
             : given;
     Path known = CourseMission.writeKnown(course, ORIGIN, directory.resolve("known.xml"));
     IgvcWorld world =
-        new IgvcWorld(course, chassis, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
-    RunFilm film = new RunFilm(course, chassis, ORIGIN, directory);
-    RunSnapshots snapshots = new RunSnapshots(course, chassis, directory, snapshotEveryS);
-    Judge judge = new Judge(course, chassis.frontM(), chassis.rearM(), chassis.widthM(), runS);
+        new IgvcWorld(course, outline, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
+    RunFilm film = new RunFilm(course, outline, ORIGIN, directory);
+    RunSnapshots snapshots = new RunSnapshots(course, outline, directory, snapshotEveryS);
+    Judge judge = new Judge(course, outline.frontM(), outline.rearM(), outline.widthM(), runS);
     return new Trial(
         mission,
         TruthObserver.of(
@@ -158,7 +159,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
                           context,
                           snapshots.watch(
                               new WatchedCamera(world.camera()), context.configuration())));
-          chassis.tell(launch);
+          outline.tell(launch);
           world.sensors().attach(launch);
         },
         launch -> {

@@ -80,7 +80,7 @@ final class IgvcWorld {
    */
   IgvcWorld(
       Course course,
-      Chassis chassis,
+      VehicleOutline outline,
       Geodetic origin,
       long seed,
       double cameraDiesS,
@@ -93,7 +93,7 @@ final class IgvcWorld {
     this.seed = seed;
     world = World.at(origin).with(solids(course));
     double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
-    measures = measures(chassis.trackM(), mismatch);
+    measures = measures(outline.trackM(), mismatch);
     Course.Start start = course.start();
     GroundStart at = new GroundStart(start.eastM(), start.northM(), start.headingRad());
     double declinationRad =

@@ -9,9 +9,9 @@ import org.u2sa.core.launch.LaunchOptions;
  * @param rearM to its rear [m]
  * @param widthM its width [m]
  */
-record Chassis(double frontM, double rearM, double widthM) {
+record VehicleOutline(double frontM, double rearM, double widthM) {
   /** What config/igvc says. */
-  static final Chassis USUAL = new Chassis(0.40, 0.20, 0.92);
+  static final VehicleOutline USUAL = new VehicleOutline(0.40, 0.20, 0.92);
 
   static final double NARROWEST_M = 0.5;
   static final double WIDEST_M = 1.2;
@@ -20,8 +20,8 @@ record Chassis(double frontM, double rearM, double widthM) {
   private static final double MAPPED_M = 0.14; // that the grid adds to what stands at both sides
 
   /** The same, of another width [m]. */
-  Chassis wide(double newWidthM) {
-    return new Chassis(frontM, rearM, newWidthM);
+  VehicleOutline wide(double newWidthM) {
+    return new VehicleOutline(frontM, rearM, newWidthM);
   }
 
   /** Between the driven wheels' middles [m]. */
