@@ -200,16 +200,23 @@ final class LineBeads {
   }
 
   /**
-   * Counts against what lies in a sector and was not seen in the last picture, and against what was
-   * seen beside its place there: the same line, as long as the picture does not show both.
+   * Counts against what lies in a sector and was not seen in the last picture, although nothing
+   * stands before it, and against what was seen beside its place there: the same line, as long as
+   * the picture does not show both.
    */
-  void doubt(double x, double y, double headingRad, double reachM, double halfRad) {
+  void doubt(
+      double x,
+      double y,
+      double headingRad,
+      double reachM,
+      double halfRad,
+      LookedGround.View view) {
     for (Bead bead : near(x, y, reachM)) {
       double away = Math.hypot(bead.x - x, bead.y - y);
       double off =
           Math.IEEEremainder(Math.atan2(bead.y - y, bead.x - x) - headingRad, 2.0 * Math.PI);
       boolean looked = away > TOO_NEAR_M && away < reachM && Math.abs(off) < halfRad;
-      if (looked && bead.seenMicros != micros) {
+      if (looked && bead.seenMicros != micros && view.isOpen(bead.x, bead.y)) {
         bead.hits -= DOUBT;
       }
     }

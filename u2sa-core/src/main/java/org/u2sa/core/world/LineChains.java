@@ -22,6 +22,9 @@ final class LineChains {
   private static final double SQUARE = 0.9; // sine of the least angle between lane and its width
   private static final double KNOWN =
       0.7; // share of the ground beyond an end that must be looked at
+  private static final int LANE_POINTS = 60; // 9 m before its end say which lane a line belongs to
+  private static final int LANE_STEP = 4;
+  private static final int LANE_PLACES = 4; // so many steps, 2.4 m, make it the driven lane
   private static final double BESIDE_M = 0.4; // an end so near to a longer line is a part of that
 
   private final List<List<Point>> lines;
@@ -42,6 +45,9 @@ final class LineChains {
   record Reach(double gapM, double aloneM, double besideM, double widestM) {}
 
   private record Join(End one, End other, double cost) {}
+
+  /** What goes on beside another line, and whether the vehicle has driven between the two. */
+  private record Beside(List<Point> points, boolean driven) {}
 
   private LineChains(List<List<Point>> lines, Set<List<Point>> sure, double laneWidthM) {
     this.lines = lines;
@@ -125,11 +131,18 @@ final class LineChains {
     boolean isKnown(double x, double y);
   }
 
+  /** Where the vehicle has driven. */
+  interface Driven {
+    boolean passesBetween(Point a, Point b);
+  }
+
   /**
    * What closes gaps between ends that face each other, and what goes on beyond other ends, but for
-   * those beyond which the ground was looked at as far as gaps reach: there the line ends.
+   * those beyond which the ground was looked at as far as gaps reach: there the line ends. A line
+   * of the lane in which the vehicle drives does not end before the lane's other line: a lane is
+   * open to its end, not to its sides.
    */
-  List<List<Point>> gaps(Reach reach, Looked looked) {
+  List<List<Point>> gaps(Reach reach, Looked looked, Driven driven) {
     List<End> ends = new ArrayList<>();
     for (List<Point> line : lines) {
       for (End end : List.of(end(line, false), end(line, true))) {
@@ -156,9 +169,12 @@ final class LineChains {
       }
     }
     for (End end : ends) {
-      List<Point> extension = beside(end, reach);
+      Beside beside = beside(end, reach, driven);
+      List<Point> extension = beside.points();
       boolean leadsFar = lengthM(extension) >= reach.gapM();
-      if (isKnown(leadsFar ? extension : extension(end, reach.gapM()), reach.gapM(), looked)) {
+      boolean inLane = beside.driven() && lengthM(extension) >= reach.aloneM();
+      if (!inLane
+          && isKnown(leadsFar ? extension : extension(end, reach.gapM()), reach.gapM(), looked)) {
         continue;
       }
       if (extension.size() < 2 || lengthM(extension) < reach.aloneM()) {
@@ -267,26 +283,60 @@ final class LineChains {
 
   /**
    * On beside the other line of the lane, as far away as at the end: a lane keeps its width. Of two
-   * lines, to the left and to the right, the one that leads farther.
+   * lines, to the left and to the right, the one of the lane that was driven, else the one that
+   * leads farther.
    */
-  private List<Point> beside(End end, Reach reach) {
-    List<Point> longest = List.of();
+  private Beside beside(End end, Reach reach, Driven driven) {
+    Beside best = new Beside(List.of(), false);
     if (reach.besideM() > reach.aloneM()) {
       for (List<Point> other : lines) {
         if (other != end.line()) {
           List<Point> found = beside(end, other, reach);
-          longest = lengthM(found) > lengthM(longest) ? found : longest;
+          boolean isOwn = found.size() > 1 && isBetween(end, other, reach.widestM(), driven);
+          boolean farther = lengthM(found) > lengthM(best.points());
+          if (isOwn == best.driven() ? farther : isOwn) {
+            best = new Beside(found, isOwn);
+          }
         }
       }
     }
-    return longest;
+    return best;
+  }
+
+  /**
+   * Whether the vehicle has driven between the last part of a line and another line, along a lane
+   * of both: who passes an end on another way, as in no-man's land, was not in their lane.
+   */
+  private boolean isBetween(End end, List<Point> other, double widestM, Driven driven) {
+    List<Point> line = end.line();
+    boolean last = end.at() == line.get(line.size() - 1);
+    int passed = 0;
+    for (int back = 0; back < Math.min(line.size(), LANE_POINTS); back += LANE_STEP) {
+      int at = last ? line.size() - 1 - back : back;
+      Point from = line.get(at);
+      int beside = nearest(from, other);
+      double wide = metres(from, other.get(beside));
+      double[] way = way(line, at);
+      double[] besideWay = way(other, beside);
+      boolean isLane =
+          wide >= laneWidthM
+              && wide <= widestM
+              && Math.abs(way[0] * besideWay[0] + way[1] * besideWay[1]) > FACING;
+      passed += isLane && driven.passesBetween(from, other.get(beside)) ? 1 : 0;
+    }
+    return passed >= LANE_PLACES;
+  }
+
+  private static int nearest(Point place, List<Point> line) {
+    int nearest = 0;
+    for (int i = 1; i < line.size(); i++) {
+      nearest = metres(place, line.get(i)) < metres(place, line.get(nearest)) ? i : nearest;
+    }
+    return nearest;
   }
 
   private List<Point> beside(End end, List<Point> other, Reach reach) {
-    int nearest = 0;
-    for (int i = 1; i < other.size(); i++) {
-      nearest = metres(end.at(), other.get(i)) < metres(end.at(), other.get(nearest)) ? i : nearest;
-    }
+    int nearest = nearest(end.at(), other);
     double wide = metres(end.at(), other.get(nearest));
     double[] way = way(other, nearest);
     double sense = way[0] * end.dx() + way[1] * end.dy();

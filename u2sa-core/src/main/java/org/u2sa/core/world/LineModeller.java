@@ -165,6 +165,7 @@ final class LineModeller implements Modeller {
   private final LineBeads beads = new LineBeads();
   private final HiddenGround hidden = new HiddenGround();
   private final LookedGround looked = new LookedGround();
+  private final DrivenWay driven = new DrivenWay();
   private final Set<String> sensors = new HashSet<>();
   private MapFrame frame = MapFrame.BODY;
   private long sightings;
@@ -180,6 +181,7 @@ final class LineModeller implements Modeller {
     Set<String> types = tuning.types();
     if (sighting.vehicle().isEmpty()) {
       looked.clear();
+      driven.clear();
       beads.clear(); // of one moment only: nothing says how the vehicle has moved since
     }
     double turning = sighting.vehicle().map(state -> state.psiDot().orElse(0.0)).orElse(0.0);
@@ -188,6 +190,7 @@ final class LineModeller implements Modeller {
     }
     beads.begin(sighting.micros(), tuning.lineWander() * tuning.lineWander());
     Point at = sighting.frame().vehicle(sighting.vehicle());
+    driven.at(at);
     beads.from(at.x(), at.y());
     hidden.lookFrom(at.x(), at.y(), sighting.micros());
     boolean isPicture = false;
@@ -242,7 +245,12 @@ final class LineModeller implements Modeller {
         half,
         (x, y) -> !hidden.hides(x, y, tuning.hiddenBehind()));
     beads.doubt(
-        at.x(), at.y(), heading, tuning.doubtReach(), 0.5 * Math.toRadians(tuning.doubtAngle()));
+        at.x(),
+        at.y(),
+        heading,
+        tuning.doubtReach(),
+        0.5 * Math.toRadians(tuning.doubtAngle()),
+        (x, y) -> !hidden.hides(x, y, tuning.hiddenBehind()));
     beads.forget(
         at.x(),
         at.y(),
@@ -256,6 +264,7 @@ final class LineModeller implements Modeller {
     frame = newFrame;
     beads.clear();
     looked.clear();
+    driven.clear();
   }
 
   @Override
@@ -277,7 +286,7 @@ final class LineModeller implements Modeller {
               tuning.lineExtension(),
               Math.max(tuning.laneExtension(), tuning.lineExtension()),
               tuning.widestLane());
-      for (List<Point> gap : chains.gaps(reach, looked::isKnown)) {
+      for (List<Point> gap : chains.gaps(reach, looked::isKnown, driven::passesBetween)) {
         clear(gap, at, tuning.clearOfVehicle())
             .forEach(part -> pieces(part, type, GAP_CONFIDENCE, lines));
       }

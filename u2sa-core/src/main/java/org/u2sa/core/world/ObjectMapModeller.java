@@ -24,6 +24,7 @@ final class ObjectMapModeller implements Modeller {
   private final Settings<ObjectMapSettings> settings;
   private final List<MappedObject> tracks = new ArrayList<>();
   private final TrackReport report = new TrackReport();
+  private final HiddenGround hidden = new HiddenGround();
   private List<ObjectDescription> known = List.of();
   private long knownMicros;
   private MapFrame frame = MapFrame.BODY;
@@ -42,10 +43,14 @@ final class ObjectMapModeller implements Modeller {
         all.stream()
             .filter(each -> !tuning.isUnmapped(each.objectType()))
             .collect(Collectors.toList());
+    Point at = sighting.frame().vehicle(sighting.vehicle());
+    hidden.lookFrom(at.x(), at.y(), sighting.micros());
     List<Detection> detections = new ArrayList<>();
     for (ObjectDescription each : seen) {
       Optional<Detection> placed = Detection.of(each, sighting, tuning.defaultSigma());
-      placed.ifPresent(detections::add);
+      placed
+          .filter(detection -> !isHidden(each, detection.place(), tuning))
+          .ifPresent(detections::add);
       unplaced += placed.isPresent() ? 0 : 1;
     }
     sightings += seen.size();
@@ -74,6 +79,12 @@ final class ObjectMapModeller implements Modeller {
     tidy(sighting.micros(), tuning);
   }
 
+  /** Whether something that a scanner sees stands before what lies flat there. */
+  private boolean isHidden(ObjectDescription object, Point place, ObjectMapSettings tuning) {
+    return tuning.isFlat(object.objectType())
+        && hidden.hides(place.x(), place.y(), Double.POSITIVE_INFINITY);
+  }
+
   private MappedObject begin(Detection detection, long micros, ObjectMapSettings tuning) {
     MappedObject track =
         new MappedObject(freeUid(detection.object().uid()), detection, micros, tuning, false);
@@ -99,7 +110,7 @@ final class ObjectMapModeller implements Modeller {
       String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapSettings tuning) {
     FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
     for (MappedObject track : tracks) {
-      if (hit.contains(track)) {
+      if (hit.contains(track) || isHidden(track.template(), track.place(), tuning)) {
         continue;
       }
       if (field != null && field.sees(fromVehicle(track.place(), sighting))) {
@@ -124,6 +135,9 @@ final class ObjectMapModeller implements Modeller {
   @Override
   public void scan(RangeScan scan, ScanPoses poses) {
     ObjectMapSettings tuning = settings.get();
+    if (!tuning.flatTypes().trim().isEmpty()) {
+      hidden.scan(scan, poses.at(scan, 0.5), poses.first().micros());
+    }
     ScanThrough through = null;
     for (MappedObject track : tracks) {
       boolean shown =

@@ -13,6 +13,11 @@ record ObjectMapSettings(
                 "OBJECTS: types that other modellers keep, such as painted lines, separated by commas: they are not mapped.")
         String unmappedTypes,
     @Variable(
+            ifAbsentText = "",
+            text =
+                "OBJECTS: types of objects that lie flat on the ground, such as potholes, separated by commas: a camera does not see them behind what a scanner sees; what looks like one there is part of what stands before it.")
+        String flatTypes,
+    @Variable(
             unit = "m",
             min = 0.001,
             max = 10_000,
@@ -165,6 +170,11 @@ record ObjectMapSettings(
 
   boolean isUnmapped(String type) {
     return names(unmappedTypes, type);
+  }
+
+  /** Whether objects of that type are hidden by whatever stands before them. */
+  boolean isFlat(String type) {
+    return names(flatTypes, type);
   }
 
   private static boolean names(String list, String type) {

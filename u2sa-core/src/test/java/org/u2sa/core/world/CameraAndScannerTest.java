@@ -82,4 +82,40 @@ class CameraAndScannerTest {
         .extracting(ObjectDescription::objectType)
         .containsExactlyInAnyOrder("barrel", "red flag");
   }
+
+  @Test
+  void objects_flatBehindWhatAScannerSees_isPartOfThat() {
+    kit.with("MODELLERS", "OBJECTS").with("FLAT TYPES", "pothole").start(WorldModeler::new);
+    for (int i = 0; i < 5; i++) {
+      kit.send(Channels.SCANS, ModelledWorld.wallAhead(2.0));
+      tick(seen("Camera", "pothole", 4.0, 0.0, 0.1), seen("Camera", "barrel", 4.0, 0.1, 0.1));
+    }
+    assertThat(objects()).extracting(ObjectDescription::objectType).containsExactly("barrel");
+  }
+
+  @Test
+  void objects_flatBesideWhatAScannerSees_isEntered() {
+    kit.with("MODELLERS", "OBJECTS").with("FLAT TYPES", "pothole").start(WorldModeler::new);
+    for (int i = 0; i < 5; i++) {
+      kit.send(Channels.SCANS, ModelledWorld.wallAhead(2.0));
+      tick(seen("Camera", "pothole", 4.0, 3.0, 0.1));
+    }
+    assertThat(objects()).extracting(ObjectDescription::objectType).containsExactly("pothole");
+  }
+
+  @Test
+  void objects_flatOneHiddenByNow_isNotDoubted() {
+    kit.with("MODELLERS", "OBJECTS")
+        .with("FLAT TYPES", "pothole")
+        .with("FIELDS OF VIEW", "Camera: 60 deg, 8 m")
+        .start(WorldModeler::new);
+    for (int i = 0; i < 5; i++) {
+      tick(seen("Camera", "pothole", 4.0, 0.0, 0.1));
+    }
+    for (int i = 0; i < 20; i++) {
+      kit.send(Channels.SCANS, ModelledWorld.wallAhead(2.0));
+      tick(seen("Camera", "barrel", 2.0, 0.0, 0.1));
+    }
+    assertThat(objects()).extracting(ObjectDescription::objectType).contains("pothole");
+  }
 }

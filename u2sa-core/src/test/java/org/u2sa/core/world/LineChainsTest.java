@@ -35,11 +35,16 @@ class LineChainsTest {
   }
 
   private List<List<Point>> gaps(double longest, double alone) {
-    return chains().gaps(new LineChains.Reach(longest, alone, alone, WIDEST_M), (x, y) -> false);
+    return chains()
+        .gaps(
+            new LineChains.Reach(longest, alone, alone, WIDEST_M),
+            (x, y) -> false,
+            (a, b) -> false);
   }
 
   private List<List<Point>> lane(double alone, double beside) {
-    return chains().gaps(new LineChains.Reach(0.0, alone, beside, WIDEST_M), (x, y) -> false);
+    return chains()
+        .gaps(new LineChains.Reach(0.0, alone, beside, WIDEST_M), (x, y) -> false, (a, b) -> false);
   }
 
   private static double length(List<Point> line) {
@@ -175,7 +180,7 @@ class LineChainsTest {
   void gaps_groundBeyondTheEndLookedAt_lineEndsThere() {
     lookThrice(-4.0, 1.0, 0.0, 1.0);
     LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 1.2, WIDEST_M);
-    List<List<Point>> ahead = chains().gaps(reach, (x, y) -> x > 0.0);
+    List<List<Point>> ahead = chains().gaps(reach, (x, y) -> x > 0.0, (a, b) -> false);
     assertThat(ahead)
         .singleElement()
         .satisfies(gap -> assertThat(gap.get(gap.size() - 1).x()).isLessThan(-4.0));
@@ -185,21 +190,81 @@ class LineChainsTest {
   void gaps_groundBeyondTheEndLookedAtLessFarThanAGap_goOn() {
     lookThrice(-4.0, 1.0, 0.0, 1.0);
     LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 1.2, WIDEST_M);
-    assertThat(chains().gaps(reach, (x, y) -> x > 0.0 && x < 3.0)).hasSize(2);
+    assertThat(chains().gaps(reach, (x, y) -> x > 0.0 && x < 3.0, (a, b) -> false)).hasSize(2);
   }
 
   @Test
   void gaps_besideTheLineOfAnotherLane_endWhereTheGroundWasLookedAt() {
     lookThrice(-6.0, 1.0, 8.0, 1.0, -6.0, -2.5, 0.0, -2.5);
     LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
-    assertThat(chains().gaps(reach, (x, y) -> false))
+    assertThat(chains().gaps(reach, (x, y) -> false, (a, b) -> false))
         .anySatisfy(gap -> assertThat(gap.get(gap.size() - 1).x()).isGreaterThan(5.0));
-    assertThat(chains().gaps(reach, (x, y) -> x > 0.0 && y < 0.0))
+    assertThat(chains().gaps(reach, (x, y) -> x > 0.0 && y < 0.0, (a, b) -> false))
         .noneSatisfy(
             gap -> {
               assertThat(gap.get(0).y()).isNegative();
               assertThat(gap.get(gap.size() - 1).x()).isGreaterThan(0.5);
             });
+  }
+
+  @Test
+  void gaps_besideTheLineOfTheDrivenLane_goOnWhereTheGroundWasLookedAt() {
+    lookThrice(-6.0, 1.0, 8.0, 1.0, -6.0, -2.5, 0.0, -2.5);
+    DrivenWay way = new DrivenWay();
+    for (double x = -5.0; x < -1.0; x += 0.5) {
+      way.at(Point.of(x, -0.8, 0.0));
+    }
+    LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
+    assertThat(chains().gaps(reach, (x, y) -> true, way::passesBetween))
+        .anySatisfy(
+            gap -> {
+              assertThat(gap.get(0).y()).isNegative();
+              assertThat(gap.get(gap.size() - 1).x()).isGreaterThan(5.0);
+            });
+  }
+
+  @Test
+  void gaps_bothSidesOfTheDrivenLaneEnd_endWhereTheGroundWasLookedAt() {
+    lookThrice(-6.0, 1.0, 0.0, 1.0, -6.0, -2.5, 0.0, -2.5);
+    DrivenWay way = new DrivenWay();
+    for (double x = -5.0; x < -1.0; x += 0.5) {
+      way.at(Point.of(x, -0.8, 0.0));
+    }
+    LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
+    assertThat(chains().gaps(reach, (x, y) -> true, way::passesBetween)).isEmpty();
+  }
+
+  @Test
+  void gaps_endPassedOnAnotherWay_endsWhereTheGroundWasLookedAt() {
+    lookThrice(1.5, 0.0, 1.5, -1.5, -2.0, 3.0, -2.0, -10.0);
+    DrivenWay way = new DrivenWay();
+    for (double y = 3.0; y > -3.0; y -= 0.5) {
+      way.at(Point.of(-0.5, y, 0.0));
+    }
+    LineChains.Reach reach = new LineChains.Reach(5.0, 1.2, 6.0, WIDEST_M);
+    assertThat(chains().gaps(reach, (x, y) -> true, way::passesBetween)).isEmpty();
+  }
+
+  @Test
+  void drivenWay_besideBothPlaces_doesNotPassBetweenThem() {
+    DrivenWay way = new DrivenWay();
+    way.at(Point.of(0.0, 0.0, 0.0));
+    way.at(Point.of(4.0, 0.0, 0.0));
+    assertThat(way.passesBetween(Point.of(2.0, 1.0, 0.0), Point.of(2.0, -1.0, 0.0))).isTrue();
+    assertThat(way.passesBetween(Point.of(2.0, 1.0, 0.0), Point.of(2.0, 3.0, 0.0))).isFalse();
+    assertThat(way.passesBetween(Point.of(5.0, 1.0, 0.0), Point.of(5.0, -1.0, 0.0))).isFalse();
+  }
+
+  @Test
+  void doubt_lineBehindWhatStands_stays() {
+    lookThrice(1.5, 0.0, 2.4, 0.0);
+    int before = beads.count();
+    for (int i = 0; i < 8; i++) {
+      beads.begin(micros += 100_000, 0.0);
+      beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> x < 1.0);
+      beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
+    }
+    assertThat(beads.count()).isEqualTo(before);
   }
 
   @Test
@@ -216,7 +281,7 @@ class LineChainsTest {
     lookThrice(1.5, 0.0, 2.4, 0.0);
     for (int i = 0; i < 8; i++) {
       beads.begin(micros += 100_000, 0.0);
-      beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5);
+      beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> true);
       beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
     }
     assertThat(beads.count()).isZero();
@@ -228,7 +293,7 @@ class LineChainsTest {
     int before = beads.count();
     for (int i = 0; i < 8; i++) {
       beads.begin(micros += 100_000, 0.0);
-      beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5);
+      beads.doubt(0.0, 0.0, 0.0, 2.5, 0.5, (x, y) -> true);
       beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
     }
     assertThat(beads.count()).isEqualTo(before);
@@ -312,7 +377,7 @@ class LineChainsTest {
     micros += 5_000_000;
     for (int i = 0; i < 8; i++) {
       look(0.0, 1.9, 4.0, 1.9);
-      beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1); // looks the other way
+      beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true); // looks the other way
       beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
     }
     assertThat(beads.certain(0.0, 0.0, 50.0, 3))
@@ -325,13 +390,13 @@ class LineChainsTest {
     lookThrice(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
     micros += 5_000_000;
     look(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
-    beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1);
+    beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true);
     assertThat(beads.certain(0.0, 0.0, 50.0, 4))
         .as("four sightings, no doubt")
         .hasSize(beads.count());
     for (int i = 0; i < 8; i++) {
       look(0.0, 1.0, 4.0, 1.0, 0.0, 1.9, 4.0, 1.9);
-      beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1);
+      beads.doubt(0.0, 0.0, Math.PI, 2.5, 0.1, (x, y) -> true);
       beads.forget(0.0, 0.0, 50.0, micros - 3_000_000, 3);
     }
     assertThat(chains().lines()).hasSize(2);

@@ -34,13 +34,15 @@ final class CoursePainter {
   private static final Color FREE = new Color(255, 255, 255, 40);
 
   private final Course course;
+  private final VehicleOutline outline;
   private final int width;
   private final int height;
   private final AffineTransform toPixels;
   private final double scale;
 
-  private CoursePainter(Course course, double[] window, int longest) {
+  private CoursePainter(Course course, VehicleOutline outline, double[] window, int longest) {
     this.course = course;
+    this.outline = outline;
     double east = window[2];
     double north = window[3];
     scale = longest / Math.max(east - window[0], north - window[1]);
@@ -54,7 +56,7 @@ final class CoursePainter {
    *
    * @param longest pixels of the picture's longer side
    */
-  static CoursePainter whole(Course course, int longest) {
+  static CoursePainter whole(Course course, VehicleOutline outline, int longest) {
     double west = Double.POSITIVE_INFINITY;
     double south = Double.POSITIVE_INFINITY;
     double east = Double.NEGATIVE_INFINITY;
@@ -68,13 +70,15 @@ final class CoursePainter {
         north = Math.max(north, point.y() + MARGIN_M);
       }
     }
-    return new CoursePainter(course, new double[] {west, south, east, north}, longest);
+    return new CoursePainter(course, outline, new double[] {west, south, east, north}, longest);
   }
 
   /** Draws a square around a place, so far to each side [m], of so many pixels. */
-  static CoursePainter around(Course course, Point at, double reachM, int pixels) {
+  static CoursePainter around(
+      Course course, VehicleOutline outline, Point at, double reachM, int pixels) {
     return new CoursePainter(
         course,
+        outline,
         new double[] {at.x() - reachM, at.y() - reachM, at.x() + reachM, at.y() + reachM},
         pixels);
   }
@@ -201,12 +205,12 @@ final class CoursePainter {
     graphics.setColor(Color.BLACK);
     graphics.fill(
         new Rectangle2D.Double(
-            -IgvcWorld.REAR_M,
-            -0.5 * IgvcWorld.WIDTH_M,
-            IgvcWorld.FRONT_M + IgvcWorld.REAR_M,
-            IgvcWorld.WIDTH_M));
+            -outline.rearM(),
+            -0.5 * outline.widthM(),
+            outline.frontM() + outline.rearM(),
+            outline.widthM()));
     graphics.setColor(PLANNED);
-    graphics.fill(new Rectangle2D.Double(IgvcWorld.FRONT_M - 0.15, -0.2, 0.15, 0.4));
+    graphics.fill(new Rectangle2D.Double(outline.frontM() - 0.15, -0.2, 0.15, 0.4));
     graphics.dispose();
   }
 }

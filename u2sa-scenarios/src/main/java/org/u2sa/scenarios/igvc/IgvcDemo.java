@@ -3,6 +3,7 @@ package org.u2sa.scenarios.igvc;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -19,7 +20,10 @@ import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.vision.camera.CourseCamera;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** {@code u2sa demo igvc}: a course of the competition, driven by lidar, camera and GPS. */
 @Command(
@@ -32,6 +36,8 @@ import picocli.CommandLine.Option;
     })
 final class IgvcDemo implements Callable<Integer>, Demo {
   private static final String SIMULATOR = "differential vehicle behind an IOIO, lidar, camera, GPS";
+
+  private static final double MOST_MINUTES = 60.0;
 
   /** Rochester, Michigan, where the competition is held: a course's origin. */
   private static final Geodetic ORIGIN = new Geodetic(-83.2190, 42.6780, 290.0);
@@ -57,6 +63,30 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   private double lidarDiesS = Double.POSITIVE_INFINITY;
 
   @Option(
+      names = "--width",
+      paramLabel = "M",
+      description =
+          "Width of the vehicle, for courses that are made for others; planner and control are told (default: 0.92).")
+  private void width(double metres) {
+    outline =
+        VehicleOutline.USUAL.wide(
+            within("--width", metres, VehicleOutline.NARROWEST_M, VehicleOutline.WIDEST_M, "m"));
+  }
+
+  @Option(
+      names = "--minutes",
+      paramLabel = "N",
+      description =
+          "Minutes after which the judge ends the run, for courses longer than the rules' (default: 6).")
+  private void minutes(double minutes) {
+    runS = 60.0 * within("--minutes", minutes, 1.0, MOST_MINUTES, "min");
+  }
+
+  @Spec private CommandSpec command;
+  private VehicleOutline outline = VehicleOutline.USUAL;
+  private double runS = Judge.RUN_S;
+
+  @Option(
       names = "--hard",
       paramLabel = "WHAT",
       split = ",",
@@ -71,6 +101,16 @@ final class IgvcDemo implements Callable<Integer>, Demo {
           "Seconds from one picture of what the vehicle sees and knows to the next, in snapshots; 0: none (default: ${DEFAULT-VALUE}).",
       defaultValue = "30")
   private double snapshotEveryS;
+
+  private double within(String option, double value, double least, double most, String unit) {
+    if (!(value >= least && value <= most)) {
+      throw new ParameterException(
+          command.commandLine(),
+          String.format(
+              Locale.ROOT, "%s %s: expected %.1f…%.1f %s", option, value, least, most, unit));
+    }
+    return value;
+  }
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -96,10 +136,11 @@ final class IgvcDemo implements Callable<Integer>, Demo {
             ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
             : given;
     Path known = CourseMission.writeKnown(course, ORIGIN, directory.resolve("known.xml"));
-    IgvcWorld world = new IgvcWorld(course, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
-    RunFilm film = new RunFilm(course, ORIGIN, directory);
-    RunSnapshots snapshots = new RunSnapshots(course, directory, snapshotEveryS);
-    Judge judge = new Judge(course, IgvcWorld.FRONT_M, IgvcWorld.REAR_M, IgvcWorld.WIDTH_M);
+    IgvcWorld world =
+        new IgvcWorld(course, outline, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
+    RunFilm film = new RunFilm(course, outline, ORIGIN, directory);
+    RunSnapshots snapshots = new RunSnapshots(course, outline, directory, snapshotEveryS);
+    Judge judge = new Judge(course, outline.frontM(), outline.rearM(), outline.widthM(), runS);
     return new Trial(
         mission,
         TruthObserver.of(
@@ -118,6 +159,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
                           context,
                           snapshots.watch(
                               new WatchedCamera(world.camera()), context.configuration())));
+          outline.tell(launch);
           world.sensors().attach(launch);
         },
         launch -> {

@@ -39,14 +39,10 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
 /**
- * The simulated world of one run: a vehicle 0.92 m wide on a course, with its sensors and the IOIO
- * board that it is wired to. Its reference point is between its driven wheels.
+ * The simulated world of one run: a vehicle on a course, with its sensors and the IOIO board that
+ * it is wired to.
  */
 final class IgvcWorld {
-  static final double FRONT_M = 0.40;
-  static final double REAR_M = 0.20;
-  static final double WIDTH_M = 0.92;
-
   private static final int COMPASS_BAUD = 9600;
   private static final double YEAR = 2026.4;
   private static final double MOST_MISMATCH = 0.05;
@@ -84,6 +80,7 @@ final class IgvcWorld {
    */
   IgvcWorld(
       Course course,
+      VehicleOutline outline,
       Geodetic origin,
       long seed,
       double cameraDiesS,
@@ -96,7 +93,7 @@ final class IgvcWorld {
     this.seed = seed;
     world = World.at(origin).with(solids(course));
     double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
-    measures = measures(mismatch);
+    measures = measures(outline.trackM(), mismatch);
     Course.Start start = course.start();
     GroundStart at = new GroundStart(start.eastM(), start.northM(), start.headingRad());
     double declinationRad =
@@ -122,13 +119,13 @@ final class IgvcWorld {
   }
 
   /** 30 kg on wheels of 16 in, with the Mini-Molle's motors and its payload in the middle. */
-  private static DifferentialParameters measures(double mismatch) {
+  private static DifferentialParameters measures(double trackM, double mismatch) {
     return new DifferentialParameters(
         30.0,
         3.1,
         0.08,
         0.25,
-        0.86,
+        trackM,
         0.37,
         0.05,
         0.20,

@@ -36,6 +36,7 @@ final class Judge {
   private final Footprint overPaint;
   private final Footprint body;
   private final FlagSides flags;
+  private final double runS;
   private final List<String> log = new ArrayList<>();
   private final List<String> violations = new ArrayList<>();
   private final Map<String, Double> lastTouch = new LinkedHashMap<>();
@@ -55,8 +56,11 @@ final class Judge {
   /**
    * @param frontM from the vehicle's reference point to its front
    * @param rearM to its rear
+   * @param runS time after which the run is over [s]: {@link #RUN_S}, unless the course is longer
+   *     than the rules have it
    */
-  Judge(Course course, double frontM, double rearM, double widthM) {
+  Judge(Course course, double frontM, double rearM, double widthM, double runS) {
+    this.runS = runS;
     World lawn = World.at(new Geodetic(0.0, 0.0, 0.0));
     lines = lawn.with(course.limits());
     obstacles =
@@ -135,8 +139,8 @@ final class Judge {
     }
     if (restS > REST_S) {
       end(truth, "stands for more than a minute");
-    } else if (goneS > RUN_S) {
-      end(truth, "the six minutes are over");
+    } else if (goneS > runS) {
+      end(truth, String.format(Locale.ROOT, "the %.0f minutes are over", runS / 60.0));
     }
   }
 

@@ -34,6 +34,7 @@ final class RunFilm {
   private static final double SURE = 0.9; // confidence of what was seen, and not closed
 
   private final Course course;
+  private final VehicleOutline outline;
   private final LocalPlane plane;
   private final Path directory;
   private final List<Moment> moments = new ArrayList<>();
@@ -48,8 +49,9 @@ final class RunFilm {
   /** The run at one time. */
   record Moment(Point at, double headingRad, int trackPoints, List<Point> plan, List<Seen> seen) {}
 
-  RunFilm(Course course, Geodetic origin, Path directory) {
+  RunFilm(Course course, VehicleOutline outline, Geodetic origin, Path directory) {
     this.course = course;
+    this.outline = outline;
     plane = new LocalPlane(origin);
     this.directory = directory;
   }
@@ -127,7 +129,7 @@ final class RunFilm {
     ReportFile.write(
         directory.resolve("course.png"),
         out -> {
-          CoursePainter painter = CoursePainter.whole(course, PICTURE);
+          CoursePainter painter = CoursePainter.whole(course, outline, PICTURE);
           BufferedImage image = painter.course();
           painter.moment(image, moments.get(moments.size() - 1), track);
           try (MemoryCacheImageOutputStream png = new MemoryCacheImageOutputStream(out)) {
@@ -139,7 +141,7 @@ final class RunFilm {
     ReportFile.write(
         directory.resolve("run.gif"),
         out -> {
-          CoursePainter painter = CoursePainter.whole(course, FILM);
+          CoursePainter painter = CoursePainter.whole(course, outline, FILM);
           BufferedImage empty = painter.course();
           try (Animation animation = new Animation(out, HUNDREDTHS)) {
             for (Moment moment : moments) {

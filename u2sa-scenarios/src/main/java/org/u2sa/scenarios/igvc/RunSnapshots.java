@@ -30,6 +30,7 @@ final class RunSnapshots {
   private static final int MAP = 720; // pixels
 
   private final Course course;
+  private final VehicleOutline outline;
   private final Path directory;
   private final double everyS;
   private final AttitudeHistory attitudes = new AttitudeHistory();
@@ -41,8 +42,9 @@ final class RunSnapshots {
   /**
    * @param everyS from one to the next [s]; 0: none
    */
-  RunSnapshots(Course course, Path directory, double everyS) {
+  RunSnapshots(Course course, VehicleOutline outline, Path directory, double everyS) {
     this.course = course;
+    this.outline = outline;
     this.directory = directory.resolve("snapshots");
     this.everyS = everyS;
     nextS = everyS;
@@ -98,7 +100,7 @@ final class RunSnapshots {
   }
 
   private BufferedImage map(RunFilm.Moment moment, RunFilm film) {
-    CoursePainter painter = CoursePainter.around(course, moment.at(), REACH_M, MAP);
+    CoursePainter painter = CoursePainter.around(course, outline, moment.at(), REACH_M, MAP);
     BufferedImage image = painter.course();
     grid.ifPresent(newest -> painter.grid(image, newest, film::place));
     painter.moment(image, moment, film.track());

@@ -3,9 +3,11 @@ package org.u2sa.scenarios.igvc;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -66,8 +68,11 @@ class GapTest {
     return Point.of(ahead - along * Math.sin(angle), along * Math.cos(angle), 0.0);
   }
 
-  private IgvcRun drive(Course course, long seed) {
-    return IgvcRun.of(directory.resolve("run " + seed), course, seed, LASER_ALONE);
+  private IgvcRun drive(Course course, long seed, String... more) {
+    List<String> options = new ArrayList<>(List.of(LASER_ALONE));
+    options.addAll(List.of(more));
+    return IgvcRun.of(
+        directory.resolve("run " + seed), course, seed, options.toArray(new String[0]));
   }
 
   private static void requireClean(IgvcRun run) {
@@ -83,9 +88,9 @@ class GapTest {
     requireClean(drive(row(seed, ROW_M, middles, widths), seed));
   }
 
-  private void thread(long seed) {
-    Course course = row(seed, LONG_ROW_M, new double[] {0.0}, new double[] {NARROW_M});
-    IgvcRun run = drive(course, seed);
+  private void thread(long seed, double gapM, String... more) {
+    Course course = row(seed, LONG_ROW_M, new double[] {0.0}, new double[] {gapM});
+    IgvcRun run = drive(course, seed, more);
     requireClean(run);
     assertThat(run.summary().path("distanceM").asDouble()).as(run.said()).isLessThan(AROUND_M);
   }
@@ -93,7 +98,19 @@ class GapTest {
   @ParameterizedTest
   @ValueSource(longs = 3)
   void demo_narrowestGapOfTheRules_isThreaded(long seed) {
-    thread(seed);
+    thread(seed, NARROW_M);
+  }
+
+  @Test
+  void demo_narrowerVehicle_threadsAGapTooNarrowForTheUsualOne() {
+    thread(3, 1.2, "--width", "0.62");
+  }
+
+  @Test
+  void demo_vehicleOfAnImpossibleWidth_isRefused() {
+    IgvcRun run = drive(row(1, ROW_M, new double[] {0.0}, new double[] {2.0}), 1, "--width", "3");
+    assertThat(run.exitCode()).isNotZero();
+    assertThat(run.said()).contains("--width 3.0: expected 0.5…1.2 m");
   }
 
   @Tag("long")
@@ -101,7 +118,7 @@ class GapTest {
   @ValueSource(
       longs = {61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80})
   void demo_twentyNarrowestGapsOfTheRules_areThreaded(long seed) {
-    thread(seed);
+    thread(seed, NARROW_M);
   }
 
   @ParameterizedTest

@@ -18,9 +18,13 @@ class JudgeTest {
   private double north;
 
   private Judge judge() {
+    return judge(Judge.RUN_S);
+  }
+
+  private Judge judge(double runS) {
     builder.start(Point.ORIGIN, Point.of(0.0, 1.0, 0.0));
     builder.waypoint(Point.of(0.0, 40.0, 0.0));
-    return new Judge(builder.course("test"), 0.5, 0.5, 1.0);
+    return new Judge(builder.course("test"), 0.5, 0.5, 1.0, runS);
   }
 
   private void lane(double halfM) {
@@ -212,5 +216,15 @@ class JudgeTest {
     assertThat(judge.isOver()).isFalse();
     drive(judge, 0.0, 1.0, 2.0);
     assertThat(judge.isOver()).isTrue();
+  }
+
+  @Test
+  void see_longerRun_endsAfterItsOwnTime() {
+    Judge judge = judge(600.0);
+    drive(judge, 0.0, 1.0, 599.0);
+    assertThat(judge.isOver()).isFalse();
+    drive(judge, 0.0, 1.0, 2.0);
+    assertThat(judge.isOver()).isTrue();
+    assertThat(judge.log()).anyMatch(line -> line.contains("the 10 minutes are over"));
   }
 }
