@@ -9,6 +9,7 @@
     python3 scripts/wire/decode.py --broker localhost:1883 --topic 'u2sa/cessna/state/#' --count 10
 """
 import argparse
+import base64
 import json
 import math
 import pathlib
@@ -49,8 +50,17 @@ def check_numbers(value, where):
             check_numbers(item, f"{where}[{index}]")
 
 
+def as_json(value):
+    """What JSON has no type for: bytes as base64."""
+    if isinstance(value, bytes):
+        return base64.b64encode(value).decode("ascii")
+    raise TypeError(f"{value!r} has no form in JSON")
+
+
 def differences(expected, actual, where):
     """Where two values differ; an int is not a float, and the order of keys counts: it is the order of the wire."""
+    if isinstance(actual, bytes):
+        actual = as_json(actual)
     if type(expected) is not type(actual):
         return [f"{where}: expected {expected!r}, read {actual!r}"]
     if isinstance(expected, dict):
@@ -94,7 +104,7 @@ def subscribe(broker, topic, count):
     def on_message(client, _data, packet):
         parts = packet.topic.split("/")  # u2sa/<systemId>/<channel>/<TypeChain…>
         try:
-            text = json.dumps(decode(packet.payload), ensure_ascii=False)
+            text = json.dumps(decode(packet.payload), ensure_ascii=False, default=as_json)
         except ValueError as e:
             text = f"{len(packet.payload)} bytes are no message: {e}"
         print(f"{'/'.join(parts[1:3])} {parts[-1]} {text}", flush=True)
@@ -123,7 +133,7 @@ def main():
     arguments = parser.parse_args()
     if arguments.file:
         try:
-            print(json.dumps(decode(arguments.file.read_bytes()), indent=2, ensure_ascii=False))
+            print(json.dumps(decode(arguments.file.read_bytes()), indent=2, ensure_ascii=False, default=as_json))
         except (OSError, ValueError) as e:
             sys.exit(f"{arguments.file}: {e}")
         return 0

@@ -131,6 +131,8 @@ def value_of(kind, value, least, most, choices, where):
         require(type(value) is str and _FRAME.fullmatch(value), f"{where}{value!r} is no frame")
     elif kind == "text":
         require(type(value) is str and len(value.encode()) <= 65536, f"{where}{value!r} is no text")
+    elif kind == "bytes":
+        require(type(value) is bytes and len(value) <= 983040, f"{where}{value!r} is no byte string")
     elif kind == "point":
         require(type(value) is list and len(value) == 3 and all(map(is_number, value)), f"{where}{value!r} is no point")
     else:

@@ -1,4 +1,5 @@
 """The golden vectors of every format, read and written byte for byte."""
+import base64
 import dataclasses
 import json
 import pathlib
@@ -15,6 +16,8 @@ def plain(value):
     """A message's value as its JSON says it."""
     if isinstance(value, Message):
         return {"type": list(value.chain), **{key: plain(item) for key, item in value.items()}}
+    if isinstance(value, bytes):
+        return base64.b64encode(value).decode("ascii")
     if isinstance(value, (list, tuple)):
         return [plain(item) for item in value]
     return value
@@ -59,6 +62,15 @@ class HostileBytesTest(unittest.TestCase):
         self.refused("GoalList", "a165676f616c7381a16474797065816f4f626a6563744465736372697074696f6e"
                      .replace("6f4f", "714f"), "required")
         self.refused("GoalList", "a165676f616c7381a0", '"type" as the first key')
+
+    def test_byte_strings_are_taken_whole_or_in_pieces_and_bounded(self):
+        image = "a3 6a73656e736f724e616d65 6143 66666f726d6174 6170 6464617461"
+        self.assertEqual(decode(["CameraImage"], bytes.fromhex(image + "4201ff"))["data"], b"\x01\xff")
+        self.assertEqual(decode(["CameraImage"], bytes.fromhex(image + "5f41014101 ff"))["data"], b"\x01\x01")
+        self.refused("CameraImage", image + "6101", "CameraImage.data: expected a byte string")
+        self.refused("CameraImage", image + "5a000f0001", "cut short")
+        self.refused("CameraImage", image + "5a000f0001" + "00" * ((15 << 16) + 1), "at most 983040 bytes")
+        self.refused("CameraImage", image + "5bffffffffffffffff", "at most")
 
     def test_shorter_floats_and_indefinite_lengths_are_taken(self):
         read = decode(["StateInformation"], bytes.fromhex("bf6178f93e006179fa3fc00000617a02ff"))

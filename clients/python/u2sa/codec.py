@@ -125,15 +125,17 @@ def _nested(value: Any, schema: Schema, where: str) -> List[Message]:
 
 
 def _plain(value: Any, where: str) -> Any:
-    """A value of a field that no table has: numbers, texts, flags, arrays and maps of such."""
+    """A value of a field that no table has: numbers, texts, byte strings, flags, arrays and maps of such."""
     if isinstance(value, dict):
         return {values.text(key, where): _plain(item, where) for key, item in value.items()}
     if isinstance(value, list):
         return [_plain(item, where) for item in values.sequence(value, where)]
     if isinstance(value, str):
         return values.text(value, where)
+    if isinstance(value, bytes):
+        return values.byte_string(value, where)
     if isinstance(value, float):
         return values.number(value, where)
     if isinstance(value, bool) or (isinstance(value, int) and -(1 << 63) <= value < 1 << 63):
         return value
-    raise Malformed(f"{where}: expected a number, text, bool, array or map, not {value!r}")
+    raise Malformed(f"{where}: expected a number, text, bool, byte string, array or map, not {value!r}")

@@ -8,6 +8,7 @@ from typing import Any, Dict, Iterator, Optional, Sequence, Tuple
 from .schema import STANDARD, Field, Malformed, MessageType, Schema
 
 TEXT_BYTES = 1 << 16
+BYTE_STRING_BYTES = 15 << 16
 LIST_ELEMENTS = 100_000
 _FRAME = re.compile(r"GLOBAL|LOCAL_ENU|LOCAL_NED|BODY|BODY_FRD|BODY_FLU|UTM ([1-9]|[1-5][0-9]|60)[NS]")
 
@@ -118,6 +119,8 @@ def checked(field: Field, value: Any, where: str) -> Any:
         return value
     if kind == "bool":
         return flag(value, where)
+    if kind == "bytes":
+        return byte_string(value, where)
     if kind == "enum" and text(value, where) not in field.choices:
         raise UnknownConstant(f"{where}: expected one of {', '.join(field.choices)}, not {value!r}")
     if kind == "frame" and not _FRAME.fullmatch(text(value, where)):
@@ -175,6 +178,15 @@ def text(value: Any, where: str) -> str:
     except UnicodeEncodeError as e:
         raise Malformed(f"{where}: expected Unicode text: {e}") from e
     return value
+
+
+def byte_string(value: Any, where: str) -> bytes:
+    """At most 960 KiB of bytes."""
+    if not isinstance(value, (bytes, bytearray)):
+        raise Malformed(f"{where}: expected a byte string, not {value!r}")
+    if len(value) > BYTE_STRING_BYTES:
+        raise Malformed(f"{where}: expected at most {BYTE_STRING_BYTES} bytes in a byte string, not {len(value)}")
+    return bytes(value)
 
 
 def point(value: Any, where: str) -> Tuple[float, float, float]:

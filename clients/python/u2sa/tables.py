@@ -7,6 +7,7 @@ CHANNELS = {
     'local-state': (0, False, ''),
     'sensed-objects': (1, False, ''),
     'scans': (0, False, ''),
+    'images': (0, False, ''),
     'objects': (1, True, ''),
     'grid': (1, True, ''),
     'goals': (1, True, ''),
@@ -905,5 +906,14 @@ MESSAGES = [
         ('actuatorName', 'text', 'required', None, None, None, (), 1),
         ('expiry', 'float64', 'optional', None, 0.0, None, (), 1),
         ('force', 'float64', 'required', None, None, None, (), 3),
+    ]),
+    (('CameraImage',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1),
+        ('sensorName', 'text', 'required', None, None, None, (), 3),
+        ('format', 'text', 'required', None, None, None, (), 3),
+        ('width', 'int', 'always', 0, None, None, (), 3),
+        ('height', 'int', 'always', 0, None, None, (), 3),
+        ('data', 'bytes', 'required', None, None, None, (), 3),
     ]),
 ]

@@ -6,11 +6,11 @@ from typing import Set
 from .schema import Malformed
 
 DEPTH = 8
-_TEXT, _ARRAY, _MAP, _TAG, _SIMPLE = 3, 4, 5, 6, 7
+_BYTES, _TEXT, _ARRAY, _MAP, _TAG, _SIMPLE = 2, 3, 4, 5, 6, 7
 _INDEFINITE = 31
 _BREAK = 0xFF
 _LIST_ELEMENTS = 100_000
-_TEXT_BYTES = 1 << 16
+_MOST_BYTES = {_BYTES: 1 << 20, _TEXT: 1 << 16}  # of a byte string that a field takes: message.BYTE_STRING_BYTES
 
 
 def check(payload: bytes) -> None:
@@ -30,7 +30,7 @@ class _Scan:
         """Steps over one item."""
         begin = self.at
         major, info, length = self._head()
-        if major in (2, _TEXT):
+        if major in _MOST_BYTES:
             self._string(major, info, length)
         elif major == _ARRAY or major == _MAP:
             if depth == DEPTH:
@@ -48,7 +48,7 @@ class _Scan:
             return major, info, info
         if info < 28:
             return major, info, int.from_bytes(self._take(1 << (info - 24)), "big")
-        if info == _INDEFINITE and major in (2, _TEXT, _ARRAY, _MAP, _SIMPLE):
+        if info == _INDEFINITE and major in (_BYTES, _TEXT, _ARRAY, _MAP, _SIMPLE):
             return major, info, -1
         raise Malformed(f"byte {self.at - 1}: {first:#04x} begins no item")
 
@@ -59,15 +59,16 @@ class _Scan:
         return self.bytes[self.at - count:self.at]
 
     def _string(self, major: int, info: int, length: int) -> None:
+        most = _MOST_BYTES[major]
         if info != _INDEFINITE:
-            self._take(self._bounded(length, _TEXT_BYTES))
+            self._take(self._bounded(length, most))
             return
         total = 0
         while not self._at_break():
             chunk, chunk_info, chunk_length = self._head()
             if chunk != major or chunk_info == _INDEFINITE:
                 raise Malformed(f"byte {self.at}: expected a chunk of the same string")
-            total = self._bounded(total + chunk_length, _TEXT_BYTES)
+            total = self._bounded(total + chunk_length, most)
             self._take(chunk_length)
 
     def _container(self, major: int, info: int, length: int, depth: int) -> None:

@@ -3,8 +3,9 @@ package org.u2sa.device;
 import java.util.Optional;
 
 /**
- * One picture of a camera. Pixels stay in the process that took them: no channel carries them.
- * Equal only to itself, so that no pixels are compared.
+ * One picture of a camera. Pixels stay in the process that took them: a channel carries only what
+ * is compressed, as {@link org.u2sa.messages.CameraImage}. Equal only to itself, so that no pixels
+ * are compared.
  */
 public final class CameraFrame implements Device.Reading {
   /** What the bytes of a frame are. */

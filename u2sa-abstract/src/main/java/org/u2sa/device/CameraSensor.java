@@ -7,7 +7,8 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * A service that looks through a camera (thesis 3.2.2.3, 4.1.2): its author writes {@link #look}
- * and publishes what it finds. Out: sensed-objects; never pixels.
+ * and publishes what it finds. Out: sensed-objects; pixels only compressed, on images, for people
+ * to look at.
  *
  * <p>A class of a system file has a public constructor (ServiceContext) for the camera that its
  * configuration names. With a further one (ServiceContext, Camera) the Android application passes

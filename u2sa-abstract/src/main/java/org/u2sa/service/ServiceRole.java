@@ -16,6 +16,7 @@ import static org.u2sa.interfaces.communication.Channels.GOAL_REPORTS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_UPDATES;
 import static org.u2sa.interfaces.communication.Channels.GRID;
 import static org.u2sa.interfaces.communication.Channels.HEALTH;
+import static org.u2sa.interfaces.communication.Channels.IMAGES;
 import static org.u2sa.interfaces.communication.Channels.LOCAL_STATE;
 import static org.u2sa.interfaces.communication.Channels.NAVIGATION;
 import static org.u2sa.interfaces.communication.Channels.OBJECTS;
@@ -42,7 +43,7 @@ public enum ServiceRole {
   /** Measures the vehicle itself (3.2.2.4). */
   PROPRIOCEPTIVE_SENSOR(List.of(SENSED_STATE, POWER), List.of()),
   /** Measures the environment (3.2.2.3). */
-  EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS, SCANS), List.of(STATE)),
+  EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS, SCANS, IMAGES), List.of(STATE)),
   /** Publishes the best estimate of the state that it has (3.2.3.1). */
   STATE_ESTIMATOR(List.of(STATE, LOCAL_STATE), List.of(SENSED_STATE)),
   /** Keeps the goals (3.2.3.2). */
@@ -90,6 +91,7 @@ public enum ServiceRole {
           SENSED_STATE,
           SENSED_OBJECTS,
           SCANS,
+          IMAGES,
           DISCOVERY,
           FUNCTIONALITY,
           CONFIGURATION,

@@ -52,6 +52,7 @@ public final class SchemaText {
       case LONG -> type("integer");
       case BOOLEAN -> type("boolean");
       case STRING, ENUM, FRAME -> type("string");
+      case BYTES -> type("string").put("contentEncoding", "base64");
       case STRING_LIST -> listOf(type("string"));
       case DOUBLE_LIST, POINT -> listOf(type("number"));
       case BOOLEAN_LIST -> listOf(type("boolean"));

@@ -202,6 +202,7 @@ class SchemaFileTest {
       case LONG -> "int";
       case BOOLEAN -> "bool";
       case STRING -> "text";
+      case BYTES -> "bytes";
       case STRING_LIST -> "texts";
       case DOUBLE_LIST -> "numbers";
       case BOOLEAN_LIST -> "flags";

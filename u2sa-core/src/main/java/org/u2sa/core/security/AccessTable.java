@@ -58,6 +58,7 @@ public final class AccessTable {
           row(Channels.LOCAL_STATE, REPORT, SERVICES),
           row(Channels.SENSED_OBJECTS, REPORT, SERVICES),
           row(Channels.SCANS, REPORT, SERVICES),
+          row(Channels.IMAGES, REPORT, SERVICES),
           row(Channels.OBJECTS, REPORT, SERVICES),
           row(Channels.GRID, REPORT, SERVICES),
           row(Channels.GOALS, REPORT, SERVICES),

@@ -102,6 +102,7 @@ public final class MessageFromJson {
         case LONG -> field.set(message, as(Long.class, at, "a whole number", value));
         case BOOLEAN -> field.set(message, as(Boolean.class, at, "true or false", value));
         case STRING -> field.set(message, as(String.class, at, "a text", value));
+        case BYTES -> field.setText(message, as(String.class, at, "a text of base64", value));
         case ENUM, FRAME -> field.setText(message, as(String.class, at, "a name", value));
         case POINT -> field.set(message, point(at, value));
         default -> field.set(message, elements(at, field, value));

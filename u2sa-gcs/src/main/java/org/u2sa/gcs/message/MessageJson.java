@@ -5,12 +5,14 @@ import java.util.List;
 import java.util.Map;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.ByteString;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
  * A message's fields as JSON, shaped as its CBOR map is: numbers in the field's unit, enums by
- * name, points as arrays, messages within with their {@code type}. Absent fields are left out.
+ * name, points as arrays, bytes in base64, messages within with their {@code type}. Absent fields
+ * are left out.
  */
 public final class MessageJson {
   private MessageJson() {}
@@ -49,6 +51,9 @@ public final class MessageJson {
         field.value().ifPresent(inner -> json.put(field.name(), plain(inner)));
       }
       return json;
+    }
+    if (value instanceof ByteString bytes) {
+      return bytes.toBase64();
     }
     if (value instanceof Point point) {
       return List.of(point.x(), point.y(), point.z());

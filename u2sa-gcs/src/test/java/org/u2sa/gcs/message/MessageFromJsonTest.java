@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PercentageCommand;
@@ -18,6 +19,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.ByteString;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
@@ -55,6 +57,26 @@ class MessageFromJsonTest {
             .subsystem("VEHICLE")
             .points(List.of(Point.of(1, 2, 3), Point.of(4, 5, 6)));
     assertThat(read(PlannedPath.TYPE, MessageJson.fields(path).line())).isEqualTo(path);
+  }
+
+  @Test
+  void message_bytes_areBase64BothWays() {
+    CameraImage image =
+        new CameraImage()
+            .sensorName("Camera")
+            .format(CameraImage.JPEG)
+            .size(2, 1)
+            .data(ByteString.copyOf(new byte[] {(byte) 0xff, (byte) 0xd8, 0}));
+    String json = MessageJson.fields(image).line();
+
+    assertThat(json).contains("\"data\":\"/9gA\"");
+    assertThat(read(CameraImage.TYPE, json)).isEqualTo(image);
+    assertThatThrownBy(() -> read(CameraImage.TYPE, json.replace("/9gA", "a?b")))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("field \"data\"")
+        .hasMessageContaining("expected bytes in base64");
+    assertThatThrownBy(() -> read(CameraImage.TYPE, json.replace("\"/9gA\"", "7")))
+        .hasMessageContaining("expected a text of base64");
   }
 
   @Test

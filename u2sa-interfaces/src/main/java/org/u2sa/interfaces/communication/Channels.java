@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.NavigationPoint;
@@ -71,6 +72,10 @@ public final class Channels {
   /** What scanning range finders measured, beam by beam; to the World Modeler. */
   public static final Channel<RangeScan> SCANS =
       Channel.latest("scans", RangeScan.TYPE, RangeScan::sensorName);
+
+  /** What cameras see, a picture now and then; to recorders and screens. */
+  public static final Channel<CameraImage> IMAGES =
+      Channel.latest("images", CameraImage.TYPE, CameraImage::sensorName);
 
   /** The World Modeler's objects; to the planner. */
   public static final Channel<ObjectList> OBJECTS =
@@ -193,6 +198,7 @@ public final class Channels {
           LOCAL_STATE,
           SENSED_OBJECTS,
           SCANS,
+          IMAGES,
           OBJECTS,
           GRID,
           GOALS,

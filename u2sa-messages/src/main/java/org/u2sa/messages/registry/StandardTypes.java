@@ -4,6 +4,7 @@ import java.util.List;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.AngleCommand;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.ForceCommand;
 import org.u2sa.messages.GoalInformation;
 import org.u2sa.messages.GoalList;
@@ -126,7 +127,8 @@ public final class StandardTypes implements MessageTypeProvider {
           MissionOrderResult.TYPE,
           AngleCommand.TYPE,
           SpeedCommand.TYPE,
-          ForceCommand.TYPE);
+          ForceCommand.TYPE,
+          CameraImage.TYPE);
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Values of fields that the reader's classes do not have: Double, Long, Boolean, String, lists and
- * maps of such.
+ * Values of fields that the reader's classes do not have: Double, Long, Boolean, String,
+ * ByteString, lists and maps of such.
  */
 final class AnyValue {
   private AnyValue() {}
@@ -18,6 +18,8 @@ final class AnyValue {
         return in.count();
       case Cbor.TEXT:
         return in.text();
+      case Cbor.BYTES:
+        return in.byteString();
       case Cbor.ARRAY:
         return Collections.unmodifiableList(in.list(() -> read(in)));
       case Cbor.MAP:
@@ -38,7 +40,7 @@ final class AnyValue {
         }
         return number;
       default:
-        throw in.unexpected("a number, text, bool, array or map");
+        throw in.unexpected("a number, text, bool, byte string, array or map");
     }
   }
 
@@ -49,6 +51,8 @@ final class AnyValue {
       out.count(count);
     } else if (value instanceof Boolean flag) {
       out.flag(flag);
+    } else if (value instanceof ByteString bytes) {
+      out.byteString(bytes);
     } else if (value instanceof List<?> list) {
       out.array(list.size());
       for (Object element : list) {

@@ -1,9 +1,11 @@
 package org.u2sa.messages.schema;
 
+import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * Reads CBOR data items (RFC 8949) from hostile bytes, one after the other. Tags are skipped. Takes
@@ -179,6 +181,40 @@ final class CborInput {
     }
   }
 
+  /** A byte string, whole or in pieces. */
+  ByteString byteString() {
+    if ((next() & Cbor.MAJOR) != Cbor.BYTES) {
+      throw unexpected("a byte string");
+    }
+    if ((bytes[at] & Cbor.INFO) != Cbor.INDEFINITE) {
+      return ByteString.owning(piece(Limits.BYTE_STRING_BYTES));
+    }
+    at++;
+    ByteArrayOutputStream whole = new ByteArrayOutputStream();
+    while (!isBreak()) {
+      requireDefinitePiece();
+      byte[] piece = piece(Limits.BYTE_STRING_BYTES - whole.size());
+      whole.write(piece, 0, piece.length);
+    }
+    return ByteString.owning(whole.toByteArray());
+  }
+
+  private byte[] piece(int atMost) {
+    long length = argument();
+    if (length < 0 || length > atMost) {
+      throw new IllegalArgumentException(
+          "expected at most " + Limits.BYTE_STRING_BYTES + " bytes in a byte string");
+    }
+    int start = skipBytes((int) length);
+    return Arrays.copyOfRange(bytes, start, at);
+  }
+
+  private void requireDefinitePiece() {
+    if ((bytes[at] & Cbor.MAJOR) != Cbor.BYTES || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
+      throw unexpected("a piece of a byte string or its end");
+    }
+  }
+
   /** Opens an array; returns how many elements follow, or {@link #UNTIL_BREAK}. */
   long array() {
     return open(Cbor.ARRAY, "an array");
@@ -252,9 +288,7 @@ final class CborInput {
     if ((bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
       at++;
       while (!isBreak()) {
-        if ((bytes[at] & Cbor.MAJOR) != Cbor.BYTES || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
-          throw unexpected("a piece of a byte string or its end");
-        }
+        requireDefinitePiece();
         skipByteString();
       }
     } else {

@@ -47,6 +47,11 @@ final class CborOutput {
     item(utf8);
   }
 
+  void byteString(ByteString value) {
+    head(Cbor.BYTES, value.length());
+    item(value.shared());
+  }
+
   /** What opens an array; its elements are to follow. */
   void array(int elements) {
     head(Cbor.ARRAY, elements);

@@ -174,6 +174,10 @@ final class CborReader {
     return in.text();
   }
 
+  ByteString byteString() {
+    return in.byteString();
+  }
+
   Point point() throws MalformedMessageException {
     long length = in.array();
     deeper();

@@ -7,6 +7,7 @@ import java.util.Optional;
  *
  * @param name the field's name
  * @param unit "m", "rad", "deg", …; empty if it has none
- * @param value empty if absent; a number, text, enum constant, frame, point or list of such
+ * @param value empty if absent; a number, text, {@link ByteString}, enum constant, frame, point or
+ *     list of such
  */
 public record FieldValue(String name, String unit, Optional<Object> value) {}

@@ -10,6 +10,8 @@ public enum Kind {
   BOOLEAN("bool"),
   /** Text of at most 64 KiB in UTF-8. CBOR text. */
   STRING("text"),
+  /** A {@link ByteString} of at most 960 KiB. CBOR byte string; base64 in XML and JSON. */
+  BYTES("byte string"),
   /** A list of texts. CBOR array of text. */
   STRING_LIST("array of text"),
   /** A list of finite doubles. CBOR array of float64. */

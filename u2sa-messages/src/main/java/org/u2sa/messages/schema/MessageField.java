@@ -112,8 +112,8 @@ public abstract class MessageField<T extends U2SAData> {
 
   /**
    * Sets the value from the text of an XML element or an operator. Lists of texts are split at
-   * commas; points are two or three numbers separated by blanks or commas, lists of points separate
-   * them by semicolons.
+   * commas; bytes are in base64; points are two or three numbers separated by blanks or commas,
+   * lists of points separate them by semicolons.
    *
    * @throws IllegalArgumentException naming field, text and what was expected
    * @throws IllegalStateException if the message is frozen

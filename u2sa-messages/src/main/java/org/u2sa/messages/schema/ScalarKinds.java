@@ -13,6 +13,13 @@ final class ScalarKinds {
   static final ValueKind<String> TEXT =
       new SingleKind<>(
           Kind.STRING, ScalarKinds::text, text -> text, CborOutput::text, CborReader::text);
+  static final ValueKind<ByteString> BYTES =
+      new SingleKind<>(
+          Kind.BYTES,
+          ScalarKinds::bytes,
+          ByteString::ofBase64,
+          CborOutput::byteString,
+          CborReader::byteString);
   static final ValueKind<Long> COUNT =
       new SingleKind<>(
           Kind.LONG,
@@ -81,6 +88,14 @@ final class ScalarKinds {
         i++;
       }
     }
+  }
+
+  private static ByteString bytes(Object value) {
+    ByteString bytes = instance(value, ByteString.class, "bytes");
+    if (bytes.length() > Limits.BYTE_STRING_BYTES) {
+      throw expected("at most " + Limits.BYTE_STRING_BYTES + " bytes");
+    }
+    return bytes;
   }
 
   private static Long count(Object value) {

@@ -169,6 +169,11 @@ public final class Schema<T extends U2SAData> {
     return value(field, "", ScalarKinds.TEXT, FieldPresence.DEFAULTED, ifUnset, false);
   }
 
+  /** Bytes without which no message is published. */
+  public ValueField<T, ByteString> requiredBytes(String field) {
+    return value(field, "", ScalarKinds.BYTES, FieldPresence.REQUIRED, null, false);
+  }
+
   /** A whole number, 0 from the start. */
   public ValueField<T, Long> count(String field, String unit) {
     return value(field, unit, ScalarKinds.COUNT, FieldPresence.DEFAULTED, 0L, false);

@@ -1,6 +1,8 @@
 package org.u2sa.messages.schema;
 
+import java.util.HexFormat;
 import java.util.List;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.contract.ConnectionLost;
@@ -19,7 +21,7 @@ import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
-/** What the World Modeler brought: shapes, motion of objects, the grid. */
+/** What the World Modeler brought: shapes, motion of objects, the grid, pictures. */
 final class GoldenWorld {
   private static final List<Point> CORNERS =
       List.of(Point.of(0.0, 0.0, 0.0), Point.of(4.0, 0.0, 0.0), Point.of(4.0, 3.0, 0.0));
@@ -41,6 +43,13 @@ final class GoldenWorld {
     golden.add("Box-seen", seen(new Box()));
     golden.add("HealthReport-remarks", remarking(new HealthReport()));
     golden.add("ConnectionLost-remarks", remarking(new ConnectionLost()));
+    golden.add(
+        "CameraImage",
+        new CameraImage()
+            .sensorName("Camera")
+            .format(CameraImage.JPEG)
+            .size(640, 480)
+            .data(ByteString.copyOf(HexFormat.of().parseHex("ffd8ffe000104a464946007f80ffd9"))));
     golden.add(
         "OccupancyGrid",
         new OccupancyGrid()

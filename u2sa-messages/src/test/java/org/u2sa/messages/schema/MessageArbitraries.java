@@ -69,6 +69,12 @@ final class MessageArbitraries {
         return Arbitraries.of(true, false).asGeneric();
       case STRING:
         return texts().asGeneric();
+      case BYTES:
+        return Arbitraries.bytes()
+            .array(byte[].class)
+            .ofMaxSize(300)
+            .map(ByteString::copyOf)
+            .asGeneric();
       case STRING_LIST:
         return texts().list().ofMaxSize(4).asGeneric();
       case ENUM:

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterAll;
@@ -39,11 +40,31 @@ class OldReaderTest {
     }
   }
 
+  /** Golden messages but those with a byte string, which formats 1 and 2 did not have. */
+  private static Map<String, U2SAData> readable() {
+    Map<String, U2SAData> readable = new LinkedHashMap<>(GoldenMessages.all());
+    readable.values().removeIf(OldReaderTest::hasBytes);
+    return readable;
+  }
+
+  private static boolean hasBytes(U2SAData message) {
+    return message.type().fields().stream().anyMatch(field -> field.kind() == Kind.BYTES);
+  }
+
+  @Test
+  void byteString_readByFormat1_isRefusedWithWhatWasExpected() {
+    U2SAData image = GoldenMessages.all().get("CameraImage");
+
+    assertThatThrownBy(() -> old.decode(image.typeChain(), image.serialize()))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("CameraImage.data");
+  }
+
   @Test
   void everyGoldenMessage_readByFormat1_isItsClassOrNearestAncestor()
       throws ReflectiveOperationException {
     List<String> asThemselves = new ArrayList<>();
-    for (Map.Entry<String, U2SAData> golden : GoldenMessages.all().entrySet()) {
+    for (Map.Entry<String, U2SAData> golden : readable().entrySet()) {
       U2SAData message = golden.getValue();
       OldDataModel.Read read = old.decode(message.typeChain(), message.serialize());
       assertThat(read.chain()).as(golden.getKey()).isEqualTo(message.typeChain());
@@ -93,7 +114,7 @@ class OldReaderTest {
   @Test
   void classesOfFormat2_relayedByFormat1_loseNothing()
       throws ReflectiveOperationException, MalformedMessageException {
-    for (U2SAData message : GoldenMessages.all().values()) {
+    for (U2SAData message : readable().values()) {
       OldDataModel.Read read = old.decode(message.typeChain(), message.serialize());
       if (read.className().equals("OpaqueMessage")) {
         assertThat(present.decode(read.chain(), read.serialize())).isEqualTo(message);
@@ -124,7 +145,7 @@ class OldReaderTest {
   @Test
   void presentReader_messagesOfFormat1_readsAndWritesThemUnchanged()
       throws ReflectiveOperationException, MalformedMessageException {
-    for (U2SAData message : GoldenMessages.all().values()) {
+    for (U2SAData message : readable().values()) {
       OldDataModel.Read read = old.decode(message.typeChain(), message.serialize());
       byte[] written = read.serialize();
       U2SAData again = present.decode(read.chain(), written);

@@ -47,6 +47,9 @@ final class PlainJson {
     if (value instanceof Number || value instanceof Boolean) {
       return value.toString();
     }
+    if (value instanceof ByteString bytes) {
+      return quoted(bytes.toBase64());
+    }
     if (value instanceof Point point) {
       return value(List.of(point.x(), point.y(), point.z()), indent);
     }

@@ -1,7 +1,9 @@
 package org.u2sa.recorder.execution;
 
+import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.schema.ByteString;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -55,6 +57,27 @@ public record FieldDifference(String field, String recorded, String now) {
       return Optional.of(
           new FieldDifference(path, ofA.size() + " elements", ofB.size() + " elements"));
     }
+    if (a instanceof ByteString && b instanceof ByteString) {
+      return Optional.of(betweenBytes(path, (ByteString) a, (ByteString) b));
+    }
     return Optional.of(new FieldDifference(path, a.toString(), b.toString()));
+  }
+
+  /**
+   * The first byte that differs; of two of which one begins as the other does, how long they are.
+   */
+  private static FieldDifference betweenBytes(String path, ByteString a, ByteString b) {
+    ByteBuffer ofA = a.view();
+    ByteBuffer ofB = b.view();
+    for (int i = 0; i < Math.min(a.length(), b.length()); i++) {
+      if (ofA.get(i) != ofB.get(i)) {
+        return new FieldDifference(path + "[" + i + "]", hex(ofA.get(i)), hex(ofB.get(i)));
+      }
+    }
+    return new FieldDifference(path, a.toString(), b.toString());
+  }
+
+  private static String hex(byte value) {
+    return String.format("0x%02x", value & 0xFF);
   }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
@@ -23,8 +24,9 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What a viewer sees of a vehicle's messages: where it is and was, what it scans and maps, where it
- * means to go, what is wrong. Belongs to one thread: the first global state is the map's origin.
+ * What a viewer sees of a vehicle's messages: where it is and was, what it sees, scans and maps,
+ * where it means to go, what is wrong. Belongs to one thread: the first global state is the map's
+ * origin.
  */
 public final class FoxgloveMessages {
   private static final int INFO = 2;
@@ -90,6 +92,16 @@ public final class FoxgloveMessages {
       scan(scan, nanos, sink);
     } else if (message instanceof OccupancyGrid grid) {
       grid(grid, nanos, sink);
+    } else if (message instanceof CameraImage image) {
+      sink.write(
+          view(
+              "image/" + image.sensorName(),
+              FoxgloveSchema.COMPRESSED_IMAGE,
+              new ProtobufMessage()
+                  .time(1, nanos)
+                  .data(2, image.data().toBytes())
+                  .text(3, image.format())
+                  .text(4, image.sensorName())));
     } else if (message instanceof ObjectList list) {
       objects(list.objects(), nanos, sink);
     } else if (message instanceof PlannedPath path) {

@@ -12,6 +12,7 @@ enum FoxgloveSchema {
   FRAME_TRANSFORM("FrameTransform"),
   LASER_SCAN("LaserScan"),
   GRID("Grid"),
+  COMPRESSED_IMAGE("CompressedImage"),
   SCENE_UPDATE("SceneUpdate"),
   LOG("Log");
 

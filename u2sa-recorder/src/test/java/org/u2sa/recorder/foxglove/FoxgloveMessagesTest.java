@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
@@ -18,6 +20,7 @@ import org.u2sa.messages.contract.FailsafeAction;
 import org.u2sa.messages.contract.FailsafeState;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.ByteString;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.Cylinder;
 
@@ -116,6 +119,27 @@ class FoxgloveMessagesTest {
     assertThat(view.number(4)).isEqualTo(-1.0);
     assertThat(view.number(5)).isEqualTo(0.0);
     assertThat(view.numbers(6)).containsExactly(3.0, Double.POSITIVE_INFINITY, 4.0);
+  }
+
+  @Test
+  void write_image_hasItsBytesFormatAndCamera() throws IOException {
+    byte[] file = {(byte) 0xff, (byte) 0xd8, 0, (byte) 0xff, (byte) 0xd9};
+    CameraImage image =
+        new CameraImage()
+            .sensorName("Camera 1")
+            .format(CameraImage.JPEG)
+            .size(640, 480)
+            .data(ByteString.copyOf(file));
+    List<FoxgloveMessages.View> all = of(Channels.IMAGES, image);
+
+    ProtobufFields view = named(all, "/rover/image/Camera 1");
+    assertThat(view.message(1).whole(1)).isEqualTo(3);
+    assertThat(view.data(2)).containsExactly(0xff, 0xd8, 0, 0xff, 0xd9);
+    assertThat(view.text(3)).isEqualTo("jpeg");
+    assertThat(view.text(4)).isEqualTo("Camera 1");
+    assertThat(all.get(0).schemaName()).isEqualTo("foxglove.CompressedImage");
+    assertThat(new String(all.get(0).schemaData(), StandardCharsets.ISO_8859_1))
+        .contains("foxglove/CompressedImage.proto", "google/protobuf/timestamp.proto");
   }
 
   @Test

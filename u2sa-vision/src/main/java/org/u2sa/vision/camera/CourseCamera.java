@@ -1,11 +1,13 @@
 package org.u2sa.vision.camera;
 
+import java.util.Optional;
 import org.u2sa.device.Camera;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.device.CameraSensor;
 import org.u2sa.device.MountingPose;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.AttitudeHistory;
@@ -14,23 +16,37 @@ import org.u2sa.vision.ground.AttitudeHistory;
  * Sees white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In:
  * state, for roll and pitch. Out: sensed-objects in BODY, with the time of the picture: lines as
  * PolyLine, potholes as Circle, the rest as Cylinder; their standard deviations grow with distance.
- * Of a picture without any of these: one ObjectDescription of type {@link SeenMessages#NOTHING}.
+ * Of a picture without any of these: one ObjectDescription of type {@link SeenMessages#NOTHING}. On
+ * images the picture itself, now and then, where IMAGE EVERY says so.
  */
 public final class CourseCamera extends CameraSensor {
+  private record Showing(
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 3600,
+              ifAbsent = 0,
+              text =
+                  "Time from one picture published on images as JPEG to the next, for recordings and screens; 0: none are published.")
+          double imageEvery) {}
+
   private final AttitudeHistory attitudes = new AttitudeHistory();
   private final PictureReading reading;
+  private final Optional<CameraImages> images; // empty: none are published
   private long pictures;
 
   /** Called by the launcher: the camera is the one that the configuration names. */
   public CourseCamera(ServiceContext context) {
     super(context, "CourseCamera");
     reading = reading(context);
+    images = images();
   }
 
   /** With a camera that the host made: the phone's, a simulated one. */
   public CourseCamera(ServiceContext context, Camera camera) {
     super(context, "CourseCamera", camera);
     reading = reading(context);
+    images = images();
   }
 
   private PictureReading reading(ServiceContext context) {
@@ -42,8 +58,18 @@ public final class CourseCamera extends CameraSensor {
         context.configuration()::resolve);
   }
 
+  private Optional<CameraImages> images() {
+    double everyS = settings(Showing.class).get().imageEvery();
+    if (everyS == 0.0) {
+      return Optional.empty();
+    }
+    registerPublisher(Channels.IMAGES);
+    return Optional.of(new CameraImages(sensorName(), everyS));
+  }
+
   @Override
   protected void look(CameraFrame frame) {
+    show(frame);
     long micros = frame.measuredAtMicros();
     try {
       Seen seen = reading.read(frame, attitudes.roll(micros), attitudes.pitch(micros));
@@ -60,6 +86,14 @@ public final class CourseCamera extends CameraSensor {
               reading.lens()));
     } catch (BadInputException | IllegalArgumentException e) {
       trouble("a picture of " + frame + ": " + e.getMessage());
+    }
+  }
+
+  private void show(CameraFrame frame) {
+    try {
+      images.flatMap(each -> each.of(frame)).ifPresent(each -> publish(Channels.IMAGES, each));
+    } catch (IllegalArgumentException e) {
+      trouble("a picture of " + frame + " to publish: " + e.getMessage());
     }
   }
 }

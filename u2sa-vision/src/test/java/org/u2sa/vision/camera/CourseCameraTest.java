@@ -3,9 +3,12 @@ package org.u2sa.vision.camera;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -14,6 +17,7 @@ import org.u2sa.device.Camera;
 import org.u2sa.device.CameraFrame;
 import org.u2sa.device.MountingPose;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.StateInformation;
@@ -96,6 +100,21 @@ class CourseCameraTest {
     return kit.published(Channels.SENSED_OBJECTS);
   }
 
+  private CameraFrame show(long micros) {
+    CameraFrame drawn = lane().picture(view(0.0, 0.0), 1);
+    CameraFrame frame =
+        new CameraFrame(
+            micros,
+            drawn.width(),
+            drawn.height(),
+            drawn.format(),
+            drawn.pixels(),
+            drawn.intrinsics());
+    camera.shown = Optional.of(frame);
+    kit.advance(0.1);
+    return frame;
+  }
+
   private static PaintedScene lane() {
     return new PaintedScene().line(Point.of(0.5, -1.2, 0.0), Point.of(6.5, -1.2, 0.0), 0.0762, 1.0);
   }
@@ -175,6 +194,81 @@ class CourseCameraTest {
     assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError).orElseThrow())
         .contains("640 x 360")
         .contains("320 x 240");
+  }
+
+  @Test
+  void look_withoutImageEvery_publishesNoPicture() {
+    assertThat(seen(lane(), 0.0, 0.0)).isNotEmpty();
+    assertThat(kit.published(Channels.IMAGES)).isEmpty();
+  }
+
+  @Test
+  void look_imageEvery_publishesPicturesThatFarApart() throws Exception {
+    kit.with("IMAGE EVERY", 0.5).with("SENSOR NAME", "Mast");
+    kit.start(context -> new CourseCamera(context, camera));
+    for (long micros : new long[] {1_000_000, 1_400_000, 1_500_000, 1_999_999, 2_100_000}) {
+      show(micros);
+    }
+
+    List<CameraImage> images = kit.published(Channels.IMAGES);
+    assertThat(images)
+        .extracting(image -> image.timestamp().orElseThrow())
+        .containsExactly(1_000_000L, 1_500_000L, 2_100_000L);
+    CameraImage image = images.get(0);
+    assertThat(image.sensorName()).isEqualTo("Mast");
+    assertThat(image.format()).isEqualTo("jpeg");
+    BufferedImage read = ImageIO.read(new ByteArrayInputStream(image.data().toBytes()));
+    assertThat(read.getWidth()).isEqualTo(320).isEqualTo((int) image.width());
+    assertThat(read.getHeight()).isEqualTo(240).isEqualTo((int) image.height());
+  }
+
+  /** A camera's pictures are never to the microsecond where they would fit. */
+  @Test
+  void look_picturesJustBeforeTheirTime_keepThePaceOnAverage() {
+    kit.with("IMAGE EVERY", 0.5);
+    kit.start(context -> new CourseCamera(context, camera));
+    for (int i = 0; i <= 50; i++) {
+      show(1_000_000 + i * 99_999L);
+    }
+
+    assertThat(kit.published(Channels.IMAGES)).hasSize(10);
+  }
+
+  @Test
+  void look_cameraSlowerThanThat_publishesAll() {
+    kit.with("IMAGE EVERY", 0.5);
+    kit.start(context -> new CourseCamera(context, camera));
+    for (int i = 0; i < 8; i++) {
+      show(1_000_000 + i * 800_000L);
+    }
+
+    assertThat(kit.published(Channels.IMAGES)).hasSize(8);
+  }
+
+  @Test
+  void look_clockSetBack_publishesTheNextPicture() {
+    kit.with("IMAGE EVERY", 0.5);
+    kit.start(context -> new CourseCamera(context, camera));
+    show(9_000_000);
+    show(8_000_000);
+
+    assertThat(kit.published(Channels.IMAGES)).hasSize(2);
+  }
+
+  @Test
+  void look_pictureTooLargeForAMessage_isTroubleAndIsReadAllTheSame() {
+    kit.with("IMAGE EVERY", 0.5);
+    kit.start(context -> new CourseCamera(context, camera));
+    byte[] large = new byte[1 << 20];
+    camera.shown =
+        Optional.of(
+            new CameraFrame(
+                1_000_000, 4000, 3000, CameraFrame.PixelFormat.JPEG, large, Optional.empty()));
+    kit.advance(2.0);
+
+    assertThat(kit.published(Channels.IMAGES)).isEmpty();
+    assertThat(kit.latest(Channels.HEALTH).flatMap(HealthReport::lastError).orElseThrow())
+        .contains("JPEG");
   }
 
   @Test

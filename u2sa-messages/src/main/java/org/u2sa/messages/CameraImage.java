@@ -1,0 +1,88 @@
+package org.u2sa.messages;
+
+import org.u2sa.messages.schema.ByteString;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
+
+/**
+ * One picture of a camera, compressed, for people to look at: in recordings and on screens.
+ *
+ * <p>The timestamp is when the picture was taken.
+ */
+public final class CameraImage extends U2SAData {
+  /** The {@link #format()} of pictures in JPEG. */
+  public static final String JPEG = "jpeg";
+
+  private static final Schema<CameraImage> SCHEMA =
+      Schema.of(CameraImage.class, CameraImage::new, U2SAData.TYPE).since(3);
+  private static final ValueField<CameraImage, String> SENSOR_NAME =
+      SCHEMA.requiredText("sensorName");
+  private static final ValueField<CameraImage, String> FORMAT = SCHEMA.requiredText("format");
+  private static final ValueField<CameraImage, Long> WIDTH = SCHEMA.count("width", "px");
+  private static final ValueField<CameraImage, Long> HEIGHT = SCHEMA.count("height", "px");
+  private static final ValueField<CameraImage, ByteString> DATA = SCHEMA.requiredBytes("data");
+
+  /** The schema. */
+  public static final MessageType<CameraImage> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<CameraImage> type() {
+    return TYPE;
+  }
+
+  /** What took it; tells several cameras apart. */
+  public String sensorName() {
+    return require(SENSOR_NAME);
+  }
+
+  /** Sets {@link #sensorName()}. */
+  public CameraImage sensorName(String value) {
+    return put(SENSOR_NAME, value);
+  }
+
+  /** How the picture is compressed, as media types name it: "jpeg", "png" or "webp". */
+  public String format() {
+    return require(FORMAT);
+  }
+
+  /** Sets {@link #format()}. */
+  public CameraImage format(String value) {
+    return put(FORMAT, value);
+  }
+
+  /** Columns of the picture [px]; 0 if the writer does not know. */
+  public long width() {
+    return get(WIDTH);
+  }
+
+  /** Rows of the picture [px]; 0 if the writer does not know. */
+  public long height() {
+    return get(HEIGHT);
+  }
+
+  /**
+   * Sets {@link #width()} and {@link #height()}.
+   *
+   * @throws IllegalArgumentException if one is less than 1
+   */
+  public CameraImage size(int widthPx, int heightPx) {
+    if (widthPx < 1 || heightPx < 1) {
+      throw new IllegalArgumentException(
+          "CameraImage: expected a size of at least 1 x 1 px, not " + widthPx + " x " + heightPx);
+    }
+    put(WIDTH, (long) widthPx);
+    return put(HEIGHT, (long) heightPx);
+  }
+
+  /** The compressed picture: a whole file of its {@link #format()}. */
+  public ByteString data() {
+    return require(DATA);
+  }
+
+  /** Sets {@link #data()}. */
+  public CameraImage data(ByteString value) {
+    return put(DATA, value);
+  }
+}

@@ -1,0 +1,37 @@
+package org.u2sa.recorder.execution;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.schema.ByteString;
+
+class FieldDifferenceTest {
+  private static CameraImage image(int... bytes) {
+    byte[] data = new byte[bytes.length];
+    for (int i = 0; i < bytes.length; i++) {
+      data[i] = (byte) bytes[i];
+    }
+    return new CameraImage()
+        .sensorName("Camera")
+        .format(CameraImage.JPEG)
+        .data(ByteString.copyOf(data));
+  }
+
+  @Test
+  void between_sameBytes_isNone() {
+    assertThat(FieldDifference.between(image(1, 255), image(1, 255))).isEmpty();
+  }
+
+  @Test
+  void between_bytesThatDiffer_namesTheFirst() {
+    assertThat(FieldDifference.between(image(1, 255, 3), image(1, 16, 4)))
+        .contains(new FieldDifference("data[1]", "0xff", "0x10"));
+  }
+
+  @Test
+  void between_bytesOfWhichOneGoesOn_tellsHowLongTheyAre() {
+    assertThat(FieldDifference.between(image(1, 2), image(1)))
+        .contains(new FieldDifference("data", "2 bytes", "1 byte"));
+  }
+}
