@@ -141,11 +141,12 @@ def value_of(kind, value, least, most, choices, where):
             element(kind, item, f"{where[:-2]}[{index}]: ")
 
 
+ELEMENTS = {"texts": "text", "numbers": "float64", "flags": "bool", "points": "point"}
+
+
 def element(kind, item, where):
-    if kind == "texts":
-        value_of("text", item, None, None, (), where)
-    elif kind == "points":
-        value_of("point", item, None, None, (), where)
+    if kind in ELEMENTS:
+        value_of(ELEMENTS[kind], item, None, None, (), where)
     else:
         require(type(item) is dict and next(iter(item), None) == "type", f"{where}does not open with its type chain")
         chain = item.pop("type")
