@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
 import org.u2sa.android.vehicle.VehicleHost.Phase
 import org.u2sa.interfaces.time.SystemClock
+import org.u2sa.recorder.mcap.McapReader
 
 /** With the real services and the real time of a vehicle. */
 @Timeout(120)
@@ -74,6 +75,23 @@ class VehicleHostTest {
         assertThat(phases).containsExactly(Phase.STARTING, Phase.RUNNING, Phase.STOPPING, Phase.STOPPED)
         assertThat(ended).isEqualTo(1)
         assertThat(folder.resolve("logs/Phone.log")).exists()
+    }
+
+    @Test
+    fun start_withRecorder_leavesAWholeRecordingBesideTheLogs() {
+        val host = host()
+        host.start(order(quiet + "<service class=\"org.u2sa.recorder.Recorder\"/>"))
+        awaitPhase(host, Phase.RUNNING)
+        await().atMost(Duration.ofSeconds(60)).until {
+            host.cockpit!!.snapshot.services.any { it.name == "Recorder" }
+        }
+        host.stop()
+        awaitPhase(host, Phase.STOPPED)
+
+        McapReader.open(folder.resolve("logs/recording.mcap")).use { recording ->
+            assertThat(recording.statistics().messages()).isPositive()
+            assertThat(recording.channels().values.map { it.topic() }).anyMatch { it.startsWith("u2sa/test/health/") }
+        }
     }
 
     @Test
