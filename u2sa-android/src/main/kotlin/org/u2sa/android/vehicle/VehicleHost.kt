@@ -1,6 +1,7 @@
 package org.u2sa.android.vehicle
 
 import java.io.File
+import java.nio.file.Path
 import java.util.concurrent.ExecutorService
 import java.util.concurrent.Executors
 import java.util.concurrent.RejectedExecutionException
@@ -9,9 +10,12 @@ import org.u2sa.core.launch.LaunchOptions
 import org.u2sa.core.launch.RunningSystem
 import org.u2sa.core.launch.SystemFile
 import org.u2sa.interfaces.BadInputException
-import org.u2sa.interfaces.time.Clock
-import org.u2sa.interfaces.configuration.XmlConfiguration
 import org.u2sa.interfaces.communication.CommunicationException
+import org.u2sa.interfaces.configuration.XmlConfiguration
+import org.u2sa.interfaces.time.Clock
+import org.u2sa.recorder.Recorder
+import org.u2sa.recorder.RecordingFacts
+import org.u2sa.recorder.RunFiles
 import org.u2sa.service.ServiceContext
 
 /**
@@ -82,7 +86,8 @@ class VehicleHost(
         var system: RunningSystem? = null
         try {
             stateFile.running()
-            system = RunningSystem.start(SystemFile.read(order.systemFile.toPath()), options(order))
+            val file = SystemFile.read(order.systemFile.toPath())
+            system = RunningSystem.start(file, options(order, file))
             val made = cockpitOf(system, order)
             run = Run(order, system, made)
             cockpit = made
@@ -98,13 +103,22 @@ class VehicleHost(
         }
     }
 
-    private fun options(order: Order): LaunchOptions {
+    private fun options(order: Order, file: SystemFile): LaunchOptions {
+        val logs = order.logDirectory.toPath()
         val options = LaunchOptions()
             .clock(clock)
-            .logDirectory(order.logDirectory.toPath())
+            .logDirectory(logs)
+            .making(Recorder::class.java) { Recorder(it, facts(file, logs)) }
             .override("SafetyManager", "ARM AT START", false) // on a phone somebody arms by hand
         order.configure(options)
         return options
+    }
+
+    /** What a recorder of the system file attaches. */
+    private fun facts(file: SystemFile, logs: Path): RecordingFacts {
+        val facts = RecordingFacts()
+        RunFiles(facts).system(file.file(), file.configurations()).logs(logs)
+        return facts
     }
 
     private fun cockpitOf(system: RunningSystem, order: Order): Cockpit {

@@ -91,6 +91,7 @@ class VehicleHostTest {
         McapReader.open(folder.resolve("logs/recording.mcap")).use { recording ->
             assertThat(recording.statistics().messages()).isPositive()
             assertThat(recording.channels().values.map { it.topic() }).anyMatch { it.startsWith("u2sa/test/health/") }
+            assertThat(recording.attachmentNames()).anyMatch { it.endsWith("/system.xml") }.contains("logs/Phone.log")
         }
     }
 

@@ -112,6 +112,14 @@ public record SystemFile(
     return new SystemFile(file, id, manager, delivery, host, autonomy, services);
   }
 
+  /** The configuration files of the Communication Manager and of the services. */
+  public List<Path> configurations() {
+    List<Path> all = new ArrayList<>();
+    communication.ifPresent(all::add);
+    services.forEach(entry -> entry.configuration().ifPresent(all::add));
+    return all;
+  }
+
   private static String host(XmlElement element) {
     return element.optionalAttribute("host").orElse("");
   }

@@ -18,6 +18,7 @@ import org.u2sa.gcs.command.Setting;
 import org.u2sa.gcs.record.RunFacts;
 import org.u2sa.gcs.record.RunRecording;
 import org.u2sa.gcs.remote.BrokerAddress;
+import org.u2sa.recorder.Recorder;
 import org.u2sa.service.U2SAService;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -114,7 +115,8 @@ public final class RunCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    SystemFile system = SystemFile.read(file);
+    SystemFile whole = SystemFile.read(file);
+    SystemFile system = whole;
     PrintWriter out = command.commandLine().getOut();
     LaunchOptions options = new LaunchOptions().logDirectory(logs).seed(seed).console(out::println);
     if (broker != null) {
@@ -123,7 +125,8 @@ public final class RunCommand implements Callable<Integer> {
     }
     set(options, system);
     recording.check();
-    recording.addTo(options, "", facts(system));
+    recording.addTo(options, "", facts(whole));
+    options.making(Recorder.class, context -> new Recorder(context, facts(whole).facts()));
     if (throughBroker) {
       options.throughBroker();
     }

@@ -1,0 +1,110 @@
+package org.u2sa.recorder;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
+
+/**
+ * Has the files of a run attached to its recording: the system file, its configurations, whatever
+ * XML files these name, such as mission, fence and world, and the logs.
+ */
+public final class RunFiles {
+  private static final int FOLDERS_IN_NAME = 3;
+
+  private final RecordingFacts facts;
+  private final Set<Path> attached = new HashSet<>();
+
+  /**
+   * @param facts what the recording is to say of the run
+   */
+  public RunFiles(RecordingFacts facts) {
+    this.facts = facts;
+  }
+
+  /**
+   * Attaches a system file, its configurations, and the files that these name.
+   *
+   * @param configurations of its services and of the Communication Manager
+   * @throws org.u2sa.interfaces.BadInputException if a configuration is not well-formed
+   */
+  public RunFiles system(Path file, Collection<Path> configurations) {
+    attach(file);
+    configurations.forEach(this::configuration);
+    return this;
+  }
+
+  private void configuration(Path file) {
+    attach(file);
+    XmlElement root = XmlReader.read(file, "configuration");
+    for (XmlElement variable : root.children("variable")) {
+      variable
+          .optionalAttribute("value")
+          .ifPresent(value -> attachIfFile(file.toAbsolutePath().getParent(), value));
+    }
+  }
+
+  /** Attaches what a variable names, if it is an XML file: only its service knows what it means. */
+  public void attachIfFile(Path folder, String value) {
+    if (!value.endsWith(".xml")) {
+      return; // passwords and keys are files too, and have no place in a recording
+    }
+    try {
+      Path file = folder.resolve(value);
+      if (Files.isRegularFile(file)) {
+        attach(file);
+      }
+    } catch (InvalidPathException e) {
+      facts.say("not-attached", value, e.getMessage());
+    }
+  }
+
+  private void attach(Path file) {
+    Path absolute = file.toAbsolutePath().normalize();
+    attach(name(absolute), absolute);
+  }
+
+  /** Attaches a file under a name of its own, unless it is attached already. */
+  public void attach(String name, Path file) {
+    if (attached.add(file.toAbsolutePath().normalize())) {
+      facts.attach(name, file);
+    }
+  }
+
+  /** Attaches the logs of a folder as they are when the recording ends. */
+  public RunFiles logs(Path folder) {
+    facts.attachAtEnd(() -> logsIn(folder));
+    return this;
+  }
+
+  /** The file's name with its two folders, such as {@code config/ugv/system.xml}. */
+  private static String name(Path file) {
+    int names = file.getNameCount();
+    return file.subpath(Math.max(0, names - FOLDERS_IN_NAME), names).toString().replace('\\', '/');
+  }
+
+  private static Map<String, Path> logsIn(Path folder) {
+    if (!Files.isDirectory(folder)) {
+      return Map.of();
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .filter(file -> file.getFileName().toString().endsWith(".log"))
+          .collect(
+              Collectors.toMap(
+                  file -> "logs/" + file.getFileName(), file -> file, (a, b) -> a, TreeMap::new));
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot list " + folder, e);
+    }
+  }
+}
