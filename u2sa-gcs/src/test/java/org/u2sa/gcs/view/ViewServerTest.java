@@ -24,7 +24,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.gcs.command.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.PathStatus;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 
 @Timeout(120)
 class ViewServerTest {
@@ -263,6 +266,21 @@ class ViewServerTest {
       feed.take(Channels.STATE, state, 7_000);
       assertThat(new String(viewer.nextData().bytes(), StandardCharsets.UTF_8))
           .contains("\"x\":8.0", "\"timestamp\":5");
+    }
+  }
+
+  @Test
+  void feed_listOfPoints_isOfObjectsInSchemaAndMessage() throws Exception {
+    ViewFeed feed = new ViewFeed(server, "rover", false);
+    PlannedPath path = new PlannedPath().planner("GRID").status(PathStatus.FOLLOWED);
+    path.timestamp(5L);
+    feed.take(Channels.PLANS, path.points(List.of(Point.of(1.5, 2.0, 0.0))), 5_000);
+    try (Viewer viewer = viewer()) {
+      JsonNode channel = viewer.next("advertise").get("channels").get(0);
+      assertThat(channel.get("schema").asText()).contains("\"items\":{\"type\":\"object\"");
+      viewer.send("{'op': 'subscribe', 'subscriptions': [{'id': 1, 'channelId': 1}]}");
+      assertThat(new String(viewer.nextData().bytes(), StandardCharsets.UTF_8))
+          .contains("\"points\":[{\"x\":1.5,\"y\":2.0,\"z\":0.0}]");
     }
   }
 }
