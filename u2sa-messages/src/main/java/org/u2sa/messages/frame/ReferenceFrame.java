@@ -88,11 +88,25 @@ public final class ReferenceFrame {
    * @throws IllegalArgumentException naming the value and what was expected
    */
   public static ReferenceFrame parse(String text) {
-    String key = text.trim().toUpperCase(Locale.ROOT).replaceAll("[ _-]+", "_");
+    ReferenceFrame exact = named(text); // as on the wire, where time counts
+    return exact != null
+        ? exact
+        : parsed(text, text.trim().toUpperCase(Locale.ROOT).replaceAll("[ _-]+", "_"));
+  }
+
+  private static ReferenceFrame named(String name) {
     for (ReferenceFrame frame : NAMED) {
-      if (frame.name.equals(key)) {
+      if (frame.name.equals(name)) {
         return frame;
       }
+    }
+    return null;
+  }
+
+  private static ReferenceFrame parsed(String text, String key) {
+    ReferenceFrame frame = named(key);
+    if (frame != null) {
+      return frame;
     }
     Matcher utm = UTM.matcher(key);
     if (utm.matches()) {

@@ -49,6 +49,27 @@ final class CborInput {
     return bytes[at] & 0xFF;
   }
 
+  /** The next eight bytes, big-endian; zeros after the end. They stay there. */
+  long word() {
+    if (bytes.length - at >= Long.BYTES) {
+      return view.getLong(at);
+    }
+    long word = 0L;
+    for (int i = 0; i < Long.BYTES; i++) {
+      word = word << Byte.SIZE | (at + i < bytes.length ? bytes[at + i] & 0xFF : 0);
+    }
+    return word;
+  }
+
+  /** Whether the key stands here, which begins as {@link #word} does; then it is read. */
+  boolean take(FieldKey key) {
+    boolean isHere = key.isAt(view, at);
+    if (isHere) {
+      at += key.length();
+    }
+    return isHere;
+  }
+
   /** Whether the next bytes are these; then they are read. */
   boolean take(byte[] encoded) {
     if (bytes.length - at < encoded.length) {
@@ -94,6 +115,17 @@ final class CborInput {
         at += 1 + Double.BYTES;
       } else {
         into[i] = number();
+      }
+    }
+  }
+
+  /** As many flags as there is room for in the array. */
+  void flags(boolean[] into) {
+    for (int i = 0; i < into.length; i++) {
+      if (at < bytes.length && (bytes[at] | 1) == (byte) Cbor.TRUE) {
+        into[i] = bytes[at++] == (byte) Cbor.TRUE;
+      } else {
+        into[i] = flag(); // with a tag, or none at all
       }
     }
   }

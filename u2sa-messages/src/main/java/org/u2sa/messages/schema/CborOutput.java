@@ -11,10 +11,24 @@ import java.util.Arrays;
 final class CborOutput {
   private static final int TYPICAL_BYTES = 512;
   private static final int LONGEST_HEAD = 9;
+  private static final int SHORT_TEXT = 64; // chars, up to which copying them one by one is fastest
+  private static final int ASCII_LAST = 0x7F;
 
-  private byte[] bytes = new byte[TYPICAL_BYTES];
-  private ByteBuffer view = ByteBuffer.wrap(bytes);
+  private byte[] bytes;
+  private ByteBuffer view;
   private int length;
+
+  CborOutput() {
+    this(TYPICAL_BYTES);
+  }
+
+  /**
+   * @param expected bytes, about; takes more as well
+   */
+  CborOutput(int expected) {
+    bytes = new byte[expected];
+    view = ByteBuffer.wrap(bytes);
+  }
 
   /** All that was written. */
   byte[] toBytes() {
@@ -26,6 +40,66 @@ final class CborOutput {
     bytes[length] = (byte) Cbor.FLOAT_64;
     view.putDouble(length + 1, value);
     length += LONGEST_HEAD;
+  }
+
+  /**
+   * Names and values of numbers.
+   *
+   * @param fields by slot
+   * @param slots which to write, a bit each
+   * @param bound writes those of slots below it
+   * @return which are left, a bit each
+   */
+  long numbers(NumberField<?>[] fields, FieldStorage storage, long slots, int bound) {
+    long left = slots;
+    int at = length; // fields of this object would be read and written each time
+    for (int slot = Long.numberOfTrailingZeros(left);
+        slot < bound;
+        slot = Long.numberOfTrailingZeros(left)) {
+      left &= left - 1;
+      NumberField<?> field = fields[slot];
+      FieldKey key = field.key;
+      if (at + key.room() + LONGEST_HEAD > bytes.length) {
+        length = at;
+        reserve(key.room() + LONGEST_HEAD);
+      }
+      ByteBuffer into = view;
+      key.put(into, at);
+      at += key.length();
+      into.put(at, (byte) Cbor.FLOAT_64);
+      into.putDouble(at + 1, storage.get(field));
+      at += LONGEST_HEAD;
+    }
+    length = at;
+    return left;
+  }
+
+  /** An array of numbers. */
+  void numbers(Numbers values) {
+    int size = values.size();
+    head(Cbor.ARRAY, size);
+    reserve(size * LONGEST_HEAD);
+    ByteBuffer into = view;
+    int at = length;
+    for (int i = 0; i < size; i++) {
+      into.put(at, (byte) Cbor.FLOAT_64);
+      into.putDouble(at + 1, values.at(i));
+      at += LONGEST_HEAD;
+    }
+    length = at;
+  }
+
+  /** An array of true and false. */
+  void flags(Flags values) {
+    int size = values.size();
+    head(Cbor.ARRAY, size);
+    reserve(size);
+    byte[] into = bytes;
+    int at = length;
+    for (int i = 0; i < size; i++) {
+      into[at + i] = (byte) (values.at(i) ? Cbor.TRUE : Cbor.FALSE);
+    }
+    length = at + size;
   }
 
   void count(long value) {
@@ -42,9 +116,29 @@ final class CborOutput {
   }
 
   void text(String value) {
-    byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
-    head(Cbor.TEXT, utf8.length);
-    item(utf8);
+    int chars = value.length();
+    if (chars > SHORT_TEXT || !ascii(value, chars)) {
+      byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
+      head(Cbor.TEXT, utf8.length);
+      item(utf8);
+    }
+  }
+
+  /** Writes a short text if it is of ASCII; otherwise nothing counts as written. */
+  private boolean ascii(String value, int chars) {
+    int before = length;
+    head(Cbor.TEXT, chars);
+    reserve(chars);
+    for (int i = 0; i < chars; i++) {
+      char each = value.charAt(i);
+      if (each > ASCII_LAST) {
+        length = before;
+        return false;
+      }
+      bytes[length + i] = (byte) each;
+    }
+    length += chars;
+    return true;
   }
 
   void byteString(ByteString value) {
@@ -62,7 +156,14 @@ final class CborOutput {
     head(Cbor.MAP, pairs);
   }
 
-  /** What was encoded before, such as a field's name. */
+  /** A field's name. */
+  void key(FieldKey key) {
+    reserve(key.room());
+    key.put(view, length);
+    length += key.length();
+  }
+
+  /** What was encoded before. */
   void item(byte[] encoded) {
     reserve(encoded.length);
     System.arraycopy(encoded, 0, bytes, length, encoded.length);

@@ -88,14 +88,15 @@ final class CborReader {
       MessageField<U2SAData> field = null;
       int index = type.takeKey(in, next);
       if (index >= 0) { // in the order in which writers put them
-        field = type.fields().get(index);
+        field = type.at(index);
         key = field.name();
         next = index + 1;
       } else {
         key = in.text();
         field = type.fieldOrNull(key);
       }
-      if (field != null && field.isSet(message) || others.contains(key)) {
+      boolean isKnownTwice = field != null && field.isSet(message);
+      if (isKnownTwice || !others.isEmpty() && others.contains(key)) {
         throw malformed("the key comes twice");
       }
       if (field != null) {
@@ -203,6 +204,20 @@ final class CborReader {
     in.numbers(numbers);
     depth--;
     return Numbers.owning(numbers);
+  }
+
+  /** The next item, as a list of true and false without a place for each. */
+  List<Boolean> flags() throws MalformedMessageException {
+    long length = in.array();
+    if (length == CborInput.UNTIL_BREAK) {
+      return elements(length, in::flag);
+    }
+    requireRoom(length);
+    deeper();
+    boolean[] flags = new boolean[(int) length];
+    in.flags(flags);
+    depth--;
+    return Flags.owning(flags);
   }
 
   <V> List<V> list(Element<V> element) throws MalformedMessageException {

@@ -7,12 +7,14 @@ import org.u2sa.messages.frame.Point;
 /** Writes one message as CBOR: fields in the schema's order. */
 final class CborWriter {
   private static final int COORDINATES = 3;
+  private static final int BYTES_BESIDE = 64; // who sends it, a longer text
+  private static final int BYTES_A_FIELD = 24; // with its name
 
   private CborWriter() {}
 
   /** The message, and who sends it unless that is null. */
   static byte[] bytes(U2SAData message, Origin origin) {
-    CborOutput out = new CborOutput();
+    CborOutput out = new CborOutput(expectedBytes(message));
     message(out, message, origin, false);
     byte[] bytes = out.toBytes();
     if (bytes.length > Limits.PAYLOAD_BYTES) {
@@ -24,29 +26,23 @@ final class CborWriter {
     return bytes;
   }
 
+  /** Not too few for most messages; lists take what they need. */
+  private static int expectedBytes(U2SAData message) {
+    return BYTES_BESIDE + BYTES_A_FIELD * message.ownType().written(message);
+  }
+
   private static void message(CborOutput out, U2SAData message, Origin origin, boolean withType) {
-    List<MessageField<U2SAData>> fields = message.ownType().fields();
+    MessageType<U2SAData> type = message.ownType();
     Map<String, Object> unknown = message.unknownFields();
-    int size = unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1);
-    for (int i = 0; i < fields.size(); i++) {
-      if (fields.get(i).isWritten(message)) {
-        size++;
-      }
-    }
-    out.map(size);
+    int written = type.written(message);
+    out.map(written + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
     if (withType) {
       out.item(Schema.TYPE_KEY_BYTES);
       List<String> chain = message.typeChain();
       out.array(chain.size());
       chain.forEach(out::text);
     }
-    for (int i = 0; i < fields.size(); i++) {
-      MessageField<U2SAData> field = fields.get(i);
-      if (field.isWritten(message)) {
-        out.item(field.key);
-        field.write(out, message);
-      }
-    }
+    type.write(out, message);
     unknown.forEach(
         (name, value) -> {
           out.text(name);

@@ -17,6 +17,11 @@ final class FieldStorage {
     values = new Object[sizes.values()];
   }
 
+  /** Which numbers are set or among those that are always written, a bit each, by slot. */
+  long numbersWritten(long always) {
+    return present | always;
+  }
+
   boolean has(NumberField<?> field) {
     return (present >>> field.slot & 1L) != 0L;
   }

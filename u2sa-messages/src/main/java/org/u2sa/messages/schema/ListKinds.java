@@ -13,8 +13,7 @@ final class ListKinds {
   static final ValueKind<List<Point>> POINTS =
       new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT);
   static final ValueKind<List<Double>> NUMBERS = new NumberList();
-  static final ValueKind<List<Boolean>> FLAGS =
-      new ListKind<>(Kind.BOOLEAN_LIST, Boolean.class, "true or false", ",", ScalarKinds.FLAG);
+  static final ValueKind<List<Boolean>> FLAGS = new FlagList();
 
   private ListKinds() {}
 
@@ -144,16 +143,44 @@ final class ListKinds {
 
     @Override
     public void write(CborOutput out, List<Double> values) {
-      Numbers numbers = Numbers.of(values);
-      out.array(numbers.size());
-      for (int i = 0; i < numbers.size(); i++) {
-        out.number(numbers.at(i));
-      }
+      out.numbers(Numbers.of(values));
     }
 
     @Override
     public List<Double> read(CborReader in) throws MalformedMessageException {
       return in.numbers();
+    }
+  }
+
+  /** Kept as {@link Flags}. */
+  private record FlagList() implements ValueKind<List<Boolean>> {
+    @Override
+    public Kind kind() {
+      return Kind.BOOLEAN_LIST;
+    }
+
+    @Override
+    public Flags checked(Object value) {
+      if (!(value instanceof Collection<?> flags)) {
+        throw ScalarKinds.expected("a list of true or false");
+      }
+      requireRoom(flags);
+      return Flags.of(flags);
+    }
+
+    @Override
+    public List<Boolean> parsed(List<String> texts) {
+      return split(texts, ",", part -> ScalarKinds.FLAG.parsed(List.of(part)));
+    }
+
+    @Override
+    public void write(CborOutput out, List<Boolean> values) {
+      out.flags(Flags.of(values));
+    }
+
+    @Override
+    public List<Boolean> read(CborReader in) throws MalformedMessageException {
+      return in.flags();
     }
   }
 

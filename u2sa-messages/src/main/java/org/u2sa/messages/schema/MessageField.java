@@ -15,7 +15,7 @@ public abstract class MessageField<T extends U2SAData> {
   static final int NO_BIT = -1;
 
   final int slot; // index in the message's storage
-  final byte[] key; // the name, encoded once
+  final FieldKey key;
   final int bit; // in the presence vector, or NO_BIT
   private final String owner;
   private final String name;
@@ -31,7 +31,7 @@ public abstract class MessageField<T extends U2SAData> {
     unit = outline.unit();
     presence = outline.presence();
     slot = outline.slot();
-    key = encoded(name);
+    key = new FieldKey(name);
     bit = outline.bit();
     since = outline.since();
   }
@@ -128,8 +128,6 @@ public abstract class MessageField<T extends U2SAData> {
 
   /** True if an encoder must write the field. */
   abstract boolean isWritten(T message);
-
-  abstract void write(CborOutput out, T message);
 
   abstract void read(CborReader in, T message) throws MalformedMessageException;
 

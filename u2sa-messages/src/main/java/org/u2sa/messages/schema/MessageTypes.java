@@ -99,6 +99,9 @@ public final class MessageTypes {
     for (int i = chain.size() - 1; i >= 0; i--) {
       MessageType<?> known = byName.get(chain.get(i));
       if (known != null) {
+        if (known.chain() == chain) { // as all have that this process made
+          return known;
+        }
         List<String> claimed = chain.subList(0, i + 1);
         if (!claimed.equals(known.chain())) {
           throw new MalformedMessageException(

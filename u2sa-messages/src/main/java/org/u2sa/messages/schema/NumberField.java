@@ -106,11 +106,6 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   }
 
   @Override
-  void write(CborOutput out, T message) {
-    out.number(message.storage().get(this));
-  }
-
-  @Override
   void read(CborReader in, T message) throws MalformedMessageException {
     message.put(this, in.number());
   }

@@ -141,9 +141,10 @@ public abstract class U2SAData {
   }
 
   private void requireComplete() {
-    for (MessageField<U2SAData> field : ownType().requiredFields()) {
-      if (!field.isSet(this)) {
-        throw missing(field);
+    List<MessageField<U2SAData>> required = ownType().requiredFields();
+    for (int i = 0; i < required.size(); i++) { // without an iterator for each message
+      if (!required.get(i).isSet(this)) {
+        throw missing(required.get(i));
       }
     }
   }

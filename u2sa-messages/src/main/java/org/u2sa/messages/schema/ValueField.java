@@ -73,23 +73,27 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
     set(message, value);
   }
 
-  @Override
+  /** Writes name and value if the field {@link #isWritten}. */
   void write(CborOutput out, T message) {
-    values.write(out, message.storage().get(this));
+    V value = message.storage().get(this);
+    if (value != null) {
+      out.key(key);
+      values.write(out, value);
+    }
   }
 
   @Override
   void read(CborReader in, T message) throws MalformedMessageException {
     V value;
     try {
-      value = values.read(in);
+      value = values.readChecked(in);
     } catch (UnknownConstantException e) {
       if (!isOptional()) {
         throw e;
       }
       return; // as if it were absent: what it would have meant, this reader cannot know
     }
-    message.storage().put(this, checked(value));
+    message.storage().put(this, value);
   }
 
   @Override

@@ -18,6 +18,11 @@ interface ValueKind<V> {
 
   V read(CborReader in) throws MalformedMessageException;
 
+  /** What {@link #read} gives, {@link #checked}. */
+  default V readChecked(CborReader in) throws MalformedMessageException {
+    return checked(read(in));
+  }
+
   /** For copies of messages: nested messages are copied too, all else is immutable. */
   default V copied(V value) {
     return value;

@@ -1,0 +1,54 @@
+package org.u2sa.messages.schema;
+
+import java.util.AbstractList;
+import java.util.Collection;
+import java.util.RandomAccess;
+
+/** An immutable list of true and false that takes a byte for each of them. */
+final class Flags extends AbstractList<Boolean> implements RandomAccess {
+  private final boolean[] values;
+
+  private Flags(boolean[] values) {
+    this.values = values;
+  }
+
+  /** These; nobody else changes the array any more. */
+  static Flags owning(boolean[] values) {
+    return new Flags(values);
+  }
+
+  /**
+   * The same values.
+   *
+   * @throws IllegalArgumentException if one is neither true nor false
+   */
+  static Flags of(Collection<?> flags) {
+    if (flags instanceof Flags same) {
+      return same;
+    }
+    boolean[] values = new boolean[flags.size()];
+    int count = 0;
+    for (Object flag : flags) {
+      if (!(flag instanceof Boolean value)) {
+        throw ScalarKinds.expected("a list of true or false");
+      }
+      values[count++] = value;
+    }
+    return new Flags(values);
+  }
+
+  /** The value at an index, as such. */
+  boolean at(int index) {
+    return values[index];
+  }
+
+  @Override
+  public Boolean get(int index) {
+    return values[index];
+  }
+
+  @Override
+  public int size() {
+    return values.length;
+  }
+}
