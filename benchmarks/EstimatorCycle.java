@@ -50,6 +50,7 @@ final class EstimatorCycle {
             .velocity(noise(random, 0.1), noise(random, 0.1), noise(random, 0.1), 0.1);
         filter.add(m);
       }
+      filter.resets(); // fuses what was added
       if (i >= WARM_UP) {
         nanos[i - WARM_UP] = thread.getCurrentThreadCpuTime() - began;
       }

@@ -25,6 +25,8 @@ final class MessageHandling {
   private final HealthReporter reporter;
   private final int maxErrorsInARow;
   private final Execution execution; // null if nobody keeps it
+  private final ServiceHealth.CallbackCode handled = this::handleNext; // one for all messages
+  private ServiceInbox.Delivery next; // is handled by it
   private volatile boolean patient;
 
   MessageHandling(U2SAService service, ServiceConfiguration.ServiceVariables variables) {
@@ -124,17 +126,21 @@ final class MessageHandling {
   }
 
   private void handle(ServiceInbox.Delivery delivery) throws InterruptedException {
-    U2SAData message = delivery.message();
     service.succession.note(delivery);
-    guarded(
-        () -> {
-          if (contract.concerns(delivery.channel(), message)) {
-            contract.answer(message);
-          }
-          if (registrations.isSubscribed(delivery.channel()) && isInTime(delivery)) {
-            registrations.handlerOr(delivery.channel(), callback).accept(message);
-          }
-        });
+    next = delivery;
+    guarded(handled);
+  }
+
+  private void handleNext() {
+    ServiceInbox.Delivery delivery = next;
+    next = null;
+    U2SAData message = delivery.message();
+    if (contract.concerns(delivery.channel(), message)) {
+      contract.answer(message);
+    }
+    if (registrations.isSubscribed(delivery.channel()) && isInTime(delivery)) {
+      registrations.handlerOr(delivery.channel(), callback).accept(message);
+    }
   }
 
   /** Whether a message has not outlived the deadline that the author set; otherwise counts it. */

@@ -52,7 +52,8 @@ final class Registrations {
 
   /** {@link #deadline}; {@link Clock#NEVER} if the service's author set none. */
   long deadlineMicros(Channel<?> channel) {
-    return deadlinesMicros.getOrDefault(channel, Clock.NEVER);
+    Long micros = deadlinesMicros.get(channel);
+    return micros == null ? Clock.NEVER : micros;
   }
 
   /** Sets what is done with the channel's messages. */

@@ -117,5 +117,13 @@ final class ServiceConfiguration {
               ifAbsent = 1024,
               text =
                   "Messages that may wait for the service; further ones are dropped and counted.")
-          int inboxCapacity) {}
+          int inboxCapacity,
+      @Variable(
+              unit = "us",
+              min = 0,
+              max = 10_000,
+              ifAbsent = 0,
+              text =
+                  "Time that the service looks out for the next message, or for its next step, before it sleeps: it reacts sooner and takes as much of a core. Real time only; 0: it sleeps at once.")
+          double spin) {}
 }

@@ -181,28 +181,21 @@ final class ServiceHealth {
       remarks.forEach((part, what) -> said.add(part + ": " + what));
       report.remarks(said);
     }
-    long[] sorted = sortedCallbacks();
+    long[] took = Arrays.copyOf(callbackMicros, (int) Math.min(callbacks, REMEMBERED_CALLBACKS));
     return report
         .overruns(overruns)
         .exceptions(exceptions)
         .refused(report.refused() + refused)
         .expired(expired)
-        .callbackP50(percentile(sorted, MEDIAN))
-        .callbackP99(percentile(sorted, WORST_PERCENT));
+        .callbackP50(percentile(took, MEDIAN))
+        .callbackP99(percentile(took, WORST_PERCENT));
   }
 
-  /** How long the latest callbacks took [µs], shortest first. */
-  private long[] sortedCallbacks() {
-    long[] sorted = Arrays.copyOf(callbackMicros, (int) Math.min(callbacks, REMEMBERED_CALLBACKS));
-    Arrays.sort(sorted);
-    return sorted;
-  }
-
-  /** Time that this share of them did not exceed [s]; 0 if there are none. */
-  private static double percentile(long[] sorted, double fraction) {
-    return sorted.length == 0
+  /** Time [s] that this share of times [µs], which it reorders, did not exceed; 0 if none. */
+  private static double percentile(long[] took, double fraction) {
+    return took.length == 0
         ? 0.0
         : Clock.seconds(
-            sorted[(int) Math.min(sorted.length - 1L, (long) (fraction * sorted.length))]);
+            Selection.nth(took, (int) Math.min(took.length - 1L, (long) (fraction * took.length))));
   }
 }

@@ -19,6 +19,7 @@ final class ServiceLife {
 
   private final U2SAService service;
   private final Clock clock;
+  private final long spinMicros;
   private final long createdMicros;
   private final AtomicBoolean ended = new AtomicBoolean();
   private volatile boolean askedToStop; // also before the start, which then does not happen
@@ -28,9 +29,13 @@ final class ServiceLife {
   private volatile long startedMicros;
   private volatile boolean keepsToOwnThread;
 
-  ServiceLife(U2SAService service, Clock clock) {
+  /**
+   * @param spinMicros how long the service's thread looks out before it sleeps [µs]
+   */
+  ServiceLife(U2SAService service, Clock clock, long spinMicros) {
     this.service = service;
     this.clock = clock;
+    this.spinMicros = spinMicros;
     createdMicros = clock.micros();
     service.setUncaughtExceptionHandler((thread, error) -> die(error));
   }
@@ -54,7 +59,7 @@ final class ServiceLife {
     if (askedToStop) {
       return false;
     }
-    waiter = clock.newWaiter(service.getName());
+    waiter = clock.newWaiter(service.getName(), spinMicros);
     startedMicros = clock.micros();
     service.running = true;
     status = ServiceStatus.RUNNING;

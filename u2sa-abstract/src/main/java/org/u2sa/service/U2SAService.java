@@ -78,7 +78,7 @@ public abstract class U2SAService extends Thread
     wiring = new ServiceWiring(context, getName(), new ServiceReceiver(this));
     context.onAbandon(wiring::close);
     messaging = new ServiceMessaging(this, wiring);
-    life = new ServiceLife(this, context.clock());
+    life = new ServiceLife(this, context.clock(), (long) configuration.variables().spin());
     succession = new Succession(this, context);
     handling = new MessageHandling(this, configuration.variables());
     try {

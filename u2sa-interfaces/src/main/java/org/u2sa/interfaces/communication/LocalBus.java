@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.communication;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -71,7 +72,7 @@ public final class LocalBus implements Transport {
   /** Whether any service of this process is subscribed to the channel of that name. */
   public boolean isHeard(String channelName) {
     Route route = routes.get(channelName);
-    return route != null && !route.subscriptions.isEmpty();
+    return route != null && route.subscriptions.length > 0;
   }
 
   /** Counts messages of other processes that were lost on their way to the bus. */
@@ -123,7 +124,12 @@ public final class LocalBus implements Transport {
 
   /** The subscribers of one channel, and what is retained on it. */
   private static final class Route {
-    private final List<Subscription> subscriptions = new CopyOnWriteArrayList<>();
+    /**
+     * Copied when one is added or removed, under this; as an array, since each message goes over
+     * it.
+     */
+    private volatile Subscription[] subscriptions = {};
+
     private final Map<String, U2SAData> retained = new LinkedHashMap<>();
     private final Map<String, LocalConnection> publishers = new HashMap<>(); // last ones, by source
     private Channel<?> channel; // of what is retained
@@ -169,14 +175,19 @@ public final class LocalBus implements Transport {
 
     synchronized void add(Subscription added) {
       remove(added.owner);
-      subscriptions.add(added);
+      Subscription[] more = Arrays.copyOf(subscriptions, subscriptions.length + 1);
+      more[subscriptions.length] = added;
+      subscriptions = more;
       for (U2SAData message : retained.values()) {
         added.hand(message);
       }
     }
 
     synchronized void remove(LocalConnection owner) {
-      subscriptions.removeIf(subscription -> subscription.owner == owner);
+      subscriptions =
+          Arrays.stream(subscriptions)
+              .filter(subscription -> subscription.owner != owner)
+              .toArray(Subscription[]::new);
     }
   }
 

@@ -28,6 +28,18 @@ public interface Clock {
   Waiter newWaiter(String name);
 
   /**
+   * {@link #newWaiter(String)} for a thread that is to react at once: in real time it looks out for
+   * a while before it sleeps, which takes that much of a core, and again before a deadline. In
+   * simulated time this is left out.
+   *
+   * @param name who waits, for diagnostics
+   * @param spinMicros how long it looks out at most, each time [µs]; 0: not at all
+   */
+  default Waiter newWaiter(String name, long spinMicros) {
+    return newWaiter(name);
+  }
+
+  /**
    * The thread whose code the calling one runs: the one that {@linkplain Waiter#lend lent} its
    * turns, if a clock takes one of them on another thread; otherwise the calling one itself.
    */

@@ -55,16 +55,33 @@ public final class SystemClock implements Clock {
 
   @Override
   public Waiter newWaiter(String name) {
-    return new ParkingWaiter();
+    return newWaiter(name, 0L);
+  }
+
+  /** {@inheritDoc} With one core it never looks out: nobody could signal meanwhile. */
+  @Override
+  public Waiter newWaiter(String name, long spinMicros) {
+    return new ParkingWaiter(Runtime.getRuntime().availableProcessors() > 1 ? spinMicros : 0L);
   }
 
   private final class ParkingWaiter implements Waiter {
+    /** Looks between two offers of the core to other threads. */
+    private static final int LOOKS_BEFORE_YIELD = 64;
+
     private final AtomicBoolean signalled = new AtomicBoolean();
+    private final long spinMicros;
     private volatile Thread waiting;
     private volatile boolean closed;
 
+    ParkingWaiter(long spinMicros) {
+      this.spinMicros = spinMicros;
+    }
+
     @Override
     public void await(long deadlineMicros) throws InterruptedException {
+      if (spinMicros > 0) {
+        lookOut(deadlineMicros); // nobody has to wake the thread meanwhile
+      }
       waiting = Thread.currentThread();
       try {
         while (!signalled.getAndSet(false) && !closed) {
@@ -78,12 +95,26 @@ public final class SystemClock implements Clock {
             if (leftMicros <= 0) {
               return;
             }
-            LockSupport.parkNanos(
-                this, Math.min(leftMicros, LONGEST_PARK_MICROS) * NANOS_PER_MICRO);
+            if (leftMicros <= spinMicros) {
+              lookOut(deadlineMicros); // to be there in time; waking takes a while
+            } else {
+              long sleepMicros = Math.min(leftMicros - spinMicros, LONGEST_PARK_MICROS);
+              LockSupport.parkNanos(this, sleepMicros * NANOS_PER_MICRO);
+            }
           }
         }
       } finally {
         waiting = null;
+      }
+    }
+
+    /** Waits awake for a signal, the deadline or the end of the time to look out. */
+    private void lookOut(long deadlineMicros) {
+      long until = Math.min(deadlineMicros, micros() + spinMicros);
+      for (int looks = 1; !signalled.get() && !closed && micros() < until; looks++) {
+        if (looks % LOOKS_BEFORE_YIELD == 0) {
+          Thread.yield(); // Android 28 has no gentler way, Thread.onSpinWait
+        }
       }
     }
 

@@ -13,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,6 +23,9 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(120)
 class TwoWritersTest {
   private static final int EACH = 200;
+
+  /** Who takes the lock again at once leaves no time for others, which look each millisecond. */
+  private static final long PAUSE_NANOS = 3_000_000L;
 
   @TempDir Path folder;
   private Path file;
@@ -44,6 +48,7 @@ class TwoWritersTest {
     int refused = 0;
     for (int i = first; i < first + EACH; i++) {
       refused += configuration.setVariable("V" + i, i) ? 0 : 1;
+      LockSupport.parkNanos(PAUSE_NANOS);
     }
     return refused;
   }

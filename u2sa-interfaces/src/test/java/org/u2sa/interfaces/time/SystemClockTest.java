@@ -56,6 +56,22 @@ class SystemClockTest {
   }
 
   @Test
+  void await_looksOutBeforeItSleeps_returnsAtTheDeadlineOrTheSignal() throws InterruptedException {
+    Clock.Waiter awake = clock.newWaiter("awake", 500);
+    long deadline = clock.micros() + 5_000;
+
+    awake.await(deadline);
+
+    assertThat(clock.micros()).isGreaterThanOrEqualTo(deadline);
+    Thread other = new Thread(awake::signal);
+    other.start();
+    awake.await(Clock.NEVER);
+    other.join();
+    awake.close();
+    awake.await(Clock.NEVER);
+  }
+
+  @Test
   void ahead_isSoAtOnceAndForGood() {
     SystemClock ahead = clock.ahead(3_600_000_000L);
 

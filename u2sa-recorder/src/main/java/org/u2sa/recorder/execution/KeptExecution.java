@@ -252,6 +252,11 @@ public final class KeptExecution implements Execution {
     public Waiter newWaiter(String waiterName) {
       return new NotingWaiter(clock.newWaiter(waiterName));
     }
+
+    @Override
+    public Waiter newWaiter(String waiterName, long spinMicros) {
+      return new NotingWaiter(clock.newWaiter(waiterName, spinMicros));
+    }
   }
 
   private final class NotingWaiter implements Clock.Waiter {
