@@ -1,6 +1,7 @@
 package org.u2sa.drivers.ioio;
 
 import ioio.lib.api.IOIOConnection;
+import java.util.function.Consumer;
 import org.u2sa.interfaces.BadInputException;
 
 /**
@@ -28,8 +29,11 @@ public interface BoardConnection {
   /**
    * Lets the board's time pass to a time of the run [µs], and returns when the IOIO library has
    * taken every byte that came of it. In real time there is nothing to do.
+   *
+   * @param reader has the library take bytes on the calling thread; only for when the library's
+   *     reading thread waits for bytes of the present connection, and then gets none of them
    */
-  default void exchange(long nowMicros) {}
+  default void exchange(long nowMicros, Consumer<byte[]> reader) {}
 
   /**
    * The connection that an address names: {@code serial:/dev/ttyACM0} (IOIO-OTG on USB) or {@code

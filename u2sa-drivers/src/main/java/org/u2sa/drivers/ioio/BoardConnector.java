@@ -1,6 +1,5 @@
 package org.u2sa.drivers.ioio;
 
-import java.io.IOException;
 import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 
@@ -67,9 +66,8 @@ final class BoardConnector implements AutoCloseable {
   }
 
   private void stepInLockstep(long nowMicros) {
-    awaitSent();
-    connection.exchange(nowMicros);
     BoardSession before = session;
+    connection.exchange(nowMicros, bytes -> take(before, bytes));
     if (before != null && !before.isUp()) {
       awaitEnd(before);
     }
@@ -82,15 +80,9 @@ final class BoardConnector implements AutoCloseable {
     }
   }
 
-  /** In lockstep, what was written to UARTs arrives before the board's time passes. */
-  private void awaitSent() {
-    BoardSession present = session;
-    if (present != null && present.isUp()) {
-      try {
-        present.awaitSent();
-      } catch (IOException e) {
-        giveUp(present, String.valueOf(e.getMessage()));
-      }
+  private static void take(BoardSession from, byte[] bytes) {
+    if (from != null) { // it is no longer, if the wait for its end was interrupted
+      from.link().take(bytes);
     }
   }
 
@@ -185,7 +177,6 @@ final class BoardConnector implements AutoCloseable {
   @Override
   public void close() {
     closed = true;
-    awaitSent();
     BoardSession last = attempt;
     synchronized (lock) {
       lock.notifyAll();

@@ -5,7 +5,6 @@ import ioio.lib.api.IOIOFactory;
 import ioio.lib.api.exception.ConnectionLostException;
 import ioio.lib.api.exception.IncompatibilityException;
 import ioio.lib.api.exception.OutOfResourceException;
-import java.io.IOException;
 import java.util.Optional;
 
 /** One attempt to reach the board, and if it succeeds, the connection until its end. */
@@ -68,16 +67,9 @@ final class BoardSession {
     return pins;
   }
 
-  /** What tells in lockstep that the library has sent; empty in real time. */
+  /** Counts in lockstep what the library sends; empty in real time. */
   Optional<FlushCounter> lockstep() {
     return guarded.flushes();
-  }
-
-  /** Waits in lockstep until the library has sent what was written to UARTs. */
-  void awaitSent() throws IOException {
-    if (lockstep().isPresent()) {
-      lockstep().get().await();
-    }
   }
 
   GuardedConnection link() {

@@ -4,10 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/**
- * Tells in lockstep when the IOIO library has sent what was written to a UART. Its own thread does
- * that, at a moment of its own; a run that is to repeat waits for it.
- */
+/** Tells in lockstep whether, and by which thread, the IOIO library has sent a UART's data. */
 final class FlushCounter extends OutputStream {
   private static final int HEADER = 2; // of a message of UART data: type; number and length
   private static final long AT_MOST_MS = 5_000;
@@ -17,7 +14,7 @@ final class FlushCounter extends OutputStream {
       new ByteArrayOutputStream(); // until the library flushes; guarded by this, as all below
   private long dataSent; // bytes of what was flushed, less a header for each flush
   private long dataExpected;
-  private boolean counting;
+  private Thread sender; // of the last data
 
   FlushCounter(OutputStream target) {
     this.target = target;
@@ -34,35 +31,35 @@ final class FlushCounter extends OutputStream {
     waiting.reset();
     target.write(bytes); // at once: the library writes byte by byte
     target.flush();
-    if (counting) {
-      dataSent += bytes.length - HEADER;
-    }
+    dataSent += bytes.length - HEADER;
+    sender = Thread.currentThread();
     notifyAll();
   }
 
   /** Counts from here; until the data are sent, nothing else may be written. */
   synchronized void expect(int dataBytes) {
-    counting = true;
     dataSent = 0;
     dataExpected = dataBytes;
   }
 
-  /**
-   * Waits until the data are sent, if any are expected; an interrupt ends that, and leaves the
-   * thread's flag set.
-   */
-  synchronized void await() throws IOException {
-    try {
-      while (dataSent < dataExpected) {
-        long before = dataSent;
-        wait(AT_MOST_MS);
-        if (dataSent == before) {
-          throw new IOException("the IOIO library does not send what was written to a UART");
-        }
+  /** Waits until the data are sent, and returns the library's thread that did so. */
+  synchronized Thread awaitSender() throws IOException, InterruptedException {
+    while (dataSent < dataExpected) {
+      long before = dataSent;
+      wait(AT_MOST_MS);
+      if (dataSent == before) {
+        requireAll();
       }
-      counting = false;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+    }
+    return sender;
+  }
+
+  /**
+   * @throws IOException if not all data are sent
+   */
+  synchronized void requireAll() throws IOException {
+    if (dataSent < dataExpected) {
+      throw new IOException("the IOIO library does not send what was written to a UART");
     }
   }
 }

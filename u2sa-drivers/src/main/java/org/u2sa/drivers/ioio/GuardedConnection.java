@@ -30,7 +30,8 @@ final class GuardedConnection implements IOIOConnection {
   private final AtomicLong received = new AtomicLong();
   private volatile boolean handshaking;
   private volatile boolean ended;
-  private volatile FromBoard in;
+  private volatile InputStream in;
+  private volatile ReadingLoop loop; // null in real time, or before the connection
   private volatile OutputStream out;
   private BoardWriter writer; // null if writing does not wait; guarded by this
   private boolean disconnected; // guarded by this
@@ -54,6 +55,8 @@ final class GuardedConnection implements IOIOConnection {
       }
       in = new FromBoard(source);
       if (direct) {
+        loop = new ReadingLoop(in);
+        in = loop;
         out = new FlushCounter(target);
       } else {
         writer = new BoardWriter(target);
@@ -84,6 +87,12 @@ final class GuardedConnection implements IOIOConnection {
   /** Whether the library reads no more. */
   boolean hasEnded() {
     return ended;
+  }
+
+  /** In lockstep, has the library take bytes on the calling thread while its own one waits. */
+  void take(byte[] bytes) {
+    received.addAndGet(bytes.length);
+    loop.take(bytes);
   }
 
   /** How many bytes have come. */

@@ -136,9 +136,6 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
   /** Something done with the pins, if the board is there; at a loss the connection is given up. */
   private void with(Optional<BoardSession> session, PinWork work) {
     try {
-      if (session.isPresent()) {
-        session.get().awaitSent(); // of one sender after the other the order is certain
-      }
       work.on(session.map(BoardSession::pins));
     } catch (ConnectionLostException | IOException e) {
       session.ifPresent(lost -> connector.giveUp(lost, "the connection was lost while writing"));

@@ -5,7 +5,7 @@ import ioio.lib.api.exception.ConnectionLostException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.function.BooleanSupplier;
-import java.util.function.LongConsumer;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
@@ -17,11 +17,17 @@ import java.util.function.Supplier;
  * }</pre>
  */
 public final class LockstepConnection implements BoardConnection {
+  /** See {@link BoardConnection#exchange}. */
+  @FunctionalInterface
+  public interface Exchange {
+    void exchange(long nowMicros, Consumer<byte[]> reader);
+  }
+
   private final BooleanSupplier connect;
   private final Runnable disconnect;
   private final Supplier<InputStream> input;
   private final Supplier<OutputStream> output;
-  private final LongConsumer exchange;
+  private final Exchange exchange;
 
   /**
    * @param connect opens a connection; false if the board has no power
@@ -35,7 +41,7 @@ public final class LockstepConnection implements BoardConnection {
       Runnable disconnect,
       Supplier<InputStream> input,
       Supplier<OutputStream> output,
-      LongConsumer exchange) {
+      Exchange exchange) {
     this.connect = connect;
     this.disconnect = disconnect;
     this.input = input;
@@ -54,8 +60,8 @@ public final class LockstepConnection implements BoardConnection {
   }
 
   @Override
-  public void exchange(long nowMicros) {
-    exchange.accept(nowMicros);
+  public void exchange(long nowMicros, Consumer<byte[]> reader) {
+    exchange.exchange(nowMicros, reader);
   }
 
   @Override

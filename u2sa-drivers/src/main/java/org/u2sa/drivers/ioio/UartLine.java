@@ -22,6 +22,7 @@ final class UartLine {
   private final InputStream in;
   private final OutputStream out;
   private final double bytesPerS;
+  private final SendingLoop loop = new SendingLoop();
   private byte[] waiting = new byte[0];
   private double credit;
   private long atMicros = Long.MIN_VALUE;
@@ -54,8 +55,7 @@ final class UartLine {
   /**
    * Sends as much of it as the line takes by now.
    *
-   * @param lockstep of which the library's sending is awaited before anything else is written or
-   *     time passes; empty in real time
+   * @param lockstep counts what the library sends, and all is sent on return; empty in real time
    */
   void send(long nowMicros, Optional<FlushCounter> lockstep) throws IOException {
     double elapsedS = atMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(nowMicros - atMicros);
@@ -67,10 +67,10 @@ final class UartLine {
     }
     credit -= count;
     if (lockstep.isPresent()) {
-      lockstep.get().await(); // what another line sent
-      lockstep.get().expect(count);
+      loop.send(out, waiting, count, lockstep.get());
+    } else {
+      out.write(waiting, 0, count);
     }
-    out.write(waiting, 0, count);
     waiting = Arrays.copyOfRange(waiting, count, waiting.length);
   }
 }

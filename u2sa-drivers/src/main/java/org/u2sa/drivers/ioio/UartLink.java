@@ -30,8 +30,7 @@ final class UartLink implements ByteLink {
   /**
    * Sends what waits, as fast as the line takes it.
    *
-   * @param lockstep of which the library's sending is awaited before anything else is written or
-   *     time passes; empty in real time
+   * @param lockstep counts what the library sends, and all is sent on return; empty in real time
    */
   void send(long nowMicros, Optional<FlushCounter> lockstep) throws IOException {
     if (line.isPresent()) {

@@ -5,6 +5,8 @@ import ioio.lib.api.exception.ConnectionLostException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.Arrays;
+import java.util.function.Consumer;
 
 /**
  * Another connection whose first attempt breaks after so many bytes in one direction, or has one
@@ -17,7 +19,8 @@ final class CutConnection implements BoardConnection {
   private int inputBytes;
   private int outputBytes;
   private final int changedAt; // index of the byte from the board
-  private boolean used;
+  private Cut first; // null before it
+  private boolean isFirst; // whether the first is the present one
   private int read;
 
   /** One whose byte from the board at an index is changed. */
@@ -48,18 +51,19 @@ final class CutConnection implements BoardConnection {
   }
 
   @Override
-  public void exchange(long nowMicros) {
-    whole.exchange(nowMicros);
+  public void exchange(long nowMicros, Consumer<byte[]> reader) {
+    whole.exchange(nowMicros, bytes -> reader.accept(isFirst ? first.cut(bytes) : bytes));
   }
 
   @Override
   public synchronized IOIOConnection newConnection() {
     IOIOConnection connection = whole.newConnection();
-    if (used) {
+    isFirst = first == null;
+    if (!isFirst) {
       return connection;
     }
-    used = true;
-    return new Cut(connection);
+    first = new Cut(connection);
+    return first;
   }
 
   private synchronized boolean mayRead() {
@@ -75,6 +79,18 @@ final class CutConnection implements BoardConnection {
 
     Cut(IOIOConnection connection) {
       this.connection = connection;
+    }
+
+    /** What is left of bytes that the library does not read itself. */
+    byte[] cut(byte[] bytes) {
+      for (int i = 0; i < bytes.length; i++) {
+        if (!mayRead()) {
+          connection.disconnect();
+          return Arrays.copyOf(bytes, i);
+        }
+        bytes[i] ^= (byte) (read++ == changedAt ? CHANGE : 0);
+      }
+      return bytes;
     }
 
     @Override

@@ -3,11 +3,16 @@ package org.u2sa.sim.ioio;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.function.Consumer;
 
 /**
  * A simulated board on a cable within the process, in lockstep: its time moves in {@link #exchange}
- * only, which returns when the host's reader has taken every byte and asks for the next one. So the
- * host knows the same at the same time in every run.
+ * only, which returns when the host has taken every byte. So the host knows the same at the same
+ * time in every run.
+ *
+ * <p>The host reads on a thread of its own until its first wait in an exchange. To wake that thread
+ * each time would take longer than what it reads; so from then on each exchange hands over the
+ * bytes itself, and the thread waits for the end of the connection.
  *
  * <p>The host opens a connection by {@link #connect}, then gets the streams of that one; they end
  * when the board or the host ends it, and the reader then closes its stream. For any thread; one
@@ -27,6 +32,7 @@ public final class IoioInProcess {
   private boolean readerWaits;
   private boolean readerGone;
   private boolean isReading; // from the first byte asked for until it closes its end
+  private boolean handsOver; // what comes, in exchanges; the reader waits for the end
   private boolean hasBegun;
   private long atMicros;
 
@@ -47,6 +53,7 @@ public final class IoioInProcess {
       readerWaits = false;
       readerGone = false;
       isReading = false;
+      handsOver = false;
       firmware.open();
       pass();
       return true;
@@ -84,33 +91,50 @@ public final class IoioInProcess {
     for (int count = firmware.output(scratch); count > 0; count = firmware.output(scratch)) {
       cable.push(scratch, 0, count);
     }
-    if (cable.size() > 0 || hasEnded()) {
+    if (cable.size() > 0 && !handsOver || hasEnded()) {
       lock.notifyAll();
     }
   }
 
   /**
-   * Lets the board's time pass to a time of the run [µs], and waits until the host has taken what
+   * Lets the board's time pass to a time of the run [µs], and returns when the host has taken what
    * came of it. Ends early, with the thread's flag set again, if the thread is interrupted.
+   *
+   * @param host takes bytes on the calling thread, unless the host's reader did
    */
-  public void exchange(long nowMicros) {
+  public void exchange(long nowMicros, Consumer<byte[]> host) {
+    while (hasBegun && nowMicros - atMicros > SLICE_MICROS) {
+      advance(atMicros + SLICE_MICROS, host);
+    }
+    hasBegun = true;
+    advance(nowMicros, host);
+  }
+
+  private void advance(long micros, Consumer<byte[]> host) {
+    atMicros = micros;
+    byte[] handedOver;
     synchronized (lock) {
-      while (hasBegun && nowMicros - atMicros > SLICE_MICROS) {
-        atMicros += SLICE_MICROS;
-        advance(atMicros);
+      firmware.advance(micros);
+      if (connected) {
+        pass();
       }
-      hasBegun = true;
-      atMicros = nowMicros;
-      advance(nowMicros);
+      handedOver = new byte[handsOver ? cable.size() : 0];
+      cable.pull(handedOver, handedOver.length);
+    }
+    if (handedOver.length > 0) {
+      host.accept(handedOver); // not under the lock: it may write, or end the connection
+    }
+    synchronized (lock) {
+      awaitReader();
+      handsOver = connected && readerWaits;
     }
   }
 
-  private void advance(long micros) {
-    firmware.advance(micros);
-    if (connected) {
-      pass();
-    }
+  private void awaitReader() {
     try {
+      if (hasEnded()) {
+        lock.notifyAll();
+      }
       while (connected ? !isTaken() : isReading) { // a reader whose connection ended closes soon
         lock.wait();
       }
@@ -121,7 +145,8 @@ public final class IoioInProcess {
 
   /** Whether the host has taken all and asks for more, or has closed its end. */
   private boolean isTaken() {
-    return readerGone || cable.size() == 0 && readerWaits && !hasEnded();
+    boolean isNothingLeft = handsOver || cable.size() == 0;
+    return readerGone || isNothingLeft && readerWaits && !hasEnded();
   }
 
   /** Whether the board has ended the connection, and the host has taken all that came before. */
@@ -164,7 +189,7 @@ public final class IoioInProcess {
       synchronized (lock) {
         isReading |= session == number;
         try {
-          while (isCurrent() && cable.size() == 0 && !hasEnded()) {
+          while (isCurrent() && (handsOver || cable.size() == 0) && !hasEnded()) {
             readerWaits = true;
             lock.notifyAll();
             lock.wait();

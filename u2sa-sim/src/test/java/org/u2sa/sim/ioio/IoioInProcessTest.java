@@ -17,6 +17,7 @@ class IoioInProcessTest {
 
   private final Bench bench = new Bench();
   private final IoioInProcess cable = new IoioInProcess(bench.firmware);
+  private final ByteArrayOutputStream handedOver = new ByteArrayOutputStream();
 
   /** Reads as a host does, on a thread of its own, until the end. */
   private static CompletableFuture<byte[]> read(InputStream in) {
@@ -40,18 +41,20 @@ class IoioInProcessTest {
     CompletableFuture<byte[]> host = read(cable.input());
     OutputStream out = cable.output();
     out.write(new byte[] {0x0B, 40, 0x0C, (byte) (0x80 | 40)});
-    cable.exchange(1_000_000);
-    cable.exchange(1_100_000);
+    cable.exchange(1_000_000, handedOver::writeBytes);
+    cable.exchange(1_100_000, handedOver::writeBytes);
     cable.disconnect();
     byte[] taken = host.get(20, TimeUnit.SECONDS);
-    assertThat(taken.length).isEqualTo(GREETING + 3 + 1100 * 3); // format, a value a millisecond
+    assertThat(taken.length + handedOver.size())
+        .isEqualTo(GREETING + 3 + 1100 * 3); // format, a value a millisecond
+    assertThat(handedOver.size()).as("once the reader has waited").isEqualTo(100 * 3);
   }
 
   @Test
   void connect_withoutPower_isRefusedUntilItIsBack() {
     cable.power(false);
     assertThat(cable.connect()).isFalse();
-    cable.exchange(10_000); // time goes on all the same
+    cable.exchange(10_000, handedOver::writeBytes); // time goes on all the same
     cable.power(true);
     assertThat(cable.connect()).isTrue();
   }
@@ -61,7 +64,7 @@ class IoioInProcessTest {
     assertThat(cable.connect()).isTrue();
     CompletableFuture<byte[]> host = read(cable.input());
     OutputStream out = cable.output();
-    cable.exchange(0);
+    cable.exchange(0, handedOver::writeBytes);
     cable.power(false);
     assertThat(host.get(20, TimeUnit.SECONDS)).hasSize(GREETING);
     assertThatThrownBy(() -> out.write(0x23)).isInstanceOf(IOException.class);
@@ -78,7 +81,7 @@ class IoioInProcessTest {
     inBefore.close(); // must not close the new one
     cable.output().write(0x23);
     CompletableFuture<byte[]> host = read(cable.input());
-    cable.exchange(0);
+    cable.exchange(0, handedOver::writeBytes);
     cable.disconnect();
     assertThat(host.get(20, TimeUnit.SECONDS)).hasSize(GREETING + 1);
   }
@@ -87,10 +90,10 @@ class IoioInProcessTest {
   void exchange_wrongByte_hostHasSeenTheEndWhenItReturns() throws Exception {
     cable.connect();
     CompletableFuture<byte[]> host = read(cable.input());
-    cable.exchange(0);
+    cable.exchange(0, handedOver::writeBytes);
     cable.output().write(0xFF);
-    cable.exchange(1_000);
+    cable.exchange(1_000, handedOver::writeBytes);
     assertThat(host.get(20, TimeUnit.SECONDS)).hasSize(GREETING);
-    cable.exchange(2_000); // nobody reads any more: returns all the same
+    cable.exchange(2_000, handedOver::writeBytes); // nobody reads any more: returns all the same
   }
 }
