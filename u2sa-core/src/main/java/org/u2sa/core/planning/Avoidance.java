@@ -1,6 +1,7 @@
 package org.u2sa.core.planning;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -65,8 +66,9 @@ final class Avoidance {
   private final BiConsumer<String, Boolean> say; // what, and whether it is trouble
   private final SeenWorld world;
   private final FalseGaps gaps = new FalseGaps();
+  private final PassSides sides = new PassSides();
   private List<PlanarShape> wayBack = List.of();
-  private PlanningPlane plane; // on which both lie
+  private PlanningPlane plane; // on which all of them lie
 
   private Optional<RouteTrack> track = Optional.empty();
   private Optional<PlannedPath> path = Optional.empty(); // not yet published
@@ -191,12 +193,27 @@ final class Avoidance {
       plane = now;
       wayBack = List.of();
       gaps.forget();
+      sides.forget();
+    }
+  }
+
+  /** Closes the wrong sides of what is to be passed on one. */
+  private void keepSides(Pose pose, StateInformation state, AvoidanceSettings now) {
+    Map<PassSides.Side, List<PlanarShape>> seen = new EnumMap<>(PassSides.Side.class);
+    PassSides.parse(now.passSides())
+        .forEach(
+            (type, side) ->
+                seen.computeIfAbsent(side, each -> new ArrayList<>())
+                    .addAll(world.of(type, state)));
+    if (sides.see(seen, pose, track, now.passReach(), now.body().circleM())) {
+      guess();
     }
   }
 
   private void guess() {
     List<PlanarShape> all = new ArrayList<>(wayBack);
     all.addAll(gaps.shapes());
+    all.addAll(sides.shapes());
     world.guess(all);
   }
 
@@ -223,10 +240,13 @@ final class Avoidance {
     goalNorthM = at.x() + toGoal.x();
     goalEastM = at.y() + toGoal.y();
     overlook(now, micros);
-    world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
     // What flies goes where the wind takes it, not where it points.
     double ahead = now.stops() ? vehicle.headingRad() : vehicle.courseRad();
     Pose pose = new Pose(at.x(), at.y(), ahead);
+    if (!now.passSides().isEmpty()) {
+      keepSides(pose, state, now);
+    }
+    world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
     if (!begun) {
       begun = true;
       progressMicros = micros;

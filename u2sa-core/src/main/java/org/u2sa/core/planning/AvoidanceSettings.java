@@ -84,6 +84,18 @@ record AvoidanceSettings(
             text = "Types of objects that are no obstacles, separated by commas.")
         String ignoredTypes,
     @Variable(
+            ifAbsentText = "",
+            text =
+                "Types of objects that are passed on one side, such as red flag: LEFT, blue flag: RIGHT; the other side counts as closed until there is no other way (OVERLOOK AFTER).")
+        String passSides,
+    @Variable(
+            unit = "m",
+            min = 0,
+            minExcluded = true,
+            ifAbsent = 2.5,
+            text = "How far beside such an object the other side is closed.")
+        double passReach,
+    @Variable(
             unit = "m",
             min = 0,
             ifAbsent = 0,
@@ -213,6 +225,11 @@ record AvoidanceSettings(
 
   private static final double COVER_CELLS = 1.5; // from disc to disc that cover it closely
   private static final int EFFORTS_IN_FLIGHT = 5;
+
+  /** Refuses what is no list of sides. */
+  AvoidanceSettings {
+    PassSides.parse(passSides);
+  }
 
   BodyDiscs body() {
     return narrowestPassage > 0.0

@@ -10,7 +10,8 @@ import org.u2sa.core.planning.seen.PlanarShape;
  * a waypoint, as the way on that it cannot see yet may be longer, but leads to the next.
  */
 final class WayBack {
-  private static final double MARGIN_M = 0.3; // that the vehicle can still turn on the spot
+  private static final double MARGIN_M =
+      1.0; // that the vehicle can still turn, and free itself by backing out
 
   private WayBack() {}
 
@@ -31,14 +32,10 @@ final class WayBack {
     }
     Pose behind = pose.along(-circleM - MARGIN_M, 0.0);
     return Optional.of(
-        new PlanarShape(
+        PlanarShape.wall(
             "way back",
-            PlanarShape.Kind.CHAIN,
             new double[] {left[0], behind.northM(), right[0]},
-            new double[] {left[1], behind.eastM(), right[1]},
-            0.0,
-            Double.NEGATIVE_INFINITY,
-            Double.POSITIVE_INFINITY));
+            new double[] {left[1], behind.eastM(), right[1]}));
   }
 
   /** North and east of the nearest point of a chain to one side (1: right); none: no numbers. */

@@ -26,6 +26,7 @@ final class Fence {
   private final List<Polygon> keepOuts;
   private final OptionalDouble floorM;
   private final OptionalDouble ceilingM;
+  private final Geometry border; // of the keep-in area
   private final PreparedGeometry inside;
   private final List<PreparedGeometry> outside;
 
@@ -45,6 +46,7 @@ final class Fence {
     this.keepOuts = List.copyOf(keepOuts);
     this.floorM = floorM;
     this.ceilingM = ceilingM;
+    border = keepIn.getBoundary();
     inside = PreparedGeometryFactory.prepare(keepIn);
     outside =
         List.of(
@@ -136,7 +138,21 @@ final class Fence {
 
   /** Whether a place is where the vehicle may be, altitudes aside. */
   boolean allows(Point place) {
-    return allows(new GeometryFactory().createPoint(new Coordinate(place.x(), place.y())));
+    return allows(geometry(place));
+  }
+
+  /** Distance from a place where the vehicle may be to the nearest where it may not [m]. */
+  double clearanceM(Point place) {
+    Geometry here = geometry(place);
+    double clearance = border.distance(here);
+    for (Polygon keepOut : keepOuts) {
+      clearance = Math.min(clearance, keepOut.distance(here));
+    }
+    return clearance;
+  }
+
+  private static Geometry geometry(Point place) {
+    return new GeometryFactory().createPoint(new Coordinate(place.x(), place.y()));
   }
 
   /** The least altitude allowed [m]. */

@@ -14,12 +14,16 @@ import org.u2sa.messages.schema.U2SAData;
  * counts once the armed vehicle has been above it, so that it can take off.
  */
 final class FenceWatch implements Watch {
+  private static final double ROUNDING_M = 1e-3;
+
   private final Configurator matrix;
   private final Supplier<SafetySettings> settings;
   private final FenceFile file;
   private final PositionWatch states;
   private volatile Fence fence; // null: none; written by the Safety Manager's thread
   private boolean aboveFloor;
+  private Point clear = Point.of(0.0, 0.0, 0.0); // where it was last looked how far the fence is
+  private double clearM; // nowhere within this of it is forbidden; 0: not looked yet
 
   /**
    * Loads the fence that the configuration names.
@@ -45,6 +49,7 @@ final class FenceWatch implements Watch {
    */
   void load() {
     fence = file.load(settings.get()).orElse(null);
+    clearM = 0.0;
   }
 
   /** As it is watched: drawn in by its margin; empty if there is none. Safe from any thread. */
@@ -84,12 +89,24 @@ final class FenceWatch implements Watch {
     Manoeuvre manoeuvre = Manoeuvre.of(settings.get(), Hazard.FENCE.action(matrix));
     Point place = fence.place(state);
     Point velocity = fence.velocity(state);
-    if (!fence.allows(manoeuvre.region(place, velocity))) {
+    if (!allows(manoeuvre, place, velocity)) {
       return Optional.of(ahead(manoeuvre, place, velocity));
     }
     return state.z().isPresent()
         ? vertical(place.z(), manoeuvre.overshootM(velocity.z()))
         : Optional.empty();
+  }
+
+  /** Looks closely only where the fence may be within reach. */
+  private boolean allows(Manoeuvre manoeuvre, Point place, Point velocity) {
+    double reachM = manoeuvre.reachM(Math.hypot(velocity.x(), velocity.y()));
+    if (Math.hypot(place.x() - clear.x(), place.y() - clear.y()) + reachM < clearM) {
+      return true;
+    }
+    boolean allowed = fence.allows(manoeuvre.region(place, velocity));
+    clear = place;
+    clearM = allowed ? fence.clearanceM(place) - ROUNDING_M : 0.0;
+    return allowed;
   }
 
   private String ahead(Manoeuvre manoeuvre, Point place, Point velocity) {

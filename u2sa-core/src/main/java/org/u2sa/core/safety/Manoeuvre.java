@@ -72,6 +72,23 @@ record Manoeuvre(
     return upMps * reactionS + Math.signum(upMps) * upMps * upMps / (2.0 * verticalMps2);
   }
 
+  /** What no place of its {@link #region} is farther away than [m]. */
+  double reachM(double speedMps) {
+    if (speedMps < SLOWEST_MPS) {
+      return 0.0;
+    }
+    double straight = speedMps * reactionS;
+    return turns
+        ? Math.hypot(straight + aroundM(speedMps), turnRadiusM(speedMps) + aroundM(speedMps))
+        : straight + stoppingM(speedMps);
+  }
+
+  /** Radius of what stands for the circle in which it turns, drift included [m]. */
+  private double aroundM(double speedMps) {
+    double inside = turnRadiusM(speedMps) + driftM(speedMps);
+    return inside / Math.cos(Math.PI / (2.0 * ARC_CORNERS)); // corners lie outside the arc
+  }
+
   /**
    * Where it may be until it stands, or has turned round by either side: of a turn, the hull of
    * both half circles ahead, and as far on as the wind may blow it meanwhile.
@@ -95,7 +112,7 @@ record Manoeuvre(
     }
     double radius = turnRadiusM(speed);
     double drift = driftM(speed);
-    double around = (radius + drift) / Math.cos(Math.PI / (2.0 * ARC_CORNERS)); // outside the arc
+    double around = aroundM(speed);
     List<Coordinate> corners = new ArrayList<>();
     for (int i = 0; 2 * i <= ARC_CORNERS; i++) { // the inner halves lie between the outer ones
       double angle = Math.PI * i / ARC_CORNERS;

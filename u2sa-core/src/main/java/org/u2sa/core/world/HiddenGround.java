@@ -14,6 +14,8 @@ final class HiddenGround {
   private static final int SECTORS = 720;
   private static final double FOOT_M = 0.2; // that a thing stands on, beyond its echo
   private static final double ASIDE_M = 0.15; // a camera is not where the vehicle's centre is
+  private static final double GROUND_M = 0.15; // above the vehicle's reference point
+  private static final double TILTED_M = 0.1; // by which such an echo is below the scanner
   private static final long STALE = Clock.MICROS_PER_SECOND / 2;
 
   private final double[] nearest = new double[SECTORS];
@@ -24,8 +26,12 @@ final class HiddenGround {
   private double fromX;
   private double fromY;
 
-  /** Takes the newest scan. */
-  void scan(RangeScan scan, SensorPose pose, long micros) {
+  /**
+   * Takes the newest scan. What a tilted scanner sees of the ground hides nothing.
+   *
+   * @param up +1 if the map's z axis points up, else -1
+   */
+  void scan(RangeScan scan, SensorPose pose, double up, long micros) {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
     List<Double> angles = scan.angles();
@@ -43,10 +49,18 @@ final class HiddenGround {
         double angle =
             angles.isEmpty() ? scan.startAngle() + i * scan.angleIncrement() : angles.get(i);
         Point echo = pose.at(angle, range);
+        if (isGround(echo, pose, up)) {
+          continue;
+        }
         x[echoes] = echo.x();
         y[echoes++] = echo.y();
       }
     }
+  }
+
+  private static boolean isGround(Point echo, SensorPose pose, double up) {
+    return up * (echo.z() - pose.vehicle().z()) < GROUND_M
+        && up * (pose.place().z() - echo.z()) > TILTED_M;
   }
 
   /** The next places are seen from there at that time. */

@@ -50,7 +50,8 @@ final class LineModeller implements Modeller {
               max = 100,
               ifAbsent = 0,
               text =
-                  "LINES: longest gap in a line that is closed, between two ends that face each other; 0: none.")
+                  "LINES: longest gap in a line that is closed, between two ends that face each"
+                      + " other; 0: none.")
           double joinGap,
       @Variable(
               unit = "m",
@@ -65,7 +66,8 @@ final class LineModeller implements Modeller {
               max = 100,
               ifAbsent = 0,
               text =
-                  "LINES: how far a line is taken to go on beside the other line of its lane, beyond the end that was seen; 0: as LINE EXTENSION.")
+                  "LINES: how far a line is taken to go on beside the other line of its lane,"
+                      + " beyond the end that was seen; 0: as LINE EXTENSION.")
           double laneExtension,
       @Variable(
               unit = "m",
@@ -80,7 +82,9 @@ final class LineModeller implements Modeller {
               max = 10,
               ifAbsent = 0,
               text =
-                  "LINES: how far the vehicle's place wanders against the ground in a second; in other times it grows with their root. Lines that were not seen for a while are looked for so much farther away.")
+                  "LINES: how far the vehicle's place wanders against the ground in a second; in"
+                      + " other times it grows with their root. Lines that were not seen for a"
+                      + " while are looked for so much farther away.")
           double lineWander,
       @Variable(
               unit = "m",
@@ -88,7 +92,8 @@ final class LineModeller implements Modeller {
               max = 100,
               ifAbsent = 1.5,
               text =
-                  "LINES: how near to other lines such an extension comes at most: the least width of a lane.")
+                  "LINES: how near to other lines such an extension comes at most: the least width"
+                      + " of a lane.")
           double laneWidth,
       @Variable(
               unit = "m",
@@ -96,7 +101,8 @@ final class LineModeller implements Modeller {
               max = 100,
               ifAbsent = 2.5,
               text =
-                  "LINES: reach ahead within which a line that is there is seen; one that is not seen there is doubted.")
+                  "LINES: reach ahead within which a line that is there is seen; one that is not"
+                      + " seen there is doubted.")
           double doubtReach,
       @Variable(
               unit = "deg",
@@ -118,7 +124,8 @@ final class LineModeller implements Modeller {
               max = 10,
               ifAbsent = 0,
               text =
-                  "LINES: nothing that closes a gap comes nearer to the vehicle's reference point, as it would not stand there: about half its width.")
+                  "LINES: nothing that closes a gap comes nearer to the vehicle's reference point,"
+                      + " as it would not stand there: about half its width.")
           double clearOfVehicle,
       @Variable(
               unit = "m",
@@ -126,7 +133,8 @@ final class LineModeller implements Modeller {
               max = 1000,
               ifAbsent = 0,
               text =
-                  "LINES: how far behind what a scanner sees a camera does not see the ground: what looks like a line there is part of what stands before it.")
+                  "LINES: how far behind what a scanner sees a camera does not see the ground: what"
+                      + " looks like a line there is part of what stands before it.")
           double hiddenBehind,
       @Variable(
               unit = "m",
@@ -134,7 +142,9 @@ final class LineModeller implements Modeller {
               max = 100,
               ifAbsent = 0,
               text =
-                  "LINES: reach within which a camera sees all paint; where a line ends, and the ground beyond was looked at as far as JOIN GAP, it is not taken to go on; 0: always is.")
+                  "LINES: reach within which a camera sees all paint; where a line ends, and the"
+                      + " ground beyond was looked at as far as JOIN GAP, it is not taken to go on;"
+                      + " 0: always is.")
           double lookReach,
       @Variable(
               unit = "deg",
@@ -149,7 +159,8 @@ final class LineModeller implements Modeller {
               max = 100,
               ifAbsent = 100,
               text =
-                  "LINES: pictures taken while the vehicle turns faster are not entered: rolling shutters bend lines.")
+                  "LINES: pictures taken while the vehicle turns faster are not entered: rolling"
+                      + " shutters bend lines.")
           double steadyTurn) {
     Set<String> types() {
       Set<String> types = new HashSet<>();
@@ -209,7 +220,7 @@ final class LineModeller implements Modeller {
   @Override
   public void scan(RangeScan scan, ScanPoses poses) {
     if (settings.get().hiddenBehind() > 0.0) {
-      hidden.scan(scan, poses.at(scan, 0.5), poses.first().micros());
+      hidden.scan(scan, poses.at(scan, 0.5), poses.first().frame().up(), poses.first().micros());
     }
   }
 

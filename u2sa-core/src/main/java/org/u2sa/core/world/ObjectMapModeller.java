@@ -136,7 +136,7 @@ final class ObjectMapModeller implements Modeller {
   public void scan(RangeScan scan, ScanPoses poses) {
     ObjectMapSettings tuning = settings.get();
     if (!tuning.flatTypes().trim().isEmpty()) {
-      hidden.scan(scan, poses.at(scan, 0.5), poses.first().micros());
+      hidden.scan(scan, poses.at(scan, 0.5), poses.first().frame().up(), poses.first().micros());
     }
     ScanThrough through = null;
     for (MappedObject track : tracks) {

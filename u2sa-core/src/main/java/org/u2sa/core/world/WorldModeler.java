@@ -73,6 +73,25 @@ public final class WorldModeler extends PeriodicService {
         : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
   }
 
+  /** The same, but what was around the vehicle stays where it was placed. */
+  private List<ObjectDescription> known(List<ObjectDescription> before) {
+    Map<String, ObjectDescription> placed =
+        before.stream()
+            .collect(Collectors.toMap(ObjectDescription::uid, each -> each, (a, b) -> a));
+    return known().stream()
+        .map(each -> isAround(each) ? placed.getOrDefault(each.uid(), each) : each)
+        .collect(Collectors.toList());
+  }
+
+  /** Without what is around the vehicle where it starts, until a state says where that is. */
+  private List<ObjectDescription> placed() {
+    return known.stream().filter(each -> !isAround(each)).collect(Collectors.toList());
+  }
+
+  private static boolean isAround(ObjectDescription object) {
+    return object.referenceFrame().isBody();
+  }
+
   private static boolean moves(ObjectDescription object) {
     boolean turns = object instanceof MovingSphere sphere && !sphere.trajectory().isEmpty();
     return turns || object.motion().velocity().filter(v -> !v.equals(Point.ORIGIN)).isPresent();
@@ -92,7 +111,9 @@ public final class WorldModeler extends PeriodicService {
       throw new ConfigurationException(e.getMessage(), e);
     }
     modellers.working().keySet().forEach(name -> remark(name, ""));
-    modellers.choose(names, frame, now()).forEach(modeller -> modeller.known(known, known(now())));
+    modellers
+        .choose(names, frame, now())
+        .forEach(modeller -> modeller.known(placed(), known(now())));
   }
 
   /** What is known beforehand is where it is since the file counts, whoever asks later. */
@@ -115,12 +136,13 @@ public final class WorldModeler extends PeriodicService {
   protected void configurationChanged(Set<String> variableNames) {
     if (variableNames.contains(WorldSettings.WORLD)
         || variableNames.contains(WorldSettings.WORLD_MOVERS)) {
-      known = known();
       if (variableNames.contains(WorldSettings.WORLD)) {
+        known = known();
         knownMicros = clock().micros();
+      } else {
+        known = known(known);
       }
-      Sighting since = known(now());
-      modellers.working().values().forEach(modeller -> modeller.known(known, since));
+      tellKnown(now());
     }
     if (variableNames.contains(WorldSettings.MODELLERS)) {
       choose();
@@ -143,7 +165,22 @@ public final class WorldModeler extends PeriodicService {
     frame = next;
     Sighting last = new Sighting(clock().micros(), next, poses.newest());
     modellers.working().values().forEach(modeller -> modeller.enter(next, last));
+    tellKnown(last);
     gridDueMicros = Long.MIN_VALUE;
+  }
+
+  /** What the file has around the vehicle stays where it is at the first state. */
+  private void tellKnown(Sighting now) {
+    if (!now.frame().frame().isBody()) {
+      known =
+          known.stream()
+              .map(
+                  each ->
+                      isAround(each) ? now.frame().placed(each, now.vehicle()).orElse(each) : each)
+              .collect(Collectors.toList());
+    }
+    Sighting since = known(now);
+    modellers.working().values().forEach(modeller -> modeller.known(placed(), since));
   }
 
   private void onArrival(U2SAData measured) {
@@ -280,6 +317,7 @@ public final class WorldModeler extends PeriodicService {
     frame.handOver(state);
     state.text("WORLD", settings.get().world());
     state.number("WORLD SINCE", Clock.seconds(knownMicros));
+    state.messages("KNOWN", known);
     state.texts("WANTED TYPES", relevance.types());
     Sighting now = now();
     modellers.working().values().forEach(modeller -> modeller.handOver(state, now));
@@ -293,10 +331,11 @@ public final class WorldModeler extends PeriodicService {
     frame = MapFrame.takenOver(state).orElse(frame);
     if (state.text("WORLD").filter(settings.get().world()::equals).isPresent()) {
       knownMicros = Clock.micros(state.number("WORLD SINCE").orElse(Clock.seconds(knownMicros)));
+      known = known(state.messages("KNOWN", ObjectDescription.class));
     }
     Sighting now = now();
     for (Modeller modeller : modellers.working().values()) {
-      modeller.known(known, known(now));
+      modeller.known(placed(), known(now));
       modeller.enter(frame, now);
       modeller.takeOver(state, now);
     }

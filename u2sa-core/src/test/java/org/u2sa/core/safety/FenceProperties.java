@@ -11,6 +11,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.LongRange;
 import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import org.u2sa.messages.frame.Gravity;
@@ -43,6 +44,27 @@ class FenceProperties {
 
   private static Point velocity(double speed, double course) {
     return Point.of(speed * Math.sin(course), speed * Math.cos(course), 0.0);
+  }
+
+  @Property(tries = 300)
+  void region_anyVelocity_liesWithinReachAndIsAllowedWhereThatIsClear(
+      @ForAll @LongRange(min = 0, max = 1_000_000) long seed,
+      @ForAll @DoubleRange(min = 0.0, max = 60.0) double speed,
+      @ForAll boolean turns) {
+    SplittableRandom random = new SplittableRandom(seed);
+    Manoeuvre promised = new Manoeuvre(turns, 2.0, 1.5, 0.5, 20.0, 4.0, 1.0);
+    double reachM = promised.reachM(speed);
+    Fence fence = fence(random, 3.0 * reachM + 1.0);
+    Point place =
+        Point.of(reachM * (random.nextDouble() - 0.5), reachM * (random.nextDouble() - 0.5), 0.0);
+    Geometry region = promised.region(place, velocity(speed, 7.0 * random.nextDouble()));
+    for (Coordinate corner : region.getCoordinates()) {
+      assertThat(Math.hypot(corner.x - place.x(), corner.y - place.y()))
+          .isLessThanOrEqualTo(reachM + 1e-6);
+    }
+    if (fence.allows(place) && reachM + 1e-6 < fence.clearanceM(place)) {
+      assertThat(fence.allows(region)).isTrue();
+    }
   }
 
   @Property(tries = 300)

@@ -112,6 +112,20 @@ class FenceWatchTest {
         .contains("too near to turn with a radius of 41 m");
   }
 
+  /** It looks closely only where the fence may be within reach; a new one does so each time. */
+  @ParameterizedTest
+  @CsvSource({"TURN", "BRAKE"})
+  void trouble_onItsWay_isThatOfAWatchThatSeesItForTheFirstTime(String manoeuvre) {
+    variables.put("FENCE MANOEUVRE", manoeuvre);
+    FenceWatch going = watch();
+    PositionWatch seen = states;
+    for (double x = -110.0; x <= 110.0; x += 0.5) {
+      StateInformation state = at(x, 0.4 * x).xDot(4.0).yDot(1.6);
+      seen.see(state, 0);
+      assertThat(going.trouble(0)).as("at %s m", x).isEqualTo(seeing(state).trouble(0));
+    }
+  }
+
   /** Climbing with 4 m/s: 4 m until it reacts, and 8 m until the climb ends. */
   @ParameterizedTest
   @CsvSource({

@@ -28,7 +28,7 @@ class HiddenGroundTest {
     SensorPose pose =
         new SensorPose(
             Point.ORIGIN, Point.ORIGIN, Point.of(1.0, 0.0, 0.0), Point.of(0.0, 1.0, 0.0));
-    hidden.scan(scan, pose, NOW);
+    hidden.scan(scan, pose, 1.0, NOW);
   }
 
   @Test
@@ -64,5 +64,25 @@ class HiddenGroundTest {
   void hides_scanOfLongAgo_false() {
     hidden.lookFrom(0.0, 0.0, NOW + 600_000L);
     assertThat(hidden.hides(4.0, 0.0, 10.0)).isFalse();
+  }
+
+  /** 0.4 m up, it looks down a ramp by 0.15 rad: its echo 2.7 m ahead is the lawn. */
+  @Test
+  void hides_behindTheGroundThatATiltedScannerSees_false() {
+    RangeScan scan = new RangeScan().minRange(0.1).maxRange(10.0);
+    scan.beams(0.0, STEP_RAD, List.of(OptionalDouble.of(2.7)));
+    Point ahead = Point.of(Math.cos(0.15), 0.0, -Math.sin(0.15));
+    Point scanner = Point.of(0.0, 0.0, 0.4);
+    hidden.scan(
+        scan, new SensorPose(scanner, Point.ORIGIN, ahead, Point.of(0.0, 1.0, 0.0)), 1.0, NOW);
+    hidden.lookFrom(0.0, 0.0, NOW);
+    assertThat(hidden.hides(4.0, 0.0, 10.0)).isFalse();
+
+    RangeScan near = new RangeScan().minRange(0.1).maxRange(10.0);
+    near.beams(0.0, STEP_RAD, List.of(OptionalDouble.of(1.2)));
+    hidden.scan(
+        near, new SensorPose(scanner, Point.ORIGIN, ahead, Point.of(0.0, 1.0, 0.0)), 1.0, NOW);
+    hidden.lookFrom(0.0, 0.0, NOW);
+    assertThat(hidden.hides(4.0, 0.0, 10.0)).as("higher than the ground").isTrue();
   }
 }

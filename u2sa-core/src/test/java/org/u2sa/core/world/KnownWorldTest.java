@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
 
 /** What a world file names: published, matched, moved on, and refused. */
 class KnownWorldTest {
@@ -112,6 +113,47 @@ class KnownWorldTest {
     lookElsewhere();
 
     assertThat(world.objects()).extracting(ObjectDescription::uid).doesNotContain("mast");
+  }
+
+  @Test
+  void world_objectAroundTheVehicle_staysWhereItIsAtTheFirstState() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", postAhead().toString());
+    world.kit.start(WorldModeler::new);
+    world.kit.advance(0.2);
+    assertThat(world.objects()).isEmpty();
+
+    world.tick(local(10.0, 0.0, Math.PI / 2.0)); // north 10 m, and it looks east
+    requireAt(10.5, 3.0);
+    world.tick(local(10.0, 6.0, 0.0));
+    requireAt(10.5, 3.0);
+    world.change("WORLD MOVERS", "false");
+    world.tick(local(10.0, 7.0, 0.0));
+    requireAt(10.5, 3.0);
+  }
+
+  @Test
+  void world_objectAroundTheVehicleAndServiceSwapped_staysThere() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", postAhead().toString());
+    WorldModeler modeler = world.kit.start(WorldModeler::new);
+    world.tick(local(10.0, 0.0, Math.PI / 2.0));
+    world.tick(local(10.0, 6.0, 0.0));
+    world.kit.swap(modeler, WorldModeler::new);
+    world.tick(local(10.0, 7.0, 0.0));
+    requireAt(10.5, 3.0);
+  }
+
+  private Path postAhead() throws IOException {
+    Path file = folder.resolve("start.xml");
+    return Files.writeString(
+        file,
+        "<world><reference>BODY</reference><Circle><uid>post</uid><x>3</x><y>0.5</y>"
+            + "<radius>0.1</radius></Circle></world>");
+  }
+
+  private void requireAt(double north, double east) {
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("post");
+    assertThat(world.objects().get(0).center().distanceTo(Point.of(north, east, 0.0)))
+        .isLessThan(1e-6);
   }
 
   private ObjectDescription mast() {

@@ -54,7 +54,8 @@ public final class DifferentialPursuitControl extends ControlSystem {
               max = 10,
               ifAbsent = 2,
               text =
-                  "Share of a yaw-rate error that feedback corrects per second while turning on the spot; 0: no feedback.")
+                  "Share of a yaw-rate error that feedback corrects per second while turning on the"
+                      + " spot; 0: no feedback.")
           double spotTurnFeedback,
       @Variable(
               min = 0,
@@ -68,6 +69,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
 
   private final Settings<PursuitTuning> tuning = settings(PursuitTuning.class);
   private final Settings<Turning> turning = settings(Turning.class);
+  private final Settings<SlopeHelp> slopes = settings(SlopeHelp.class);
   private final Settings<Motors> motors = settings(Motors.class);
   private final GroundControl ground = new GroundControl(this, clock(), () -> motors.get().names());
   private final WheelBalance balance = new WheelBalance();
@@ -108,7 +110,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
     GroundControl.Measured measured = ground.measured(state, stepS());
     PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
     pursuit
-        .commanded(demand, drive(demand), measured, stepS())
+        .commanded(demand, drive(demand, state), measured, stepS())
         .ifPresent(
             words -> {
               trouble(words);
@@ -117,15 +119,17 @@ public final class DifferentialPursuitControl extends ControlSystem {
   }
 
   /** Commands the motors; returns what they are asked for by what they can. */
-  private double drive(PursuitControl.Demand demand) {
+  private double drive(PursuitControl.Demand demand, StateInformation state) {
     DriveCalibration motor = tuning.get().calibration();
     Drive drive = demand.drive();
     Drive told = new Drive(drive.speedMps() + demand.trimMps(), drive.yawRateRadPerS());
     WheelSpeeds wheels = WheelSpeeds.of(told, turning.get().track(), motor.maxMps());
+    double slope = drive.isStanding() ? 0.0 : slopes.get().share(state);
     WheelShares shares =
         balance.step(
-            new WheelShares(motor.share(wheels.leftMps()), motor.share(wheels.rightMps())),
-            drive.speedMps() > 0.0 ? motor.share(told.speedMps()) : 0.0,
+            new WheelShares(
+                motor.share(wheels.leftMps()) + slope, motor.share(wheels.rightMps()) + slope),
+            drive.speedMps() > 0.0 ? motor.share(told.speedMps()) + slope : 0.0,
             demand.yawErrorRadPerS(),
             feedback(motor),
             stepS());

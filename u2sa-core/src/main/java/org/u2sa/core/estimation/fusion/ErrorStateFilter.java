@@ -3,7 +3,8 @@ package org.u2sa.core.estimation.fusion;
 /**
  * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) over whatever sources there are:
  * each is known by its name only, from its first measurement on. Measurements may come late and in
- * any order: they are fused where they belong in time, and all later ones again after them.
+ * any order: they are fused where they belong in time, and all later ones again after them, as soon
+ * as somebody asks. So of several that come late before that, each is fused again once only.
  *
  * <p>Belongs to one thread. Allocates nothing once all sources are known.
  */
@@ -12,9 +13,9 @@ public final class ErrorStateFilter {
 
   /** What became of a measurement. */
   public enum Outcome {
-    /** It was the newest. */
+    /** It is the newest. */
     FUSED,
-    /** It was late and put into its place. */
+    /** It was late and is put into its place. */
     REPLAYED,
     /** It was older than the horizon, and is lost. */
     TOO_LATE
@@ -25,7 +26,6 @@ public final class ErrorStateFilter {
   private final ProcessModel process;
   private final Fuser fuser;
   private final History history;
-  private final FilterState now = new FilterState();
   private final FilterState ahead = new FilterState();
   private final MeasurementModel look = new MeasurementModel();
   private long late;
@@ -40,16 +40,18 @@ public final class ErrorStateFilter {
     history = new History(tuning.history());
   }
 
-  /** Fuses a measurement, which is copied. */
+  /** Takes a measurement, which is copied. */
   public Outcome add(Measurement m) {
-    double ageS = now.isStarted ? (now.micros - m.micros()) * 1e-6 : 0.0;
+    double ageS = history.isStarted() ? (micros() - m.micros()) * 1e-6 : 0.0;
     if (ageS > tuning.horizonS()) {
       late++;
       return Outcome.TOO_LATE;
     }
     if (-ageS > LONGEST_GAP_S) {
-      now.copyFrom(new FilterState());
-      history.restart(now);
+      history.restart(new FilterState());
+    }
+    if (history.isFull() && history.fused() == 0) {
+      fuse(); // the state after the oldest is what remains of it
     }
     int source = trust.source(m.source());
     int index = history.insert(m, source);
@@ -58,21 +60,22 @@ public final class ErrorStateFilter {
       return Outcome.TOO_LATE;
     }
     boolean isNewest = index == history.count() - 1;
-    if (!isNewest) {
-      replayed++;
-      now.copyFrom(history.before(index));
-    }
-    for (int i = index; i < history.count(); i++) {
-      History.Entry entry = history.at(i);
-      fuser.fuse(now, entry.measurement, entry.source);
-      entry.after.copyFrom(now);
-    }
+    replayed += isNewest ? 0 : 1;
     return isNewest ? Outcome.FUSED : Outcome.REPLAYED;
+  }
+
+  private void fuse() {
+    for (int i = history.fused(); i < history.count(); i++) {
+      History.Entry entry = history.at(i);
+      entry.after.copyFrom(history.before(i));
+      fuser.fuse(entry.after, entry.measurement, entry.source);
+    }
+    history.allFused();
   }
 
   /** The estimate, carried ahead to that time [µs] if it is later than the newest measurement. */
   public Estimate at(long micros) {
-    ahead.copyFrom(now);
+    ahead.copyFrom(state());
     if (ahead.isStarted) {
       process.predict(ahead, micros);
     }
@@ -81,7 +84,7 @@ public final class ErrorStateFilter {
 
   /** Time of the newest measurement [µs]. */
   public long micros() {
-    return now.micros;
+    return history.micros();
   }
 
   /** Measurements that were older than the horizon. */
@@ -96,25 +99,26 @@ public final class ErrorStateFilter {
 
   /** How often a quantity began anew because all its sources contradicted it. */
   public long resets() {
-    return now.resets;
+    return state().resets;
   }
 
   /** What is known of the sources. */
   public SourceReports sources() {
-    return new SourceReports(now, trust, tuning);
+    return new SourceReports(state(), trust, tuning);
   }
 
   SourceTrust trust() {
     return trust;
   }
 
+  /** The state after the newest measurement. */
   FilterState state() {
-    return now;
+    fuse();
+    return history.before(history.count());
   }
 
   /** Goes on from another state, as after a restart. */
   void resume(FilterState from) {
-    now.copyFrom(from);
-    history.restart(now);
+    history.restart(from);
   }
 }

@@ -16,6 +16,7 @@ final class History {
   private final FilterState base = new FilterState(); // before the oldest entry
   private int first;
   private int count;
+  private int fused; // entries from the oldest on whose states are what they led to
 
   History(int capacity) {
     ring = new Entry[capacity];
@@ -42,6 +43,31 @@ final class History {
     base.copyFrom(from);
     first = 0;
     count = 0;
+    fused = 0;
+  }
+
+  boolean isFull() {
+    return count == ring.length;
+  }
+
+  /** How many entries, from the oldest on, are fused; all later ones have yet to be, in order. */
+  int fused() {
+    return fused;
+  }
+
+  /** Takes note that all entries are fused. */
+  void allFused() {
+    fused = count;
+  }
+
+  /** Whether anything has ever led here. */
+  boolean isStarted() {
+    return count > 0 || base.isStarted;
+  }
+
+  /** Time of the newest measurement [µs]. */
+  long micros() {
+    return count > 0 ? at(count - 1).measurement.micros() : base.micros;
   }
 
   /** Whether a measurement of that time would come before all that is known to have led here. */
@@ -52,19 +78,21 @@ final class History {
   /**
    * Puts a measurement into its place: by time, at the same time by the source's name.
    *
-   * @return its index, and all after it have to be fused again; -1 if it is older than what is kept
+   * @return its index, and it and all after it have to be fused; -1 if it is older than what is
+   *     kept
    */
   int insert(Measurement m, int source) {
     if (isBefore(m.micros())) {
       return -1;
     }
-    if (count == ring.length) {
+    if (isFull()) {
       if (comesBefore(m, at(0).measurement)) {
         return -1;
       }
       base.copyFrom(at(0).after);
       first = (first + 1) % ring.length;
       count--;
+      fused--;
     }
     int index = count;
     Entry entry = at(index);
@@ -76,6 +104,7 @@ final class History {
     entry.measurement.copyFrom(m);
     entry.source = source;
     count++;
+    fused = Math.min(fused, index);
     return index;
   }
 

@@ -60,6 +60,12 @@ public final class PlanarShape {
         Double.POSITIVE_INFINITY);
   }
 
+  /** A chain as high as the sky, without width. */
+  public static PlanarShape wall(String name, double[] norths, double[] easts) {
+    return new PlanarShape(
+        name, Kind.CHAIN, norths, easts, 0.0, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+  }
+
   /** UID of the object. */
   public String name() {
     return name;

@@ -160,6 +160,19 @@ public final class SeenWorld {
     return Optional.ofNullable(nearest);
   }
 
+  /** All objects of a type, whether or not they stand in the way. */
+  public List<PlanarShape> of(String type, StateInformation state) {
+    List<PlanarShape> found = new ArrayList<>();
+    ObjectReader reader = new ObjectReader(plane(state), state);
+    for (ObjectDescription object :
+        objects == null ? List.<ObjectDescription>of() : objects.objects()) {
+      if (object.objectType().equals(type)) {
+        found.add(reader.shape(object));
+      }
+    }
+    return found;
+  }
+
   /** Whether an object is told in the vehicle's own axes: then no State Estimator is needed. */
   public boolean isSeenFromVehicle() {
     return objects != null
