@@ -2,12 +2,14 @@
 """Makes a course for `./u2sa demo igvc --course` of a picture of its lines from above.
 
 White lines on a dark ground become PolyLines that are painted and judged; barrels may come from a Gazebo
-world (SDF). Needs python3-numpy and python3-matplotlib (which reads the picture).
+world (SDF), ramps from options. Needs python3-numpy and python3-matplotlib (which reads the picture).
 
-  picture-course.py PICTURE --metres 64 --start 0,22.9,0 --waypoint=15.8,-22.9 [--waypoint=…] [--world FILE] > course.xml
+  picture-course.py PICTURE --metres 64 --start 0,22.9,0 --waypoint=15.8,-22.9 [--waypoint=…] [--world FILE]
+    [--ramp=3,10,90,5.5,2.5,0.35,1] > course.xml
 
 The middle of the picture is the origin, up is north. Places are east,north [m]; the start's third number is its
-direction, anticlockwise from east [deg].
+direction, anticlockwise from east [deg]. A ramp: its middle, its direction, length from foot to foot, width, height
+and length of its flat top [m].
 """
 import argparse
 import math
@@ -103,6 +105,7 @@ def main():
     parser.add_argument("--start", type=place, required=True)
     parser.add_argument("--waypoint", type=place, action="append", required=True)
     parser.add_argument("--world", help="Gazebo world with models named barrel…")
+    parser.add_argument("--ramp", type=place, action="append", default=[], help="east,north,direction,length,width,height,top")
     args = parser.parse_args()
     picture = image.imread(args.picture)
     bright = picture[:, :, :3].min(axis=2)
@@ -134,6 +137,14 @@ def main():
             out.append(
                 f"  <Cylinder><uid>{name}</uid><type>barrel</type><x>{x}</x><y>{y}</y><z>0.5</z><radius>0.3</radius><height>1.0</height></Cylinder>"
             )
+    for number, ramp in enumerate(args.ramp, 1):
+        if len(ramp) != 7:
+            parser.error("--ramp: expected east,north,direction,length,width,height,top")
+        x, y, turned, length, width, height, top = ramp
+        cos, sin = math.cos(math.radians(turned)), math.sin(math.radians(turned))
+        profile = [(-length / 2, 0.0), (-top / 2, height), (top / 2, height), (length / 2, 0.0)]
+        text = "; ".join(f"{x + s * cos:.4f} {y + s * sin:.4f} {up}" for s, up in dict.fromkeys(profile))
+        out.append(f"  <PolyLine><uid>ramp {number}</uid><type>ramp</type><points>{text}</points><width>{width}</width></PolyLine>")
     print("\n".join(out + ["</world>"]))
 
 

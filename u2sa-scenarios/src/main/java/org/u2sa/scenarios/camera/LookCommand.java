@@ -120,7 +120,7 @@ final class LookCommand implements Callable<Integer> {
     }
     text.printf("%s, camera %s:%n", name, reading.lens());
     TextTable table = new TextTable("SEEN", "AHEAD", "LEFT", "SIGMA", "CONFIDENCE");
-    for (ObjectDescription object : reading.messages(seen, 0L)) {
+    for (ObjectDescription object : reading.messages(seen, 0.0, 0.0, 0L)) {
       Point sigma = object.motion().sigma().orElseThrow();
       table.add(
           object.objectType(),

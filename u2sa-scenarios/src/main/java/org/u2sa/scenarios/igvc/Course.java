@@ -9,15 +9,17 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.sim.camera.Scenery;
+import org.u2sa.sim.world.Ramp;
 
 /**
  * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Types say what
- * they are: those that {@link org.u2sa.sim.camera.Scenery} draws, and what nobody sees: {@code lane
- * boundary} (PolyLine: where the judge calls a crossing, gaps in the paint included), {@code course
- * end} (PolyLine: behind the start and beyond the finish, where nobody passes), {@code waypoint}
- * (Circle with its radius, in the order of the course), {@code start} (Line: from the vehicle's
- * place to somewhere ahead), {@code fence} (PolyLine: the edge of the field, which the vehicle is
- * told beforehand).
+ * they are: those that {@link Scenery} draws, and what nobody sees: {@code lane boundary}
+ * (PolyLine: where the judge calls a crossing, gaps in the paint included), {@code course end}
+ * (PolyLine: behind the start and beyond the finish, where nobody passes), {@code waypoint} (Circle
+ * with its radius, in the order of the course), {@code start} (Line: from the vehicle's place to
+ * somewhere ahead), {@code fence} (PolyLine: the edge of the field, which the vehicle is told
+ * beforehand).
  *
  * @param origin file or seed, for messages
  */
@@ -44,8 +46,12 @@ record Course(String origin, List<ObjectDescription> objects) {
   /** A place to go to. */
   record Goal(String name, double eastM, double northM, double radiusM) {}
 
+  /** A ramp and its name. */
+  record NamedRamp(String uid, Ramp ramp) {}
+
   /**
-   * @throws BadInputException if it has no start or no waypoint, or something is in another frame
+   * @throws BadInputException if it has no start or no waypoint, something is in another frame, or
+   *     a ramp is none
    */
   Course {
     objects = List.copyOf(objects);
@@ -62,6 +68,27 @@ record Course(String origin, List<ObjectDescription> objects) {
     }
     require(origin, objects, START, o -> o instanceof Line line && line.points().size() >= 2);
     require(origin, objects, WAYPOINT, o -> o instanceof Circle);
+    ramps(origin, objects);
+  }
+
+  private static List<NamedRamp> ramps(String origin, List<ObjectDescription> objects) {
+    return objects.stream()
+        .filter(object -> object.objectType().equals(Scenery.RAMP))
+        .map(object -> new NamedRamp(object.uid(), ramp(origin, object)))
+        .toList();
+  }
+
+  private static Ramp ramp(String origin, ObjectDescription object) {
+    if (!(object instanceof PolyLine profile)) {
+      throw new BadInputException(
+          origin + ": object \"" + object.uid() + "\": expected a PolyLine, the ramp's profile");
+    }
+    try {
+      return new Ramp(profile.points(), profile.width());
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(
+          origin + ": object \"" + object.uid() + "\": " + e.getMessage(), e);
+    }
   }
 
   private static void require(
@@ -98,6 +125,11 @@ record Course(String origin, List<ObjectDescription> objects) {
         .map(object -> (Circle) object)
         .map(circle -> new Goal(circle.uid(), circle.x(), circle.y(), circle.radius()))
         .toList();
+  }
+
+  /** What is to be driven over. */
+  List<NamedRamp> ramps() {
+    return ramps(origin, objects);
   }
 
   /** Where lanes end, to both sides. */

@@ -96,6 +96,25 @@ final class CourseBuilder {
     box.length(lengthM).width(SAWHORSE_WIDTH_M).height(1.0).psi(turned(alongRad));
   }
 
+  /**
+   * A ramp, which is not added.
+   *
+   * @param profile along its middle in the layout, and up
+   */
+  PolyLine ramp(List<Point> profile, double widthM) {
+    List<Point> points = new ArrayList<>();
+    for (Point point : profile) {
+      Point at = placed(point);
+      points.add(Point.of(at.x(), at.y(), point.z()));
+    }
+    PolyLine ramp = new PolyLine();
+    ramp.points(points).width(widthM).uid(Scenery.RAMP + " 1").objectType(Scenery.RAMP);
+    ramp.referenceFrame(ReferenceFrame.LOCAL_ENU);
+    ramp.x(points.get(0).x()).y(points.get(0).y()).z(0.0);
+    ramp.freeze();
+    return ramp;
+  }
+
   Course course(String name) {
     objects.forEach(ObjectDescription::freeze);
     return new Course(name, objects);

@@ -39,6 +39,7 @@ final class CourseChecker {
     CourseChecker checker = new CourseChecker(course);
     checker.lanes();
     checker.field();
+    checker.faults.addAll(RampRules.faults(course));
     if (checker.faults.isEmpty()) {
       checker.passages();
     }
@@ -185,7 +186,7 @@ final class CourseChecker {
   /** What the vehicle must not touch. */
   static boolean isInTheWay(ObjectDescription object) {
     return switch (object.objectType()) {
-      case Course.WAYPOINT, Course.START, Scenery.LINE, Scenery.WORN_LINE -> false;
+      case Course.WAYPOINT, Course.START, Scenery.LINE, Scenery.WORN_LINE, Scenery.RAMP -> false;
       default -> true;
     };
   }

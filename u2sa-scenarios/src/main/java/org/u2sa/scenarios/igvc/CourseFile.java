@@ -13,6 +13,7 @@ import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.sim.camera.Scenery;
 
 /** Courses as world XML files. */
 final class CourseFile {
@@ -45,7 +46,8 @@ final class CourseFile {
       if (object instanceof Line line) {
         List<String> points = new ArrayList<>();
         for (Point point : line.points()) {
-          points.add(number(point.x()) + " " + number(point.y()));
+          String up = object.objectType().equals(Scenery.RAMP) ? " " + number(point.z()) : "";
+          points.add(number(point.x()) + " " + number(point.y()) + up);
         }
         element(text, "points", String.join("; ", points));
       } else {

@@ -39,6 +39,14 @@ final class CourseGenerator {
    * @throws IllegalStateException if none of all those is legal
    */
   static Course course(long seed) {
+    return course(seed, Ramps.SOME);
+  }
+
+  /**
+   * The same, where ramps are as told. Whether and where one is comes from a stream of its own:
+   * everything else is where it is without.
+   */
+  static Course course(long seed, Ramps ramps) {
     String faults = "";
     for (int redraw = 0; redraw < REDRAWS; redraw++) {
       String stream = redraw == 0 ? "course" : "course redraw " + redraw;
@@ -46,16 +54,23 @@ final class CourseGenerator {
       String name = "course " + seed + (redraw == 0 ? "" : ", redraw " + redraw);
       for (int i = 0; i < TRIES; i++) {
         double sway = CALMER / (CALMER + i); // wild curves are too tight for a wide lane
-        Course course = new CourseGenerator(random).draft(name, sway);
+        CourseGenerator generator = new CourseGenerator(random);
+        Course course = generator.draft(name, sway);
         List<String> found = CourseChecker.faults(course);
         if (found.isEmpty()) {
-          return course;
+          return generator.ramped(course, ramps, new NoiseStreams(seed).of("ramp"));
         }
         faults = found.toString();
       }
     }
     throw new IllegalStateException(
         "course " + seed + ": " + REDRAWS * TRIES + " drafts are illegal: " + faults);
+  }
+
+  private Course ramped(Course course, Ramps ramps, Random own) {
+    return ramps.isDue(own)
+        ? RampPlacer.place(course, layout, builder, own).orElse(course)
+        : course;
   }
 
   private Course draft(String name, double sway) {

@@ -19,11 +19,14 @@ import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.sim.camera.Scenery;
+import org.u2sa.sim.world.Ramp;
 
 /** Draws a course from above, north up, and what the vehicle does on it. */
 final class CoursePainter {
   private static final double MARGIN_M = 2.0;
   private static final Color GRASS = new Color(0x4B, 0x7A, 0x3A);
+  private static final int[] BOARDS = {0xC8, 0xA8, 0x78}; // red, green, blue at the top
+  private static final double PLANK_M = 0.2;
   private static final Color WORN = new Color(255, 255, 255, 120);
   private static final Color SEEN = new Color(0x20, 0x50, 0xE0);
   private static final Color CLOSED = new Color(0x20, 0x50, 0xE0, 130);
@@ -89,6 +92,7 @@ final class CoursePainter {
     Graphics2D graphics = on(image);
     graphics.setColor(GRASS);
     graphics.fill(new Rectangle2D.Double(-1.0e4, -1.0e4, 2.0e4, 2.0e4));
+    course.ramps().forEach(placed -> draw(graphics, placed.ramp()));
     for (ObjectDescription object : course.objects()) {
       draw(graphics, object);
     }
@@ -104,12 +108,37 @@ final class CoursePainter {
     return graphics;
   }
 
+  /** Boards, the brighter the higher. */
+  private void draw(Graphics2D graphics, Ramp ramp) {
+    Path2D boards = new Path2D.Double();
+    for (double along = 0.0; along <= ramp.lengthM(); along += PLANK_M) {
+      double end = Math.min(ramp.lengthM(), along + PLANK_M);
+      double bright = 0.55 + 0.45 * ramp.at(0.5 * (along + end), 0.0).z() / ramp.highestM();
+      graphics.setColor(
+          new Color(
+              (int) (BOARDS[0] * bright), (int) (BOARDS[1] * bright), (int) (BOARDS[2] * bright)));
+      boards.reset();
+      double half = 0.5 * ramp.widthM();
+      double[][] corners = {{along, -half}, {end, -half}, {end, half}, {along, half}};
+      for (int i = 0; i < corners.length; i++) {
+        Point at = ramp.at(corners[i][0], corners[i][1]);
+        if (i == 0) {
+          boards.moveTo(at.x(), at.y());
+        } else {
+          boards.lineTo(at.x(), at.y());
+        }
+      }
+      boards.closePath();
+      graphics.fill(boards);
+    }
+  }
+
   private void draw(Graphics2D graphics, ObjectDescription object) {
     switch (object.objectType()) {
       case Scenery.LINE -> stroke(graphics, ((Line) object).points(), Color.WHITE, 0.1);
       case Scenery.WORN_LINE -> stroke(graphics, ((Line) object).points(), WORN, 0.1);
-      case Course.BOUNDARY, Course.END, Course.START, Course.FENCE -> {
-        // seen by nobody
+      case Course.BOUNDARY, Course.END, Course.START, Course.FENCE, Scenery.RAMP -> {
+        // seen by nobody; ramps are under all else
       }
       case Course.WAYPOINT -> {
         graphics.setColor(Color.CYAN);

@@ -31,8 +31,9 @@ import picocli.CommandLine.Spec;
     description = {
       "Drive a course of the Intelligent Ground Vehicle Competition by lidar, camera and GPS.",
       "",
-      "The course, its light and all noise follow from the seed, unless --course names one. A judge who knows the truth "
-          + "counts line crossings, touches, speed and rest by the competition's rules; his log is judge.log."
+      "The course, its light and all noise follow from the seed, unless --course names one. A judge"
+          + " who knows the truth counts line crossings, touches, speed and rest by the"
+          + " competition's rules; his log is judge.log."
     })
 final class IgvcDemo implements Callable<Integer>, Demo {
   private static final String SIMULATOR = "differential vehicle behind an IOIO, lidar, camera, GPS";
@@ -51,6 +52,15 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   private Path courseFile; // null: of the seed
 
   @Option(
+      names = "--ramps",
+      paramLabel = "WHICH",
+      description =
+          "Which seeds' courses have a ramp, if there is room: ${COMPLETION-CANDIDATES} (default:"
+              + " ${DEFAULT-VALUE}).",
+      defaultValue = "SOME")
+  private Ramps ramps;
+
+  @Option(
       names = "--camera-dies",
       paramLabel = "S",
       description = "Pull the camera out that many seconds after the start.")
@@ -66,7 +76,8 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       names = "--width",
       paramLabel = "M",
       description =
-          "Width of the vehicle, for courses that are made for others; planner and control are told (default: 0.92).")
+          "Width of the vehicle, for courses that are made for others; planner and control are told"
+              + " (default: 0.92).")
   private void width(double metres) {
     outline =
         VehicleOutline.USUAL.wide(
@@ -77,7 +88,8 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       names = "--minutes",
       paramLabel = "N",
       description =
-          "Minutes after which the judge ends the run, for courses longer than the rules' (default: 6).")
+          "Minutes after which the judge ends the run, for courses longer than the rules' (default:"
+              + " 6).")
   private void minutes(double minutes) {
     runS = 60.0 * within("--minutes", minutes, 1.0, MOST_MINUTES, "min");
   }
@@ -91,14 +103,16 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       paramLabel = "WHAT",
       split = ",",
       description =
-          "What is worse than usual, at places and times of the seed: ${COMPLETION-CANDIDATES}; several with commas between.")
+          "What is worse than usual, at places and times of the seed: ${COMPLETION-CANDIDATES};"
+              + " several with commas between.")
   private Set<Hardness> hardness = EnumSet.noneOf(Hardness.class);
 
   @Option(
       names = "--snapshot-every",
       paramLabel = "S",
       description =
-          "Seconds from one picture of what the vehicle sees and knows to the next, in snapshots; 0: none (default: ${DEFAULT-VALUE}).",
+          "Seconds from one picture of what the vehicle sees and knows to the next, in snapshots;"
+              + " 0: none (default: ${DEFAULT-VALUE}).",
       defaultValue = "30")
   private double snapshotEveryS;
 
@@ -129,7 +143,8 @@ final class IgvcDemo implements Callable<Integer>, Demo {
 
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
-    Course course = courseFile == null ? CourseGenerator.course(seed) : CourseFile.read(courseFile);
+    Course course =
+        courseFile == null ? CourseGenerator.course(seed, ramps) : CourseFile.read(courseFile);
     CourseFile.write(course, directory.resolve("course.xml"));
     Mission mission =
         frame.isOwnMission()

@@ -36,6 +36,10 @@ import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Ramp;
+import org.u2sa.sim.world.RampedGround;
+import org.u2sa.sim.world.Surface;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
@@ -91,7 +95,7 @@ final class IgvcWorld {
     this.lidarDiesS = lidarDiesS;
     this.course = course;
     this.seed = seed;
-    world = World.at(origin).with(solids(course));
+    world = ground(World.at(origin), course).with(solids(course));
     double mismatch = new SplittableRandom(seed).nextDouble() * 2.0 * MOST_MISMATCH - MOST_MISMATCH;
     measures = measures(outline.trackM(), mismatch);
     Course.Start start = course.start();
@@ -109,6 +113,15 @@ final class IgvcWorld {
             .build();
     board = new IoioFirmware(IoioBoard.OTG, vehicle);
     cable = new IoioInProcess(board);
+  }
+
+  private static World ground(World lawn, Course course) {
+    List<Ramp> ramps = course.ramps().stream().map(Course.NamedRamp::ramp).toList();
+    if (ramps.isEmpty()) {
+      return lawn;
+    }
+    RampedGround ground = new RampedGround(ramps);
+    return lawn.with((Terrain) ground).with((Surface) ground);
   }
 
   /** What a level laser sees; paint it does not. */

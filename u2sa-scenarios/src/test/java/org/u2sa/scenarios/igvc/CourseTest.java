@@ -15,7 +15,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
+import org.u2sa.sim.world.Ramp;
 
 /** Courses: what is drawn from a seed is legal, files keep them, and the checker finds faults. */
 class CourseTest {
@@ -127,6 +130,90 @@ class CourseTest {
   @ValueSource(doubles = {2.9, 6.3})
   void faults_ofALaneThatIsNot10To20Feet_nameItsWidth(double widthM) {
     assertThat(CourseChecker.faults(lane(widthM))).asString().contains("m wide");
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {3001, 3002})
+  void course_withARamp_isLegalAndElseWhatItIsWithout(long seed) {
+    Course without = CourseGenerator.course(seed, Ramps.NONE);
+    Course with = CourseGenerator.course(seed, Ramps.ALL);
+    assertThat(without.ramps()).isEmpty();
+    assertThat(with.ramps()).hasSize(1);
+    assertThat(CourseChecker.faults(with)).isEmpty();
+    int before = without.objects().size();
+    assertThat(with.objects()).hasSize(before + 1);
+    assertThat(with.objects().subList(0, before)).isEqualTo(without.objects());
+  }
+
+  @Test
+  void read_courseWithARamp_hasTheSameRamp() throws Exception {
+    Course course = CourseGenerator.course(3001, Ramps.ALL);
+    text(course);
+    Ramp read = CourseFile.read(directory.resolve("course.xml")).ramps().get(0).ramp();
+    Ramp written = course.ramps().get(0).ramp();
+    assertThat(read.highestM()).isCloseTo(written.highestM(), offset(1.0e-4));
+    assertThat(read.lengthM()).isCloseTo(written.lengthM(), offset(1.0e-3));
+    assertThat(read.widthM()).isCloseTo(written.widthM(), offset(1.0e-4));
+  }
+
+  /** The lane of 4 m with a ramp from 5 to 11 m, and something else. */
+  private static Course ramped(double slope, double widthM, double barrelM) {
+    List<ObjectDescription> objects = new ArrayList<>(lane(4.0).objects());
+    for (ObjectDescription line : objects.stream().filter(PolyLine.class::isInstance).toList()) {
+      PolyLine paint = new PolyLine();
+      paint.points(((PolyLine) line).points()).width(Course.LINE_M);
+      paint.uid("paint of " + line.uid()).objectType(Scenery.LINE);
+      paint.referenceFrame(ReferenceFrame.LOCAL_ENU).x(0.0).y(0.0).z(0.0);
+      objects.add(paint);
+    }
+    CourseBuilder builder = new CourseBuilder(Point.ORIGIN, 0.7, false);
+    double up = slope * 2.5;
+    objects.add(
+        builder.ramp(
+            List.of(
+                Point.of(5.0, 0.0, 0.0),
+                Point.of(7.5, 0.0, up),
+                Point.of(8.5, 0.0, up),
+                Point.of(11.0, 0.0, 0.0)),
+            widthM));
+    builder.start(Point.ORIGIN, Point.of(1.0, 0.0, 0.0));
+    builder.waypoint(Point.of(18.0, 0.0, 0.0));
+    builder.barrel(Point.of(barrelM, -1.6, 0.0));
+    objects.add(builder.course("barrel").of(Scenery.BARREL).get(0));
+    return new Course("ramped lane", objects);
+  }
+
+  @Test
+  void faults_ofARampOfTheRules_areNone() {
+    assertThat(CourseChecker.faults(ramped(0.15, 4.6, 14.0))).isEmpty();
+  }
+
+  @Test
+  void faults_ofARampTooSteepTooNarrowOrWithABarrel_nameThem() {
+    assertThat(CourseChecker.faults(ramped(0.17, 4.6, 14.0))).asString().contains("0.170");
+    assertThat(CourseChecker.faults(ramped(0.15, 2.0, 14.0)))
+        .asString()
+        .contains("2.00 m wide")
+        .contains("0 lines that lead over it");
+    assertThat(CourseChecker.faults(ramped(0.15, 3.9, 14.0))).asString().contains("ends beside");
+    assertThat(CourseChecker.faults(ramped(0.15, 4.6, 12.0)))
+        .asString()
+        .contains("ramp 1 has barrel 1 on it");
+  }
+
+  @Test
+  void read_rampThatDips_saysWhereInWhichFile() throws Exception {
+    Path file = directory.resolve("bad.xml");
+    text(lane(4.0));
+    String dips =
+        "<PolyLine><uid>ramp 1</uid><type>ramp</type><points>0 0 0; 2 0 0.1; 3 0 0.4; 6 0"
+            + " 0</points><width>4</width></PolyLine></world>";
+    Files.writeString(
+        file, Files.readString(directory.resolve("course.xml")).replace("</world>", dips));
+    assertThatThrownBy(() -> CourseFile.read(file))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("bad.xml")
+        .hasMessageContaining("object \"ramp 1\": ramp is not convex");
   }
 
   @Test

@@ -8,12 +8,18 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.camera.Scenery;
 
-/** A lane of 11 m that turns aside, with a barrel: by camera and laser, judged by truth. */
+/**
+ * A lane of 11 m that turns aside, with a barrel, and a straight one with a flag: by camera and
+ * laser, judged by truth.
+ */
 class ShortCourseTest {
   private static final double HALF_M = 1.8;
+  private static final double LANE_HALF_M = 2.0;
 
   @TempDir private Path directory;
 
@@ -38,10 +44,45 @@ class ShortCourseTest {
   @Test
   void demo_laneThatTurnsAside_isDrivenBetweenItsLines() {
     IgvcRun run = IgvcRun.of(directory.resolve("run"), course(), 1, "--snapshot-every", "5");
+    requireClean(run);
+    assertThat(run.file("snapshots/005.png")).isNotEmpty();
+  }
+
+  /** A straight lane with a flag to one side of its middle: the other side is the wider. */
+  private static Course laneWithFlag(boolean red) {
+    CourseBuilder builder = new CourseBuilder(Point.ORIGIN, 0.7, false);
+    builder.start(Point.ORIGIN, Point.of(1.0, 0.0, 0.0));
+    for (int side = -1; side <= 1; side += 2) {
+      List<Point> edge =
+          List.of(Point.of(-2.0, side * LANE_HALF_M, 0.0), Point.of(12.0, side * LANE_HALF_M, 0.0));
+      builder.line(Scenery.LINE, edge);
+      builder.line(Course.BOUNDARY, edge);
+    }
+    builder.flag(Point.of(6.0, red ? 0.15 : -0.15, 0.0), red);
+    builder.waypoint(Point.of(10.0, 0.0, 0.0));
+    return builder.course("a lane with a flag");
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void demo_flagWithTheWiderWayOnTheWrongSide_isPassedOnTheRightOne(boolean red) {
+    IgvcRun run =
+        IgvcRun.of(
+            directory.resolve("run"),
+            laneWithFlag(red),
+            1,
+            "--set",
+            "PathPlanner:PASS SIDES=red flag: LEFT, blue flag: RIGHT");
+    requireClean(run);
+    assertThat(run.figure("flagsOnWrongSide")).as(run.said()).isZero();
+    IgvcRun without = IgvcRun.of(directory.resolve("other"), laneWithFlag(red), 1);
+    assertThat(without.figure("flagsOnWrongSide")).as(without.said()).isEqualTo(1);
+  }
+
+  private static void requireClean(IgvcRun run) {
     assertThat(run.figure("waypointsCaptured")).as(run.said()).isEqualTo(1);
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
-    assertThat(run.file("snapshots/005.png")).isNotEmpty();
   }
 
   @Test

@@ -46,7 +46,7 @@ class SightCampaignTest {
     SightScore score =
         new SightScore(settings.nearest(), settings.farthest(), settings.toEachSide(), OBJECTS_M);
     for (long seed = 11; seed < 11 + COURSES; seed++) {
-      Course course = CourseGenerator.course(seed);
+      Course course = CourseGenerator.course(seed, Ramps.NONE); // figures are of level ground
       Random random = new Random(7919L * seed);
       Scenery scenery = new Scenery(course.objects(), Light.random(random), seed);
       for (int i = 0; i < PICTURES; i++) {

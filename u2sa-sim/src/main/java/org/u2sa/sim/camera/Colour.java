@@ -9,6 +9,7 @@ final class Colour {
   static final int WHITE = rgb(0.80, 0.80, 0.80);
   static final int RUBBER = rgb(0.03, 0.03, 0.03);
   static final int WOOD = rgb(0.42, 0.30, 0.17);
+  static final int BOARDS = rgb(0.32, 0.215, 0.10);
   static final int RED = rgb(0.65, 0.03, 0.03);
   static final int BLUE = rgb(0.03, 0.08, 0.50);
   static final int STEEL = rgb(0.25, 0.25, 0.26);

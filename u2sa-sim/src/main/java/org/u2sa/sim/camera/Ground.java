@@ -28,11 +28,22 @@ final class Ground {
 
   /**
    * @param t how far along the ray the ground is, in lengths of its direction
+   * @param fall by which a length of the direction comes nearer to the ground, which may slope
+   * @param facing how much of the sun's light it takes by what level ground takes
    * @param into takes red, green and blue from an index on
    */
-  void look(float x, float y, float t, float dx, float dy, float dz, float[] into, int at) {
+  void look(
+      float x,
+      float y,
+      float t,
+      float dx,
+      float dy,
+      float fall,
+      float facing,
+      float[] into,
+      int at) {
     float across = t * perFocal;
-    float along = across / Math.max(STEEPEST, -dz); // a pixel's reach along the ground
+    float along = across / Math.max(STEEPEST, fall); // a pixel's reach along the ground
     int level = MipMap.level(across * perCell);
     int bladeLevel = MipMap.level(0.5f * (across + along) * perBlade);
     float east = x + t * dx;
@@ -41,7 +52,7 @@ final class Ground {
     float row = (north - (float) lawn.southM()) * perCell;
     long seen = seen(level, column, row, along * dx * perCell, along * dy * perCell, along);
     float grass = lawn.blades().at(bladeLevel, east * perBlade, north * perBlade) & CHANNEL;
-    float lit = sky + sun * (seen >>> 48) / FULL;
+    float lit = sky + sun * facing * (seen >>> 48) / FULL;
     float bright = lit * grass / (MIDDLE * FULL);
     into[at] = bright * (seen >>> 16 & CHANNEL);
     into[at + 1] = bright * (seen >>> 32 & CHANNEL);

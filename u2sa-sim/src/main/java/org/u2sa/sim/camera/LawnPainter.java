@@ -88,6 +88,25 @@ final class LawnPainter {
     return red << 16 | green << 8 | blue;
   }
 
+  /** Weathered boards instead of grass, within a convex outline. */
+  void boards(double[] outline) {
+    double[] hull = hull(outline);
+    double[] bounds = bounds(hull);
+    for (int row = Math.max(0, row(bounds[1]));
+        row <= Math.min(height - 1, row(bounds[3]));
+        row++) {
+      int last = Math.min(width - 1, column(bounds[2]));
+      for (int column = Math.max(0, column(bounds[0])); column <= last; column++) {
+        double x = westM + column * CELL_M;
+        double y = southM + row * CELL_M;
+        if (insideM(hull, x, y) > 0.0) {
+          double tone = 1.0 + 0.1 * noise.fractal(2.0 * x, 2.0 * y, 3);
+          cells[row * width + column] = scaled(Colour.BOARDS, tone) | 0xFF000000;
+        }
+      }
+    }
+  }
+
   /** A painted line; worn paint has holes and lets grass through. */
   void line(List<Point> points, double widthM, boolean worn) {
     for (int i = 1; i < points.size(); i++) {
@@ -157,24 +176,29 @@ final class LawnPainter {
   /** A solid's shadow by the points that it is the hull of. */
   void shadow(double[] points) {
     double[] hull = hull(points);
-    double west = Double.POSITIVE_INFINITY;
-    double south = west;
-    double east = Double.NEGATIVE_INFINITY;
-    double north = east;
-    for (int i = 0; i < hull.length; i += 2) {
-      west = Math.min(west, hull[i]);
-      east = Math.max(east, hull[i]);
-      south = Math.min(south, hull[i + 1]);
-      north = Math.max(north, hull[i + 1]);
-    }
-    for (int row = Math.max(0, row(south)); row <= Math.min(height - 1, row(north)); row++) {
-      for (int c = Math.max(0, column(west)); c <= Math.min(width - 1, column(east)); c++) {
+    double[] bounds = bounds(hull);
+    int lastRow = Math.min(height - 1, row(bounds[3]));
+    int lastColumn = Math.min(width - 1, column(bounds[2]));
+    for (int row = Math.max(0, row(bounds[1])); row <= lastRow; row++) {
+      for (int c = Math.max(0, column(bounds[0])); c <= lastColumn; c++) {
         double inside = insideM(hull, westM + c * CELL_M, southM + row * CELL_M);
         if (inside > 0.0) {
           darken(row * width + c, Math.max(0.0, 255.0 * (1.0 - inside / PENUMBRA_M)));
         }
       }
     }
+  }
+
+  /** West, south, east, north of an outline [m]. */
+  private static double[] bounds(double[] outline) {
+    double[] bounds = {outline[0], outline[1], outline[0], outline[1]};
+    for (int i = 0; i < outline.length; i += 2) {
+      bounds[0] = Math.min(bounds[0], outline[i]);
+      bounds[1] = Math.min(bounds[1], outline[i + 1]);
+      bounds[2] = Math.max(bounds[2], outline[i]);
+      bounds[3] = Math.max(bounds[3], outline[i + 1]);
+    }
+    return bounds;
   }
 
   /**

@@ -102,7 +102,7 @@ public final class Renderer {
       if (dz < -1.0e-3f) {
         float t = -pose.z / dz;
         depth[i] = t;
-        ground.look(pose.x, pose.y, t, dx, dy, dz, light, 3 * i);
+        ground.look(pose.x, pose.y, t, dx, dy, -dz, 1.0f, light, 3 * i);
       } else {
         depth[i] = Float.POSITIVE_INFINITY;
         sky(dx, dy, dz, 3 * i);
@@ -191,16 +191,22 @@ public final class Renderer {
     float dx = u * pose.right[0] + v * pose.below[0] + pose.axis[0];
     float dy = u * pose.right[1] + v * pose.below[1] + pose.axis[1];
     float dz = u * pose.right[2] + v * pose.below[2] + pose.axis[2];
+    touch.isGround = false;
     float t = solid.meets(pose.x, pose.y, pose.z, dx, dy, dz, touch);
     if (t < depth[i]) {
       depth[i] = t;
       float[] sun = scenery.sun;
       float facing = Math.max(0.0f, touch.nx * sun[0] + touch.ny * sun[1] + touch.nz * sun[2]);
-      float bright =
-          (float) (scenery.light.sky() * (0.65 + 0.35 * touch.nz) + scenery.light.sun() * facing);
-      light[3 * i] = (touch.colour >> 16 & 0xFF) / 255.0f * bright;
-      light[3 * i + 1] = (touch.colour >> 8 & 0xFF) / 255.0f * bright;
-      light[3 * i + 2] = (touch.colour & 0xFF) / 255.0f * bright;
+      if (touch.isGround) {
+        float fall = -(touch.nx * dx + touch.ny * dy + touch.nz * dz);
+        ground.look(pose.x, pose.y, t, dx, dy, fall, facing / sun[2], light, 3 * i);
+      } else {
+        float bright =
+            (float) (scenery.light.sky() * (0.65 + 0.35 * touch.nz) + scenery.light.sun() * facing);
+        light[3 * i] = (touch.colour >> 16 & 0xFF) / 255.0f * bright;
+        light[3 * i + 1] = (touch.colour >> 8 & 0xFF) / 255.0f * bright;
+        light[3 * i + 2] = (touch.colour & 0xFF) / 255.0f * bright;
+      }
       if (scenery.light.glare() > 0.0) {
         veil(dx, dy, dz, 3 * i);
       }

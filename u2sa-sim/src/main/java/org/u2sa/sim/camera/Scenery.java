@@ -7,13 +7,15 @@ import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.PolyLine;
+import org.u2sa.sim.world.Ramp;
 
 /**
  * All that a camera sees of a world, as it looks on one day: a lawn with paint on it, solids and
  * their shadows. Types of objects decide how they look: {@code white line} and {@code worn line}
  * (PolyLine), {@code pothole} (Circle: a white disc of paint), {@code barrel}, {@code red flag} and
- * {@code blue flag} (Cylinder), {@code sawhorse} (Box); other cylinders and boxes are grey. What
- * has another type and no volume is not seen. Immutable: cameras may share it.
+ * {@code blue flag} (Cylinder), {@code sawhorse} (Box), {@code ramp} (PolyLine: its profile along
+ * its middle); other cylinders and boxes are grey. What has another type and no volume is not seen.
+ * Immutable: cameras may share it.
  */
 public final class Scenery {
   /** Freshly painted. */
@@ -36,6 +38,9 @@ public final class Scenery {
 
   /** A small flag on a pole. */
   public static final String BLUE_FLAG = "blue flag";
+
+  /** Boards across a lane that rise and fall; paint lies on them. */
+  public static final String RAMP = "ramp";
 
   private static final double LEG_M = 0.03;
   private static final int SKYLINE = 1024;
@@ -62,8 +67,15 @@ public final class Scenery {
     sun = new float[] {(float) sunward[0], (float) sunward[1], (float) sunward[2]};
     List<Solid> standing = new ArrayList<>();
     objects.forEach(object -> stand(object, standing));
-    solids = List.copyOf(standing);
     LawnPainter painter = new LawnPainter(LawnPainter.bounds(objects), seed);
+    for (ObjectDescription object : objects) {
+      if (object instanceof PolyLine profile && object.objectType().equals(RAMP)) {
+        Boards boards = new Boards(new Ramp(profile.points(), profile.width()));
+        standing.add(boards);
+        painter.boards(boards.outline());
+      }
+    }
+    solids = List.copyOf(standing);
     for (ObjectDescription object : objects) {
       if (object instanceof PolyLine line && isLine(object)) {
         painter.line(line.points(), line.width(), object.objectType().equals(WORN_LINE));
@@ -74,7 +86,12 @@ public final class Scenery {
     if (light.cloudShadows() > 0.0) {
       painter.clouds(light.cloudShadows());
     }
-    solids.forEach(solid -> painter.shadow(solid.shadow(sunward[0], sunward[1], sunward[2])));
+    for (Solid solid : solids) {
+      double[] outline = solid.shadow(sunward[0], sunward[1], sunward[2]);
+      if (outline.length > 0) {
+        painter.shadow(outline);
+      }
+    }
     lawn = painter.lawn();
     skyline = skyline(new ValueNoise(seed + 1));
   }

@@ -10,6 +10,7 @@ interface Solid {
     float nx; // of the surface, outwards
     float ny;
     float nz;
+    boolean isGround; // its colour is that of the lawn's map there
   }
 
   /** Centre and radius of a ball around it: east, north, up, radius [m]. */
@@ -22,6 +23,8 @@ interface Solid {
    */
   float meets(float x, float y, float z, float dx, float dy, float dz, Touch touch);
 
-  /** What it hides of the sun: an outline on the ground, x and y in turn, convex. */
+  /**
+   * What it hides of the sun: an outline on the ground, x and y in turn, convex; empty: nothing.
+   */
   double[] shadow(double sunX, double sunY, double sunZ);
 }

@@ -80,6 +80,27 @@ class RendererTest {
     }
   }
 
+  /** 15 % from 2 m ahead on: 2 m farther the line is 0.3 m up, where the pinhole has it. */
+  @Test
+  void picture_lineOverARamp_isSeenWhereItIsUpOnTheBoards() {
+    PolyLine ramp = placed(new PolyLine(), Scenery.RAMP, 0.0, 2.0);
+    ramp.width(4.0)
+        .points(
+            List.of(Point.of(0.0, 2.0, 0.0), Point.of(0.0, 4.5, 0.375), Point.of(0.0, 7.0, 0.0)));
+    byte[] picture = picture(ramp, line(1.0));
+    for (double north = 2.4; north < 4.2; north += 0.3) {
+      double up = 0.15 * (north - 2.0);
+      int boards = pixel(picture, 0.5, north, up)[2];
+      assertThat(pixel(picture, 1.0, north, up)[2])
+          .as("%s m ahead", north)
+          .isGreaterThan(boards + 40);
+    }
+    int grey = pixel(picture, 0.5, 3.7, 0.255)[2];
+    assertThat(pixel(picture, 1.0, 4.0, 0.0)[2]).as("as if level").isLessThan(grey + 30);
+    int[] wood = pixel(picture, 0.0, 3.5, 0.225);
+    assertThat(wood[0]).as("redder than grass").isGreaterThan(wood[1]);
+  }
+
   @Test
   void picture_barrel_isOrangeAndHidesWhatIsBehind() {
     Cylinder barrel = placed(new Cylinder(), Scenery.BARREL, 0.0, 3.0);

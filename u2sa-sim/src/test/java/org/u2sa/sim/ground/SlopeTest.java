@@ -4,11 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Gravity;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Ramp;
+import org.u2sa.sim.world.RampedGround;
 import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
@@ -114,6 +119,37 @@ class SlopeTest {
     }
     assertThat(hill.riseEast(-5.0, -3.0)).isCloseTo(Math.tan(Math.toRadians(10.0)), within(1e-9));
     assertThat(hill.heightM(40.0, 40.0)).isZero();
+  }
+
+  @Test
+  void step_overARamp_pitchesUpAndDownAndIsLevelBehindIt() {
+    Ramp ramp =
+        new Ramp(
+            List.of(
+                Point.of(0.0, 1.0, 0.0),
+                Point.of(0.0, 3.0, 0.3),
+                Point.of(0.0, 4.0, 0.3),
+                Point.of(0.0, 6.0, 0.0)),
+            3.0);
+    DifferentialVehicle vehicle = molle(new RampedGround(List.of(ramp)), 0.0);
+    double up = 0.0;
+    double down = 0.0;
+    double high = 0.0;
+    double fastestRad = 0.0;
+    while (vehicle.state().northM() < 7.0 && vehicle.state().timeS() < 20.0) {
+      vehicle.step(new DriveCommand(0.7, 0.7), 0.01);
+      VehicleTruth truth = vehicle.truth();
+      up = Math.max(up, truth.attitude().theta());
+      down = Math.min(down, truth.attitude().theta());
+      high = Math.max(high, truth.position().z());
+      fastestRad = Math.max(fastestRad, Math.abs(truth.rates().y()));
+    }
+    assertThat(vehicle.state().northM()).isGreaterThan(6.9);
+    assertThat(up).isCloseTo(Math.atan(0.15), within(1.0e-6));
+    assertThat(down).isCloseTo(-Math.atan(0.15), within(1.0e-6));
+    assertThat(high).isCloseTo(0.3, within(1.0e-6));
+    assertThat(vehicle.truth().attitude().theta()).isZero();
+    assertThat(fastestRad).as("edges are as long as its wheelbase").isLessThan(1.0);
   }
 
   @Test

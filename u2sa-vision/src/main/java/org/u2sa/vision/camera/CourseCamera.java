@@ -27,7 +27,8 @@ public final class CourseCamera extends CameraSensor {
               max = 3600,
               ifAbsent = 0,
               text =
-                  "Time from one picture published on images as JPEG to the next, for recordings and screens; 0: none are published.")
+                  "Time from one picture published on images as JPEG to the next, for recordings"
+                      + " and screens; 0: none are published.")
           double imageEvery) {}
 
   private final AttitudeHistory attitudes = new AttitudeHistory();
@@ -72,8 +73,12 @@ public final class CourseCamera extends CameraSensor {
     show(frame);
     long micros = frame.measuredAtMicros();
     try {
-      Seen seen = reading.read(frame, attitudes.roll(micros), attitudes.pitch(micros));
-      reading.messages(seen, micros).forEach(each -> publish(Channels.SENSED_OBJECTS, each));
+      double roll = attitudes.roll(micros);
+      double pitch = attitudes.pitch(micros);
+      Seen seen = reading.read(frame, roll, pitch);
+      reading
+          .messages(seen, roll, pitch, micros)
+          .forEach(each -> publish(Channels.SENSED_OBJECTS, each));
       pictures++;
       remark(
           "SEEN",

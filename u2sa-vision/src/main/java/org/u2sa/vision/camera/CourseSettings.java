@@ -7,7 +7,8 @@ public record CourseSettings(
     @Variable(
             ifAbsentText = "",
             text =
-                "Calibration file of the camera, relative to the configuration file (u2sa camera calibrate); empty: the geometry that the camera states, or ANGLE OF VIEW.")
+                "Calibration file of the camera, relative to the configuration file (u2sa camera"
+                    + " calibrate); empty: the geometry that the camera states, or ANGLE OF VIEW.")
         String calibration,
     @Variable(
             unit = "rad",
@@ -15,7 +16,8 @@ public record CourseSettings(
             max = 2.8,
             ifAbsent = 1.05,
             text =
-                "Angle from the left edge of the picture to the right one, for a camera that neither is calibrated nor states its geometry.")
+                "Angle from the left edge of the picture to the right one, for a camera that"
+                    + " neither is calibrated nor states its geometry.")
         double angleOfView,
     @Variable(
             unit = "m",
@@ -27,8 +29,19 @@ public record CourseSettings(
     @Variable(
             ifAbsentText = "true",
             text =
-                "Whether the ground is level and the vehicle rolls and pitches on it; otherwise the ground tilts with the vehicle.")
+                "Whether the ground is level and the vehicle rolls and pitches on it; otherwise the"
+                    + " ground tilts with the vehicle.")
         boolean levelGround,
+    @Variable(
+            unit = "rad",
+            min = 0.001,
+            max = 1.6,
+            ifAbsent = 1.6,
+            text =
+                "Tilt above which the vehicle stands on a slope, fully from twice that on: the"
+                    + " ground ahead may slope as well or be level, and standard deviations of"
+                    + " places on it grow.")
+        double slopeAbove,
     @Variable(
             unit = "m",
             min = 0,

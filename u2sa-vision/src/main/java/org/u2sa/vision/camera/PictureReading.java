@@ -13,6 +13,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.CameraMount;
+import org.u2sa.vision.ground.SlopeSigma;
 import org.u2sa.vision.lens.CalibrationFile;
 import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.JpegDecoder;
@@ -73,9 +74,16 @@ public final class PictureReading {
         pixels, lenses.of(pixels), mount, tilts ? rollRad : 0.0, tilts ? pitchRad : 0.0);
   }
 
-  /** What was seen as messages in BODY, of the picture's time [µs]. */
-  public List<ObjectDescription> messages(Seen seen, long micros) {
-    return messages.of(seen, sight.sigma(seen.view().lens()), micros);
+  /**
+   * What was seen as messages in BODY, of the picture's time [µs]. On a slope, places are less
+   * certain.
+   *
+   * @param rollRad of the vehicle when it was taken, right side down positive
+   * @param pitchRad of the vehicle, front up positive
+   */
+  public List<ObjectDescription> messages(Seen seen, double rollRad, double pitchRad, long micros) {
+    double slope = SlopeSigma.rad(settings.slopeAbove(), rollRad, pitchRad);
+    return messages.of(seen, sight.sigma(seen.view().lens()).tilted(slope), micros);
   }
 
   /** The same picture with its pixels. */

@@ -14,6 +14,11 @@ import org.u2sa.messages.frame.Point;
  * @param ownM error that does not depend on the distance: mounting, the paint's own edge [m]
  */
 public record GroundSigma(double pixelRad, double tiltRad, double yawRad, double ownM) {
+  /** The same on ground whose tilt is known less well, by so much more [rad]. */
+  public GroundSigma tilted(double moreRad) {
+    return new GroundSigma(pixelRad, Math.hypot(tiltRad, moreRad), yawRad, ownM);
+  }
+
   /** Along the ray from the camera's foot [m]. */
   public double alongM(double rangeM, double heightM) {
     double angle = Math.hypot(pixelRad, tiltRad);

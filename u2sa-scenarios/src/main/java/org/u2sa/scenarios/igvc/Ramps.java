@@ -1,0 +1,21 @@
+package org.u2sa.scenarios.igvc;
+
+import java.util.Random;
+
+/** Which courses have a ramp, if there is room for one. */
+enum Ramps {
+  /** None. */
+  NONE,
+  /** Half of them. */
+  SOME,
+  /** All. */
+  ALL;
+
+  private static final double SHARE = 0.5;
+
+  /** Whether a course is to have one. Draws once, whatever is told. */
+  boolean isDue(Random random) {
+    boolean isOneOfSome = random.nextDouble() < SHARE;
+    return this == ALL || this == SOME && isOneOfSome;
+  }
+}

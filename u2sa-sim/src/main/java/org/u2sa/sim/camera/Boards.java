@@ -1,0 +1,59 @@
+package org.u2sa.sim.camera;
+
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.world.Ramp;
+
+/**
+ * A {@link Ramp} as a camera sees it. What is painted on the lawn's map where it stands lies on it,
+ * seen from above: 15 % of slope stretch that by 1 %. It casts no shadow.
+ */
+final class Boards implements Solid {
+  private static final double[] NO_SHADOW = {};
+
+  private final Ramp ramp;
+
+  Boards(Ramp ramp) {
+    this.ramp = ramp;
+  }
+
+  @Override
+  public float[] ball() {
+    Point middle = ramp.at(0.5 * ramp.lengthM(), 0.0);
+    double radius = 0.5 * Math.hypot(ramp.lengthM(), ramp.widthM()) + ramp.highestM();
+    return new float[] {(float) middle.x(), (float) middle.y(), 0.0f, (float) radius};
+  }
+
+  @Override
+  public float meets(float x, float y, float z, float dx, float dy, float dz, Touch touch) {
+    double[] normal = new double[3];
+    double hit = ramp.meets(x, y, z, dx, dy, dz, normal);
+    if (hit > 0.0 && hit < Double.POSITIVE_INFINITY) {
+      touch.nx = (float) normal[0];
+      touch.ny = (float) normal[1];
+      touch.nz = (float) normal[2];
+      touch.isGround = normal[2] > 0.0;
+      touch.colour = Colour.WOOD;
+      return (float) hit;
+    }
+    return Float.POSITIVE_INFINITY;
+  }
+
+  @Override
+  public double[] shadow(double sunX, double sunY, double sunZ) {
+    return NO_SHADOW;
+  }
+
+  /** Its outline from above, anticlockwise: east and north in turn [m]. */
+  double[] outline() {
+    double half = 0.5 * ramp.widthM();
+    double[] corners = new double[8];
+    double[] along = {0.0, ramp.lengthM(), ramp.lengthM(), 0.0};
+    double[] left = {-half, -half, half, half};
+    for (int i = 0; i < along.length; i++) {
+      Point at = ramp.at(along[i], left[i]);
+      corners[2 * i] = at.x();
+      corners[2 * i + 1] = at.y();
+    }
+    return corners;
+  }
+}

@@ -1,0 +1,226 @@
+package org.u2sa.sim.world;
+
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * A ramp of boards on level ground: it rises, may have a flat top, and falls again, with the same
+ * profile over all its width. Its sides are upright. Rays meet its sharp edges; wheels feel edges
+ * rounded, as a vehicle of that wheelbase does: {@link #WHEELBASE_M}.
+ *
+ * <p>Convex, so that a ray meets it at most once: the last of the planes that it enters by.
+ */
+public final class Ramp {
+  /** Between the wheels of what drives over it; {@link #rise} is felt between both [m]. */
+  public static final double WHEELBASE_M = 0.4;
+
+  private static final double STRAIGHT_M = 0.02; // by which points may lie beside their line
+  private static final double GROUND_M = 1e-3; // by which its feet may be off the ground
+
+  private final double eastM; // of its first foot
+  private final double northM;
+  private final double cos; // of its direction, anticlockwise from east
+  private final double sin;
+  private final double halfM;
+  private final double[] along; // of each edge across, from the first foot [m]
+  private final double[] up;
+  private final double[] area; // of the profile from the first foot to each edge [m²]
+
+  /**
+   * @param profile along its middle: east, north, up [m]; both feet on the ground
+   * @param widthM across it [m]
+   * @throws IllegalArgumentException if it is not straight from above, not convex, or has no width
+   */
+  public Ramp(List<Point> profile, double widthM) {
+    if (profile.size() < 3 || !(widthM > 0.0)) {
+      throw new IllegalArgumentException(
+          "ramp of " + profile.size() + " points, " + widthM + " m wide: expected three points");
+    }
+    Point foot = profile.get(0);
+    Point end = profile.get(profile.size() - 1);
+    double length = Math.hypot(end.x() - foot.x(), end.y() - foot.y());
+    eastM = foot.x();
+    northM = foot.y();
+    cos = (end.x() - eastM) / length;
+    sin = (end.y() - northM) / length;
+    halfM = 0.5 * widthM;
+    along = new double[profile.size()];
+    up = new double[profile.size()];
+    area = new double[profile.size()];
+    for (int i = 0; i < along.length; i++) {
+      Point at = profile.get(i);
+      along[i] = along(at.x(), at.y());
+      up[i] = at.z();
+      require(Math.abs(left(at.x(), at.y())) <= STRAIGHT_M, "is not straight", at);
+      boolean isFoot = i == 0 || i == along.length - 1;
+      require(!isFoot || Math.abs(up[i]) <= GROUND_M, "has a foot above the ground", at);
+      if (i > 0) {
+        require(along[i] > along[i - 1], "goes back", at);
+        area[i] = area[i - 1] + 0.5 * (up[i] + up[i - 1]) * (along[i] - along[i - 1]);
+      }
+      require(i < 2 || slope(i - 1) <= slope(i - 2), "is not convex", at);
+    }
+  }
+
+  private static void require(boolean isSo, String fault, Point at) {
+    if (!isSo) {
+      throw new IllegalArgumentException("ramp " + fault + " at " + at);
+    }
+  }
+
+  private double slope(int part) {
+    return (up[part + 1] - up[part]) / (along[part + 1] - along[part]);
+  }
+
+  /** How far along it a place is, from its first foot [m]. */
+  public double along(double placeEastM, double placeNorthM) {
+    return (placeEastM - eastM) * cos + (placeNorthM - northM) * sin;
+  }
+
+  /** How far to the left of its middle a place is [m]. */
+  public double left(double placeEastM, double placeNorthM) {
+    return (placeNorthM - northM) * cos - (placeEastM - eastM) * sin;
+  }
+
+  /** From foot to foot [m]. */
+  public double lengthM() {
+    return along[along.length - 1];
+  }
+
+  /** Across it [m]. */
+  public double widthM() {
+    return 2.0 * halfM;
+  }
+
+  /** Height of its top [m]. */
+  public double highestM() {
+    double highest = 0.0;
+    for (double each : up) {
+      highest = Math.max(highest, each);
+    }
+    return highest;
+  }
+
+  /** Its steepest part, up or down [1]. */
+  public double steepest() {
+    return Math.max(slope(0), -slope(along.length - 2));
+  }
+
+  /** Whether boards are under a place. */
+  public boolean carries(double placeEastM, double placeNorthM) {
+    double on = along(placeEastM, placeNorthM);
+    return on >= 0.0 && on <= lengthM() && Math.abs(left(placeEastM, placeNorthM)) <= halfM;
+  }
+
+  /** Height of the wheels' middle at a place [m]; 0 beside it. */
+  double heightM(double placeEastM, double placeNorthM) {
+    if (Math.abs(left(placeEastM, placeNorthM)) > halfM) {
+      return 0.0;
+    }
+    double on = along(placeEastM, placeNorthM);
+    return (below(on + 0.5 * WHEELBASE_M) - below(on - 0.5 * WHEELBASE_M)) / WHEELBASE_M;
+  }
+
+  /** Height gained along it for each metre, between front and rear wheels [1]. */
+  double rise(double placeEastM, double placeNorthM) {
+    if (Math.abs(left(placeEastM, placeNorthM)) > halfM) {
+      return 0.0;
+    }
+    double on = along(placeEastM, placeNorthM);
+    return (sharp(on + 0.5 * WHEELBASE_M) - sharp(on - 0.5 * WHEELBASE_M)) / WHEELBASE_M;
+  }
+
+  double riseEast(double placeEastM, double placeNorthM) {
+    return rise(placeEastM, placeNorthM) * cos;
+  }
+
+  double riseNorth(double placeEastM, double placeNorthM) {
+    return rise(placeEastM, placeNorthM) * sin;
+  }
+
+  private double sharp(double on) {
+    int part = part(on);
+    return part < 0 ? 0.0 : up[part] + slope(part) * (on - along[part]);
+  }
+
+  /** The profile's area up to there [m²]. */
+  private double below(double on) {
+    int part = part(on);
+    if (part < 0) {
+      return on < 0.0 ? 0.0 : area[area.length - 1];
+    }
+    return area[part] + 0.5 * (up[part] + sharp(on)) * (on - along[part]);
+  }
+
+  /** Which part of the profile is there; −1: none. */
+  private int part(double on) {
+    if (on <= 0.0 || on >= lengthM()) {
+      return -1;
+    }
+    int part = 0;
+    while (on > along[part + 1]) {
+      part++;
+    }
+    return part;
+  }
+
+  /**
+   * Where a ray meets it.
+   *
+   * @param normal takes which way the surface looks there: east, north, up; null: nobody asks
+   * @return in lengths of the direction; 0 if it starts inside, infinite if it does not meet it
+   */
+  public double meets(
+      double x, double y, double z, double dx, double dy, double dz, double[] normal) {
+    double s = along(x, y);
+    double a = left(x, y);
+    double ds = dx * cos + dy * sin;
+    double da = dy * cos - dx * sin;
+    double enter = 0.0;
+    double leave = Double.POSITIVE_INFINITY;
+    int face = -1;
+    for (int i = 0; i <= along.length; i++) {
+      boolean isSide = i >= along.length - 1;
+      double sign = i == along.length ? -1.0 : 1.0;
+      double slope = isSide ? 0.0 : slope(i);
+      double outside = isSide ? sign * a - halfM : z - up[i] - slope * (s - along[i]);
+      double rate = isSide ? sign * da : dz - slope * ds;
+      if (rate == 0.0) {
+        leave = outside > 0.0 ? -1.0 : leave;
+      } else if (rate > 0.0) {
+        leave = Math.min(leave, -outside / rate);
+      } else if (-outside / rate > enter) {
+        enter = -outside / rate;
+        face = i;
+      }
+    }
+    if (enter > leave || z + enter * dz < 0.0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    if (normal != null) {
+      normal(face, normal);
+    }
+    return enter;
+  }
+
+  private void normal(int face, double[] into) {
+    if (face < 0 || face >= along.length - 1) {
+      double sign = face == along.length ? -1.0 : 1.0;
+      into[0] = -sign * sin;
+      into[1] = sign * cos;
+      into[2] = 0.0;
+      return;
+    }
+    double slope = slope(face);
+    double by = 1.0 / Math.sqrt(1.0 + slope * slope);
+    into[0] = -slope * cos * by;
+    into[1] = -slope * sin * by;
+    into[2] = by;
+  }
+
+  /** A place on it from above: so far along, so far to the left; east, north, its height [m]. */
+  public Point at(double alongM, double leftM) {
+    return Point.of(
+        eastM + alongM * cos - leftM * sin, northM + alongM * sin + leftM * cos, sharp(alongM));
+  }
+}

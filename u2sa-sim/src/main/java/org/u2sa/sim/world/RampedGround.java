@@ -1,0 +1,77 @@
+package org.u2sa.sim.world;
+
+import java.util.List;
+
+/** A level lawn with ramps of boards on it, which do not overlap: terrain and surface. */
+public final class RampedGround implements Terrain, Surface {
+  private final List<Ramp> ramps;
+  private final Surface lawn = Surface.lawn();
+  private final Surface boards = Surface.concrete();
+
+  /** Level ground with these on it. */
+  public RampedGround(List<Ramp> ramps) {
+    this.ramps = List.copyOf(ramps);
+  }
+
+  @Override
+  public double heightM(double eastM, double northM) {
+    double height = 0.0;
+    for (Ramp ramp : ramps) {
+      height = Math.max(height, ramp.heightM(eastM, northM));
+    }
+    return height;
+  }
+
+  @Override
+  public double riseEast(double eastM, double northM) {
+    double rise = 0.0;
+    for (Ramp ramp : ramps) {
+      rise += ramp.riseEast(eastM, northM);
+    }
+    return rise;
+  }
+
+  @Override
+  public double riseNorth(double eastM, double northM) {
+    double rise = 0.0;
+    for (Ramp ramp : ramps) {
+      rise += ramp.riseNorth(eastM, northM);
+    }
+    return rise;
+  }
+
+  /** Of the ways up and down; the sides are upright. */
+  @Override
+  public double steepest() {
+    return ramps.stream().mapToDouble(Ramp::steepest).max().orElse(0.0);
+  }
+
+  @Override
+  public double highestM() {
+    return ramps.stream().mapToDouble(Ramp::highestM).max().orElse(0.0);
+  }
+
+  @Override
+  public double distanceM(Ray ray, double rangeM) {
+    double nearest = Terrain.flat().distanceM(ray, rangeM);
+    for (Ramp ramp : ramps) {
+      nearest =
+          Math.min(
+              nearest, ramp.meets(ray.x(), ray.y(), ray.z(), ray.dx(), ray.dy(), ray.dz(), null));
+    }
+    return nearest <= rangeM ? nearest : Double.POSITIVE_INFINITY;
+  }
+
+  /** That of the lawn everywhere: boards get wet and dirty. */
+  @Override
+  public double grip(double eastM, double northM) {
+    return lawn.grip(eastM, northM);
+  }
+
+  /** Boards are as hard as concrete. */
+  @Override
+  public double rollingResistance(double eastM, double northM) {
+    boolean isOnBoards = ramps.stream().anyMatch(ramp -> ramp.carries(eastM, northM));
+    return (isOnBoards ? boards : lawn).rollingResistance(eastM, northM);
+  }
+}
