@@ -1,10 +1,8 @@
 package org.u2sa.core.planning;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -20,7 +18,6 @@ import org.u2sa.core.planning.route.Mobility;
 import org.u2sa.core.planning.route.Route;
 import org.u2sa.core.planning.route.RoutePlanner;
 import org.u2sa.core.planning.route.RouteRequest;
-import org.u2sa.core.planning.seen.PlanarShape;
 import org.u2sa.core.planning.seen.PlanningPlane;
 import org.u2sa.core.planning.seen.SeenWorld;
 import org.u2sa.interfaces.configuration.Configurator;
@@ -48,9 +45,6 @@ final class Avoidance {
   /** Below this share of its speed, what cannot stand has not taken off. */
   private static final double SHARE_FLYING = 0.5;
 
-  /** A goal to which it gets no nearer is given up when it could have gone so many times there. */
-  private static final double MOST_ROUTES = 4.0;
-
   /** Without a way, it looks to one side after the other, each for so long. */
   private static final double LOOK_STEP_RAD = Math.toRadians(60.0);
 
@@ -65,13 +59,12 @@ final class Avoidance {
   private final Supplier<LineSettings> lines;
   private final BiConsumer<String, Boolean> say; // what, and whether it is trouble
   private final SeenWorld world;
-  private final FalseGaps gaps = new FalseGaps();
-  private final PassSides sides = new PassSides();
-  private List<PlanarShape> wayBack = List.of();
-  private PlanningPlane plane; // on which all of them lie
+  private final Guesses guesses;
+  private final Nearing nearing = new Nearing();
+  private final PathNews news;
+  private PlanningPlane plane;
 
   private Optional<RouteTrack> track = Optional.empty();
-  private Optional<PlannedPath> path = Optional.empty(); // not yet published
   private String obstacle = ""; // why there is no route
   private boolean searches; // a search goes on: there is no route until it ends
   private double goalNorthM;
@@ -82,17 +75,11 @@ final class Avoidance {
   private long routelessSince;
   private long progressMicros;
   private double leastRemainingM;
-  private double nearestM; // least that was left of any route to this goal [m]
-  private double longestM; // most that was left since then [m]
-  private long nearestMicros;
   private int recoveries;
   private long recoversUntil;
   private long overlooksUntil = Long.MIN_VALUE;
   private long lookedMicros = Long.MIN_VALUE; // when it turned to look for a way
   private double lookHeadingRad;
-  private PathStatus status = PathStatus.FOLLOWED;
-  private RouteTrack announced;
-  private String announcedReason = "";
   private boolean begun;
 
   /**
@@ -137,6 +124,8 @@ final class Avoidance {
     chosen = () -> configuration.getVariable(planner);
     chosen.get(); // a wrong value must fail before the vehicle moves
     world = new SeenWorld(() -> settings.get().reading(turnRadiusM(0.0) == 0.0));
+    guesses = new Guesses(world);
+    news = new PathNews(settings, say);
   }
 
   /** Whether routes are planned. */
@@ -165,12 +154,11 @@ final class Avoidance {
     begun = false;
     obstacle = "";
     searches = false;
-    gaps.forget();
-    guess();
+    guesses.forgetGaps();
     recoveries = 0;
     recoversUntil = Long.MIN_VALUE;
     overlooksUntil = Long.MIN_VALUE;
-    status = PathStatus.FOLLOWED;
+    news.begin();
   }
 
   /** A waypoint was reached: from there it goes on, not back. */
@@ -180,48 +168,20 @@ final class Avoidance {
       lieOn(world.plane(state));
       Point at = vehicle.on(plane);
       Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
-      wayBack =
-          WayBack.closed(world.shapes(), pose, now.body().circleM(), now.closeBehind())
-              .map(List::of)
-              .orElse(List.of());
-      guess();
+      guesses.closeBehind(pose, now.body().circleM(), now.closeBehind());
     }
   }
 
   private void lieOn(PlanningPlane now) {
     if (now != plane) {
       plane = now;
-      wayBack = List.of();
-      gaps.forget();
-      sides.forget();
+      guesses.forgetAll();
     }
-  }
-
-  /** Closes the wrong sides of what is to be passed on one. */
-  private void keepSides(Pose pose, StateInformation state, AvoidanceSettings now) {
-    Map<PassSides.Side, List<PlanarShape>> seen = new EnumMap<>(PassSides.Side.class);
-    PassSides.parse(now.passSides())
-        .forEach(
-            (type, side) ->
-                seen.computeIfAbsent(side, each -> new ArrayList<>())
-                    .addAll(world.of(type, state)));
-    if (sides.see(seen, pose, track, now.passReach(), now.body().circleM())) {
-      guess();
-    }
-  }
-
-  private void guess() {
-    List<PlanarShape> all = new ArrayList<>(wayBack);
-    all.addAll(gaps.shapes());
-    all.addAll(sides.shapes());
-    world.guess(all);
   }
 
   /** What is new for screens; empty if nothing. */
   Optional<PlannedPath> news() {
-    Optional<PlannedPath> now = path;
-    path = Optional.empty();
-    return now;
+    return news.take();
   }
 
   private double turnRadiusM(double speedMps) {
@@ -244,15 +204,13 @@ final class Avoidance {
     double ahead = now.stops() ? vehicle.headingRad() : vehicle.courseRad();
     Pose pose = new Pose(at.x(), at.y(), ahead);
     if (!now.passSides().isEmpty()) {
-      keepSides(pose, state, now);
+      guesses.keepSides(pose, state, track, now);
     }
     world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
     if (!begun) {
       begun = true;
       progressMicros = micros;
-      nearestMicros = micros;
-      nearestM = Double.POSITIVE_INFINITY;
-      longestM = 0.0;
+      nearing.begin(micros);
       routelessSince = micros;
       leastRemainingM = Double.POSITIVE_INFINITY;
       plannedMicros = Long.MIN_VALUE / 2;
@@ -307,6 +265,7 @@ final class Avoidance {
         now.reverses(),
         lines.get().lookAheadM(vehicle.speedMps()),
         now.touchM(),
+        now.preferredClearance(),
         now.trafficClearance(),
         now.trafficHorizon(),
         now.reactionTime(),
@@ -335,14 +294,12 @@ final class Avoidance {
     boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
     revision = world.revision();
     if (blocked && now.stops()) {
-      gaps.blocked(track.get(), world.costs(), micros);
-      guess(); // seen from the next state on
+      guesses.blocked(track.get(), micros);
     }
     if (goalMoved || lacking || blocked || (left && due)) {
       Route route = plan(pose, wanted, now, micros);
       if (!route.exists() && !route.goesOn()) {
-        gaps.forget();
-        guess();
+        guesses.forgetGaps();
       }
       obstacle = route.obstacle();
       searches = route.goesOn();
@@ -454,7 +411,13 @@ final class Avoidance {
       leastRemainingM = remaining;
       progressMicros = micros;
     }
-    Optional<String> circles = circles(remaining, limits.speedMps(), now, micros);
+    Optional<String> circles =
+        nearing.circles(
+            remaining,
+            PROGRESS_CELLS * now.planningCell(),
+            limits.speedMps(),
+            now.stuckAfter(),
+            micros);
     if (!now.stops() || circles.isPresent()) {
       return circles;
     }
@@ -478,74 +441,18 @@ final class Avoidance {
     return Optional.empty();
   }
 
-  /**
-   * Why what goes to and fro gives up: each new route is a fresh hope, also one through a gap that
-   * only errors of a sensor show, so only the goal itself tells whether it gets on.
-   */
-  private Optional<String> circles(
-      double remainingM, double speedMps, AvoidanceSettings now, long micros) {
-    longestM = Math.max(longestM, remainingM);
-    if (remainingM < nearestM - PROGRESS_CELLS * now.planningCell()) {
-      nearestM = remainingM;
-      longestM = remainingM;
-      nearestMicros = micros;
-    }
-    double seconds = Clock.seconds(micros - nearestMicros);
-    return seconds > MOST_ROUTES * longestM / speedMps + now.stuckAfter()
-        ? Optional.of(String.format(Locale.ROOT, "no nearer to the goal for %.0f s", seconds))
-        : Optional.empty();
-  }
-
-  /** Says what changes, in the log and for screens. */
   private void announce(ArcChoice choice, Optional<String> givenUp, Wanted wanted, Point at) {
-    PathStatus before = status;
+    PathStatus status;
     if (givenUp.isPresent()) {
       status = PathStatus.GIVEN_UP;
     } else if (choice.kind() == ArcChoice.Kind.BRAKE) {
       status = PathStatus.BRAKING;
-    } else if (at != null && recoversUntil > 0L && track.isEmpty() && obstacle.isEmpty()) {
+    } else if (recoversUntil > 0L && track.isEmpty() && obstacle.isEmpty()) {
       status = PathStatus.RECOVERING;
     } else {
       status = choice.kind() == ArcChoice.Kind.WAIT ? PathStatus.WAITING : PathStatus.FOLLOWED;
     }
-    String reason = "";
-    if (status == PathStatus.BRAKING) {
-      reason =
-          settings.get().stops() ? "a collision is near: brakes" : "a collision is near: turns";
-    } else if (status == PathStatus.WAITING) {
-      reason = track.isEmpty() ? obstacle : "waits for traffic or a way";
-    } else if (status == PathStatus.GIVEN_UP) {
-      reason = givenUp.orElse("");
-    }
-    if (status != before && !reason.isEmpty()) {
-      say.accept(reason, status == PathStatus.BRAKING);
-    }
-    boolean newRoute = track.isPresent() && track.get() != announced;
-    boolean otherReason = track.isEmpty() && !reason.equals(announcedReason);
-    if (status == before && !newRoute && !otherReason) {
-      return;
-    }
-    announced = track.orElse(null);
-    announcedReason = reason;
-    PlannedPath news =
-        new PlannedPath()
-            .goal(wanted.goal())
-            .planner(chosen.get())
-            .status(status)
-            .referenceFrame(plane.frame())
-            .points(points(at.z()));
-    if (!reason.isEmpty()) {
-      news.reason(reason);
-    }
-    track.ifPresent(route -> news.cost(route.cost()));
-    path = Optional.of(news);
-  }
-
-  private List<Point> points(double downM) {
-    List<Point> points = new ArrayList<>();
-    for (int i = 0; track.isPresent() && i < track.get().count(); i++) {
-      points.add(plane.point(track.get().northM(i), track.get().eastM(i), downM));
-    }
-    return points;
+    PlannedPath path = new PlannedPath().goal(wanted.goal()).planner(chosen.get());
+    news.announce(path, status, givenUp.orElse(obstacle), track, plane, at.z());
   }
 }

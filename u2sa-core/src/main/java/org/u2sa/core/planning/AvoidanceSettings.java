@@ -41,6 +41,13 @@ record AvoidanceSettings(
             min = 0,
             ifAbsent = 0,
             text =
+                "Distance from obstacles within which the vehicle does not cut its route's corners, but follows it closely and more slowly; 0: it cuts them as far as it is free to.")
+        double preferredClearance,
+    @Variable(
+            unit = "m",
+            min = 0,
+            ifAbsent = 0,
+            text =
                 "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn.")
         double narrowestPassage,
     @Variable(

@@ -1,7 +1,6 @@
 package org.u2sa.scenarios.igvc;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.u2sa.core.mission.Mission;
@@ -19,9 +18,11 @@ final class CourseMission {
   /** The vehicle goes for the middle of a waypoint, however wide the judge's circle is. */
   private static final double THRESHOLD_M = 0.9;
 
-  private static final double BOX_ASIDE_M = 1.5; // half of the narrowest lane
-  private static final double BOX_BEHIND_M = 1.0;
-  private static final double BOX_AHEAD_M = 2.2; // from there on the camera sees the lines
+  /**
+   * Ahead and to the right [m]: 1 m behind the vehicle, to where the camera sees the lines; half of
+   * the narrowest lane to each side. Around the vehicle, whatever its receiver says of the place.
+   */
+  private static final String START_BOX = "2.2 -1.5; -1.0 -1.5; -1.0 1.5; 2.2 1.5";
 
   private CourseMission() {}
 
@@ -62,44 +63,32 @@ final class CourseMission {
   static Path writeKnown(Course course, Geodetic origin, Path file) {
     LocalPlane plane = new LocalPlane(origin);
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world>\n");
-    text.append(wall(plane, "start box", startBox(course.start())));
+    text.append(wall("start box", "<reference>BODY</reference>", START_BOX));
     for (PolyLine fence : course.fences()) {
-      text.append(wall(plane, fence.uid(), fence.points()));
+      text.append(wall(fence.uid(), "", coordinates(plane, fence.points())));
     }
     ReportFile.writeText(file, out -> out.write(text.append("</world>\n").toString()));
     return file;
   }
 
-  private static List<Point> startBox(Course.Start start) {
-    double sin = StrictMath.sin(start.headingRad());
-    double cos = StrictMath.cos(start.headingRad());
-    double[][] corners = {
-      {BOX_AHEAD_M, -BOX_ASIDE_M},
-      {-BOX_BEHIND_M, -BOX_ASIDE_M},
-      {-BOX_BEHIND_M, BOX_ASIDE_M},
-      {BOX_AHEAD_M, BOX_ASIDE_M}
-    };
-    List<Point> points = new ArrayList<>();
-    for (double[] corner : corners) {
-      double east = start.eastM() + corner[0] * sin + corner[1] * cos;
-      double north = start.northM() + corner[0] * cos - corner[1] * sin;
-      points.add(Point.of(east, north, 0.0));
-    }
-    return points;
-  }
-
-  private static String wall(LocalPlane plane, String uid, List<Point> along) {
+  private static String coordinates(LocalPlane plane, List<Point> along) {
     StringBuilder points = new StringBuilder();
     for (Point corner : along) {
       Geodetic at = plane.at(corner.x(), corner.y(), 0.0);
       points.append(points.length() == 0 ? "" : "; ");
       points.append(String.format(Locale.ROOT, "%.9f %.9f", at.longitudeDeg(), at.latitudeDeg()));
     }
+    return points.toString();
+  }
+
+  private static String wall(String uid, String reference, String points) {
     return "  <PolyLine><uid>"
         + uid
         + "</uid><type>"
         + uid
-        + "</type><level>AVOID_ALWAYS</level><points>"
+        + "</type>"
+        + reference
+        + "<level>AVOID_ALWAYS</level><points>"
         + points
         + "</points><width>0.08</width></PolyLine>\n";
   }

@@ -28,6 +28,13 @@ public final class DifferentialPursuitControl extends ControlSystem {
               text = "Distance between the wheels of both sides.")
           double track,
       @Variable(
+              unit = "s",
+              min = 0,
+              max = 10,
+              ifAbsent = 0,
+              text = "As PICK UP TIME, of the yaw rate in a turn on the spot.")
+          double turnPickUpTime,
+      @Variable(
               unit = "deg",
               min = 5,
               max = 180,
@@ -72,6 +79,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
   private final Settings<SlopeHelp> slopes = settings(SlopeHelp.class);
   private final Settings<Motors> motors = settings(Motors.class);
   private final GroundControl ground = new GroundControl(this, clock(), () -> motors.get().names());
+  private final PickUp turnPickUp = new PickUp();
   private final WheelBalance balance = new WheelBalance();
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
@@ -122,7 +130,11 @@ public final class DifferentialPursuitControl extends ControlSystem {
   private double drive(PursuitControl.Demand demand, StateInformation state) {
     DriveCalibration motor = tuning.get().calibration();
     Drive drive = demand.drive();
-    Drive told = new Drive(drive.speedMps() + demand.trimMps(), drive.yawRateRadPerS());
+    double turn = turnPickUp.step(drive.yawRateRadPerS(), turning.get().turnPickUpTime(), stepS());
+    Drive told =
+        drive.isStanding()
+            ? drive
+            : new Drive(drive.speedMps() + demand.trimMps(), drive.yawRateRadPerS() + turn);
     WheelSpeeds wheels = WheelSpeeds.of(told, turning.get().track(), motor.maxMps());
     double slope = drive.isStanding() ? 0.0 : slopes.get().share(state);
     WheelShares shares =

@@ -13,6 +13,7 @@ final class PursuitControl {
   private final Supplier<PursuitTuning> tuning;
   private final PursuitLaw law;
   private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
+  private final PickUp pickUp = new PickUp();
   private final MotionWatch watch = new MotionWatch();
   private Drive due = Drive.STANDING; // what the demanded motion should have become by now
   private boolean atFullPower;
@@ -31,7 +32,7 @@ final class PursuitControl {
    * What the motors are to do.
    *
    * @param drive how the vehicle is to move
-   * @param trimMps what must be told more for that speed [m/s]
+   * @param trimMps what must be told more, for that speed and for its change [m/s]
    * @param yawErrorRadPerS wanted yaw rate less the measured one; empty if unknown
    */
   record Demand(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS) {}
@@ -48,7 +49,9 @@ final class PursuitControl {
             tuning.get().speedGain(),
             tuning.get().maxSpeed(),
             stepS);
-    return new Demand(drive, trim, error(due.yawRateRadPerS(), measured.yawRateRadPerS()));
+    double more = pickUp.step(drive.speedMps(), tuning.get().pickUpTime(), stepS);
+    double told = drive.isStanding() ? 0.0 : trim + more;
+    return new Demand(drive, told, error(due.yawRateRadPerS(), measured.yawRateRadPerS()));
   }
 
   /**

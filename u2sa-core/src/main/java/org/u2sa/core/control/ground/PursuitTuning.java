@@ -88,6 +88,14 @@ record PursuitTuning(
         double responseTime,
     @Variable(
             unit = "s",
+            min = 0,
+            max = 10,
+            ifAbsent = 0,
+            text =
+                "Time in which the vehicle, at a constant command, takes up 63 % of its speed from rest: by that the motors are told more while speed is to change; 0: never.")
+        double pickUpTime,
+    @Variable(
+            unit = "s",
             min = 0.2,
             max = 60,
             ifAbsent = 3,

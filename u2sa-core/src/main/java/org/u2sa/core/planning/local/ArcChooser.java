@@ -17,6 +17,9 @@ public final class ArcChooser {
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double CREEPS_MPS = 0.15;
   private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
+  private static final double CLEARLY_MORE = 0.8; // room, for a nearer point to be better
+  private static final double SAME_M = 0.005;
+  private static final double SLOWEST = 0.4; // share of the speed, close to a route
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
@@ -55,11 +58,16 @@ public final class ArcChooser {
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
     double least = 0.2 * limits.lookAheadM();
-    // nearer to the route where the arc to a farther point is not free
+    ArcChoice roomiest = null;
+    double leastLacksM = NEVER;
+    // nearer to the route where the arc to a farther point is not free, or cuts a corner
     for (double ahead = limits.lookAheadM(); ahead > least; ahead *= 0.6) {
       double north = track.northAheadM(ahead);
       double east = track.eastAheadM(ahead);
       if (turnsTo(north, east, backwards)) {
+        if (roomiest != null) {
+          break;
+        }
         return turn(north, east, backwards, track);
       }
       double curvature = limits.curvatureTo(pose, north, east, backwards);
@@ -76,8 +84,12 @@ public final class ArcChooser {
                 : outcome.freeM() == NEVER;
         double safe = Math.min(speed, allowed);
         if (free && outcome.meetsS() >= limits.horizonS()) {
-          return new ArcChoice(
-              north, east, Math.min(straight, safe), backwards, ArcChoice.Kind.FOLLOW);
+          if (outcome.lacksM() < CLEARLY_MORE * leastLacksM - SAME_M) {
+            leastLacksM = outcome.lacksM();
+            double slow = Math.min(Math.min(straight, safe), closeMps(ahead));
+            roomiest = new ArcChoice(north, east, slow, backwards, ArcChoice.Kind.FOLLOW);
+          }
+          break;
         }
         if (free) {
           evasion.alsoConsider(
@@ -87,8 +99,20 @@ public final class ArcChooser {
           break; // slower is not freer
         }
       }
+      if (leastLacksM <= SAME_M) {
+        break;
+      }
     }
-    return evade(track);
+    return roomiest == null ? evade(track) : roomiest;
+  }
+
+  /**
+   * The speed to follow a route closely: a point is as far ahead in time as it is usually [m/s].
+   */
+  private double closeMps(double aheadM) {
+    return limits.preferredM() == 0.0
+        ? limits.speedMps()
+        : limits.speedMps() * Math.max(SLOWEST, aheadM / limits.lookAheadM());
   }
 
   private ArcChoice turn(double north, double east, boolean backwards, RouteTrack track) {

@@ -20,6 +20,7 @@ final class MotionForecast {
   private final Pose start;
   private final double startMps;
   private final double requiredM; // nearer to something that stands is a touch
+  private final double enoughM; // farther away it does not matter how far
   private final double stepS;
 
   /**
@@ -29,8 +30,10 @@ final class MotionForecast {
    * @param meetsS time until traffic is nearer than it should be [s]; infinite within the horizon
    * @param gapM least distance to traffic within the horizon [m]; infinite without traffic
    * @param roomM mean distance to traffic in that time, up to {@link #ROOMY_M} [m]
+   * @param lacksM what is missing to the preferred distance from what stands: root mean square
+   *     along the way [m]
    */
-  record Outcome(double freeM, double meetsS, double gapM, double roomM) {
+  record Outcome(double freeM, double meetsS, double gapM, double roomM, double lacksM) {
     /** Farther away than this, traffic does not matter [m]. */
     static final double ROOMY_M = 2.0;
   }
@@ -51,6 +54,7 @@ final class MotionForecast {
     this.limits = limits;
     this.start = start;
     this.startMps = startMps;
+    enoughM = Math.max(costs.frame().cellM(), limits.preferredM());
     requiredM = Math.min(limits.touchM(), clearanceM(start) - 1.0e-6);
     stepS = Math.max(0.02, 0.7 * costs.frame().cellM() / Math.max(0.1, limits.speedMps()));
   }
@@ -86,7 +90,7 @@ final class MotionForecast {
     }
     double stopM = Math.max(0.0, Math.min(motion.endM(), alone.freeM() - costs.frame().cellM()));
     Outcome among = play(motion, stopM, true);
-    return new Outcome(alone.freeM(), among.meetsS(), among.gapM(), among.roomM());
+    return new Outcome(alone.freeM(), among.meetsS(), among.gapM(), among.roomM(), alone.lacksM());
   }
 
   /**
@@ -134,8 +138,14 @@ final class MotionForecast {
         at = next(at, step, gone, motion);
       }
       boolean within = freeM == NEVER && stopM == NEVER && (toHorizon || gone <= farM + step);
-      if (within && clearanceM(at) < requiredM) {
-        freeM = Math.max(0.0, gone - step);
+      if (within) {
+        double clearance = clearanceM(at);
+        if (limits.preferredM() > 0.0) {
+          tally.keep(limits.preferredM() - clearance, step);
+        }
+        if (clearance < requiredM) {
+          freeM = Math.max(0.0, gone - step);
+        }
       }
       if (looks && t <= limits.horizonS()) {
         tally.look(at, t);
@@ -168,7 +178,10 @@ final class MotionForecast {
   private double farM(Motion motion) {
     if (limits.stops()) {
       double v = Math.max(0.0, motion.sign() * startMps);
-      return limits.stoppingM(Math.max(v, motion.speedMps())) + 2.0 * costs.frame().cellM();
+      double stopping =
+          limits.stoppingM(Math.max(v, motion.speedMps())) + 2.0 * costs.frame().cellM();
+      // as far along each arc, so that what they keep compares
+      return limits.preferredM() > 0.0 ? Math.max(limits.lookAheadM(), stopping) : stopping;
     }
     // on its route as far as it takes to turn back
     return motion.track() == null
@@ -212,7 +225,7 @@ final class MotionForecast {
   }
 
   private double clearanceM(Pose at) {
-    return body.clearanceM(costs, at.northM(), at.eastM(), at.headingRad());
+    return body.clearanceM(costs, at.northM(), at.eastM(), at.headingRad(), enoughM);
   }
 
   /** What has been seen of traffic while a motion is played. */
@@ -221,6 +234,13 @@ final class MotionForecast {
     private double gapM = NEVER;
     private double roomM;
     private int looks;
+    private double lacked; // square, by way [m³]
+    private double way;
+
+    void keep(double missingM, double step) {
+      lacked += Math.max(0.0, missingM) * Math.max(0.0, missingM) * step;
+      way += step;
+    }
 
     void look(Pose at, double seconds) {
       double gap = traffic.gapM(at, seconds);
@@ -233,7 +253,8 @@ final class MotionForecast {
     }
 
     Outcome outcome(double freeM) {
-      return new Outcome(freeM, meetsS, gapM, looks == 0 ? Outcome.ROOMY_M : roomM / looks);
+      double room = looks == 0 ? Outcome.ROOMY_M : roomM / looks;
+      return new Outcome(freeM, meetsS, gapM, room, way == 0.0 ? 0.0 : Math.sqrt(lacked / way));
     }
   }
 }

@@ -13,6 +13,7 @@ import org.u2sa.core.planning.curve.Pose;
  * @param reverses whether it can go backwards
  * @param lookAheadM how far ahead on the route it is led [m]
  * @param touchM nearer to an obstacle than this counts as a collision [m]
+ * @param preferredM to be kept from obstacles where the route does [m]; 0: touchM is enough
  * @param trafficM to be kept from traffic beyond both radii [m]
  * @param horizonS how far ahead in time traffic is looked at [s]
  * @param reactionS time until an order takes effect [s]
@@ -27,6 +28,7 @@ public record MotionLimits(
     boolean reverses,
     double lookAheadM,
     double touchM,
+    double preferredM,
     double trafficM,
     double horizonS,
     double reactionS,

@@ -68,11 +68,19 @@ public final class BodyDiscs {
    * farther away than a cell; negative if they touch.
    */
   public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
+    return clearanceM(grid, northM, eastM, headingRad, grid.frame().cellM());
+  }
+
+  /**
+   * The same.
+   *
+   * @param enoughM what may be too little where it is more than this [m]
+   */
+  public double clearanceM(
+      CostGrid grid, double northM, double eastM, double headingRad, double enoughM) {
     if (close != null) {
       double aroundM = grid.distanceM(northM, eastM) - circleM; // whatever the heading
-      return aroundM > grid.frame().cellM()
-          ? aroundM
-          : close.clearanceM(grid, northM, eastM, headingRad);
+      return aroundM > enoughM ? aroundM : close.clearanceM(grid, northM, eastM, headingRad);
     }
     double cos = Math.cos(headingRad);
     double sin = Math.sin(headingRad);

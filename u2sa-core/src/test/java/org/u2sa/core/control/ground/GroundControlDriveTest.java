@@ -23,6 +23,7 @@ class GroundControlDriveTest {
       Map.of("LOOK AHEAD", 1.2, "LOOK AHEAD TIME", 1.2, "AT END", "HOLD");
   private static final double COMPASS_ERROR_RAD = Math.toRadians(2.0);
   private static final double THRESHOLD_M = 0.5;
+  private static final double HEAVY_LAG_S = 1.2;
   private static final double DRIVEN_WITHIN_S = 200.0;
 
   @TempDir private Path directory;
@@ -76,6 +77,24 @@ class GroundControlDriveTest {
             differential(DifferentialPursuitControl::new, 0.05, Map.of("TURN GAIN", 0.0))) {
       requireAllWithin(drive, THRESHOLD_M);
       requireAllWithin(without, 2.0 * THRESHOLD_M);
+
+      assertThat(drive.crossTrackRmsM(2.0, CORNERS))
+          .isLessThan(0.5 * without.crossTrackRmsM(2.0, CORNERS));
+    }
+  }
+
+  @Test
+  void pursuit_heavyVehicle_pickUpTimesTurnItInTime() {
+    try (RoverDrive drive =
+            differential(
+                DifferentialPursuitControl::new,
+                0.0,
+                Map.of("PICK UP TIME", HEAVY_LAG_S, "TURN PICK UP TIME", HEAVY_LAG_S));
+        RoverDrive without = differential(DifferentialPursuitControl::new)) {
+      drive.rover.lagS = HEAVY_LAG_S;
+      without.rover.lagS = HEAVY_LAG_S;
+      requireAllWithin(drive, THRESHOLD_M);
+      without.until(without::isMissionOver, DRIVEN_WITHIN_S);
 
       assertThat(drive.crossTrackRmsM(2.0, CORNERS))
           .isLessThan(0.5 * without.crossTrackRmsM(2.0, CORNERS));

@@ -13,7 +13,6 @@ import org.u2sa.messages.frame.Point;
 final class KinematicRover {
   static final Geodetic ORIGIN = new Geodetic(-81.0478, 29.1885, 0.0);
   private static final DriveCalibration MOTOR = new DriveCalibration(2.0, 0.08);
-  private static final double MOTOR_LAG_S = 0.2;
   private static final double POSITION_NOISE_M = 0.02;
   private static final double HEADING_NOISE_RAD = Math.toRadians(1.0);
 
@@ -24,6 +23,7 @@ final class KinematicRover {
 
   private final Kinematics kinematics;
   private final double headingErrorRad;
+  double lagS = 0.2; // in which it takes up 63 % of a new motion
   private final SplittableRandom random = new SplittableRandom(7);
   double north;
   double east;
@@ -60,7 +60,7 @@ final class KinematicRover {
 
   void step(double dtS, ToDoubleFunction<String> percent) {
     Drive wanted = kinematics.drive(percent);
-    double share = dtS / (MOTOR_LAG_S + dtS);
+    double share = dtS / (lagS + dtS);
     speed += share * (wanted.speedMps() - speed);
     yawRate += share * (wanted.yawRateRadPerS() - yawRate);
     heading -= yawRate * dtS;

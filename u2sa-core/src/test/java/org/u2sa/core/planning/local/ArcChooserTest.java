@@ -24,11 +24,16 @@ class ArcChooserTest {
       new CostGrid(new GridFrame(-12.0, -12.0, CELL, SIZE, SIZE), new Inflation(0.5, 1.0, 3.0));
 
   private static MotionLimits rover() {
-    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+  }
+
+  /** The same, which keeps its distance where its route does. */
+  private static MotionLimits careful() {
+    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.3, 0.3, 4.0, 0.3, 0.8);
   }
 
   private static MotionLimits aeroplane() {
-    return new MotionLimits(1.0, 0.8, 1.0, 2.0, false, false, 2.0, 0.05, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(1.0, 0.8, 1.0, 2.0, false, false, 2.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
   }
 
   /** Fills what lies between these, ends included [m]. */
@@ -111,6 +116,38 @@ class ArcChooserTest {
     double discsAheadM = BODY.aheadM(BODY.count() - 1) + BODY.radiusM();
     assertThat(choice.speedMps()).isPositive();
     assertThat(rover().stoppingM(choice.speedMps())).isLessThan(1.3 - discsAheadM);
+  }
+
+  /** The route leads around the wall's end, an arc to a far point close to it. */
+  @Test
+  void along_routeAroundACorner_isFollowedCloselyAndMoreSlowlyIfDistanceIsPreferred() {
+    wall(0.2, 0.6, 0.6, 1.5);
+    RouteTrack around =
+        new RouteTrack(
+            Route.of(
+                List.of(
+                    new Route.Point(0.0, 0.0, false),
+                    new Route.Point(0.7, 0.0, false),
+                    new Route.Point(2.0, 1.3, false)),
+                2.5));
+    ArcChoice cuts = arcs(rover(), 0.5).along(around);
+    ArcChoice keeps = arcs(careful(), 0.5).along(around);
+
+    assertThat(cuts.eastM()).isGreaterThan(0.15);
+    assertThat(keeps.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(keeps.eastM()).isLessThan(0.5 * cuts.eastM());
+    assertThat(keeps.speedMps()).isBetween(0.3, 0.7);
+  }
+
+  @Test
+  void along_narrowWayStraightOn_isFollowedAsFastHoweverMuchDistanceIsPreferred() {
+    wall(-3.0, 5.0, 0.55, 0.7);
+    wall(-3.0, 5.0, -0.7, -0.55);
+    ArcChoice choice = arcs(careful(), 1.0).along(north());
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(choice.northM()).isCloseTo(1.0, within(1e-9));
+    assertThat(choice.speedMps()).isEqualTo(1.0);
   }
 
   @Test
