@@ -108,6 +108,8 @@ def main():
     parser.add_argument("--ramp", type=place, action="append", default=[], help="east,north,direction,length,width,height,top")
     args = parser.parse_args()
     picture = image.imread(args.picture)
+    if picture.ndim == 2:  # shades of grey
+        picture = picture[:, :, None]
     bright = picture[:, :, :3].min(axis=2)
     if picture.shape[2] == 4:  # what is transparent shows white
         bright = bright * picture[:, :, 3] + 1.0 - picture[:, :, 3]

@@ -68,7 +68,8 @@ public final class ViewerJson {
     }
     Map<String, Object> coordinates = new LinkedHashMap<>();
     POINT.forEach(name -> coordinates.put(name, Map.of("type", "number")));
-    Map<String, Object> point = new LinkedHashMap<>(); // in order: a schema is the same text each run
+    Map<String, Object> point =
+        new LinkedHashMap<>(); // in order: a schema is the same text each run
     point.put("type", "object");
     point.put("properties", coordinates);
     Map<Object, Object> changed = new LinkedHashMap<>(map);
