@@ -1,5 +1,6 @@
 package org.u2sa.sim.world;
 
+import java.util.Arrays;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
@@ -17,6 +18,8 @@ public final class Ramp {
   private static final double STRAIGHT_M = 0.02; // by which points may lie beside their line
   private static final double GROUND_M = 1e-3; // by which its feet may be off the ground
 
+  private static final double BESIDE_M = 1e-3; // more than rounding
+
   private final double eastM; // of its first foot
   private final double northM;
   private final double cos; // of its direction, anticlockwise from east
@@ -24,6 +27,7 @@ public final class Ramp {
   private final double halfM;
   private final double[] along; // of each edge across, from the first foot [m]
   private final double[] up;
+  private final double highestM;
   private final double[] area; // of the profile from the first foot to each edge [m²]
 
   /**
@@ -60,6 +64,7 @@ public final class Ramp {
       }
       require(i < 2 || slope(i - 1) <= slope(i - 2), "is not convex", at);
     }
+    highestM = Arrays.stream(up).max().orElse(0.0);
   }
 
   private static void require(boolean isSo, String fault, Point at) {
@@ -94,11 +99,7 @@ public final class Ramp {
 
   /** Height of its top [m]. */
   public double highestM() {
-    double highest = 0.0;
-    for (double each : up) {
-      highest = Math.max(highest, each);
-    }
-    return highest;
+    return highestM;
   }
 
   /** Its steepest part, up or down [1]. */
@@ -164,6 +165,23 @@ public final class Ramp {
     return part;
   }
 
+  /** Whether a ray from above it is beside it all the way from its top down to the ground. */
+  private boolean passes(double s, double a, double z, double ds, double da, double dz) {
+    if (dz >= 0.0) {
+      return true;
+    }
+    double top = (highestM - z) / dz;
+    double ground = -z / dz;
+    double s0 = s + top * ds;
+    double s1 = s + ground * ds;
+    double a0 = a + top * da;
+    double a1 = a + ground * da;
+    return Math.max(s0, s1) < -BESIDE_M
+        || Math.min(s0, s1) > lengthM() + BESIDE_M
+        || Math.max(a0, a1) < -halfM - BESIDE_M
+        || Math.min(a0, a1) > halfM + BESIDE_M;
+  }
+
   /**
    * Where a ray meets it.
    *
@@ -176,6 +194,9 @@ public final class Ramp {
     double a = left(x, y);
     double ds = dx * cos + dy * sin;
     double da = dy * cos - dx * sin;
+    if (z > highestM && passes(s, a, z, ds, da, dz)) {
+      return Double.POSITIVE_INFINITY;
+    }
     double enter = 0.0;
     double leave = Double.POSITIVE_INFINITY;
     int face = -1;

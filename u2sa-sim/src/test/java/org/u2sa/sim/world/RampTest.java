@@ -128,4 +128,44 @@ class RampTest {
                     3.0))
         .hasMessageContaining("foot above the ground");
   }
+
+  /** Rays from all around, against steps of a millimetre along each. */
+  @Test
+  void meets_rayFromOutside_isWhereItFirstComesUnderTheSurface() {
+    Random random = new Random(5L);
+    int met = 0;
+    for (int i = 0; i < 400; i++) {
+      double x = 12.0 * random.nextDouble() - 6.0;
+      double y = 16.0 * random.nextDouble() - 4.0;
+      double z = height(x, y) + 0.02 + 1.5 * random.nextDouble();
+      double heading = 2.0 * Math.PI * random.nextDouble();
+      double dx = Math.sin(heading);
+      double dy = Math.cos(heading);
+      double dz = 0.1 - random.nextDouble();
+      double hit = RAMP.meets(x, y, z, dx, dy, dz, null);
+      double stepped = firstUnder(x, y, z, dx, dy, dz, Math.min(hit, 20.0) + 0.1);
+      if (hit < Double.POSITIVE_INFINITY) {
+        met++;
+        assertThat(stepped).as("ray " + i).isBetween(hit - 0.002, hit + 0.1);
+      } else {
+        assertThat(stepped).as("ray " + i).isInfinite();
+      }
+    }
+    assertThat(met).isBetween(40, 360);
+  }
+
+  private static double height(double x, double y) {
+    return Math.abs(x) > 2.0 ? 0.0 : Math.max(0.0, Math.min(0.45, 0.15 * Math.min(y, 7.0 - y)));
+  }
+
+  /** Deeper than half a millimetre: a ray may graze an edge. */
+  private static double firstUnder(
+      double x, double y, double z, double dx, double dy, double dz, double upTo) {
+    for (double t = 0.0; t < upTo && z + t * dz > 0.0; t += 0.001) {
+      if (z + t * dz < height(x + t * dx, y + t * dy) - 5.0e-4) {
+        return t;
+      }
+    }
+    return Double.POSITIVE_INFINITY;
+  }
 }
