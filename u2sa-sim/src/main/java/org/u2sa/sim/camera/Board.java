@@ -21,9 +21,9 @@ record Board(
     float stripe)
     implements Solid {
   @Override
-  public float[] ball() {
+  public float[] column() {
     float middle = 0.5f * (low + high);
-    return new float[] {x, y, middle, (float) Math.hypot(half, 0.5 * (high - low))};
+    return new float[] {x, y, middle, half, 0.5f * (high - low)};
   }
 
   @Override

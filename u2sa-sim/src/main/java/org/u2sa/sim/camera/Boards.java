@@ -17,10 +17,11 @@ final class Boards implements Solid {
   }
 
   @Override
-  public float[] ball() {
+  public float[] column() {
     Point middle = ramp.at(0.5 * ramp.lengthM(), 0.0);
-    double radius = 0.5 * Math.hypot(ramp.lengthM(), ramp.widthM()) + ramp.highestM();
-    return new float[] {(float) middle.x(), (float) middle.y(), 0.0f, (float) radius};
+    double radius = 0.5 * Math.hypot(ramp.lengthM(), ramp.widthM());
+    float half = 0.5f * (float) ramp.highestM();
+    return new float[] {(float) middle.x(), (float) middle.y(), half, (float) radius, half};
   }
 
   @Override

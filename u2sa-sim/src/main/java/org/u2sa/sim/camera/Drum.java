@@ -18,8 +18,8 @@ record Drum(float x, float y, float bottom, float radius, float height, int[] ba
   }
 
   @Override
-  public float[] ball() {
-    return new float[] {x, y, bottom + 0.5f * height, (float) Math.hypot(radius, 0.5 * height)};
+  public float[] column() {
+    return new float[] {x, y, bottom + 0.5f * height, radius, 0.5f * height};
   }
 
   @Override

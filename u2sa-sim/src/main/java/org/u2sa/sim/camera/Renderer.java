@@ -148,31 +148,32 @@ public final class Renderer {
 
   /** Which part of the picture a solid is in; none if it is behind the camera. */
   private void box(Solid solid, VehicleTruth truth, int into) {
-    float[] ball = solid.ball();
-    float x = ball[0] - middle.x;
-    float y = ball[1] - middle.y;
-    float z = ball[2] - middle.z;
+    float[] column = solid.column();
+    float x = column[0] - middle.x;
+    float y = column[1] - middle.y;
+    float z = column[2] - middle.z;
     float ahead = x * middle.axis[0] + y * middle.axis[1] + z * middle.axis[2];
-    float radius = 1.1f * ball[3] + 0.02f;
+    float deep = reach(column, middle.axis);
     int top = 0;
-    int bottom = ahead < -radius ? -1 : lens.height() - 1;
+    int bottom = ahead < -deep ? -1 : lens.height() - 1;
     int left = 0;
     int right = lens.width() - 1;
     boolean distorted = lens.k1() != 0.0 || lens.k2() != 0.0;
-    float near = ahead - radius;
+    float near = ahead - deep;
     if (near > 0.2f && !distorted) {
       float focal = (float) lens.intrinsics().focalX();
       float aside = x * middle.right[0] + y * middle.right[1] + z * middle.right[2];
       float below = x * middle.below[0] + y * middle.below[1] + z * middle.below[2];
+      float wide = reach(column, middle.right);
+      float tall = reach(column, middle.below);
       float slack = 4.0f + (float) Math.abs(truth.rates().z() * lens.readoutS()) * focal;
       float centreX = (float) lens.intrinsics().centreX();
       float centreY = (float) lens.intrinsics().centreY();
-      left = Math.max(0, (int) (centreX + focal * least(aside - radius, near, ahead) - slack));
-      right =
-          Math.min(right, (int) (centreX + focal * -least(-aside - radius, near, ahead) + slack));
-      top = Math.max(0, (int) (centreY + focal * least(below - radius, near, ahead) - slack));
+      left = Math.max(0, (int) (centreX + focal * least(aside - wide, near, ahead) - slack));
+      right = Math.min(right, (int) (centreX + focal * -least(-aside - wide, near, ahead) + slack));
+      top = Math.max(0, (int) (centreY + focal * least(below - tall, near, ahead) - slack));
       bottom =
-          Math.min(bottom, (int) (centreY + focal * -least(-below - radius, near, ahead) + slack));
+          Math.min(bottom, (int) (centreY + focal * -least(-below - tall, near, ahead) + slack));
     }
     boxes[into] = left;
     boxes[into + 1] = top;
@@ -180,7 +181,15 @@ public final class Renderer {
     boxes[into + 3] = bottom;
   }
 
-  /** The least that a side of a ball may be seen at, by its nearest or middle distance. */
+  /**
+   * How far a column reaches from its middle along an axis of the camera, and a little more [m].
+   */
+  private static float reach(float[] column, float[] axis) {
+    float level = (float) Math.sqrt(axis[0] * axis[0] + axis[1] * axis[1]);
+    return 1.1f * (column[3] * level + column[4] * Math.abs(axis[2])) + 0.05f;
+  }
+
+  /** The least that a side of a column may be seen at, by its nearest or farthest distance. */
   private static float least(float side, float near, float ahead) {
     return Math.min(side / near, side / (2.0f * ahead - near));
   }

@@ -13,8 +13,10 @@ interface Solid {
     boolean isGround; // its colour is that of the lawn's map there
   }
 
-  /** Centre and radius of a ball around it: east, north, up, radius [m]. */
-  float[] ball();
+  /**
+   * An upright column around it: its middle east, north and up, its radius, half its height [m].
+   */
+  float[] column();
 
   /**
    * Distance along a ray to it, in lengths of its direction; infinite if they do not meet.
