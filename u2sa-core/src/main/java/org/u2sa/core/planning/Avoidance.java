@@ -452,7 +452,12 @@ final class Avoidance {
     } else {
       status = choice.kind() == ArcChoice.Kind.WAIT ? PathStatus.WAITING : PathStatus.FOLLOWED;
     }
-    PlannedPath path = new PlannedPath().goal(wanted.goal()).planner(chosen.get());
-    news.announce(path, status, givenUp.orElse(obstacle), track, plane, at.z());
+    news.announce(
+        () -> new PlannedPath().goal(wanted.goal()).planner(chosen.get()),
+        status,
+        givenUp.orElse(obstacle),
+        track,
+        plane,
+        at.z());
   }
 }

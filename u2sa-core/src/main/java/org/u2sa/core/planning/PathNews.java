@@ -45,12 +45,12 @@ final class PathNews {
   /**
    * Says what is new, if anything.
    *
-   * @param news names the goal and the planner
+   * @param named a path that names the goal and the planner
    * @param why there is no route, or the goal is given up; empty if neither
    * @param downM of the path's points on its plane [m]
    */
   void announce(
-      PlannedPath news,
+      Supplier<PlannedPath> named,
       PathStatus now,
       String why,
       Optional<RouteTrack> track,
@@ -69,6 +69,7 @@ final class PathNews {
     }
     announced = track.orElse(null);
     announcedReason = reason;
+    PlannedPath news = named.get();
     news.status(now).referenceFrame(plane.frame()).points(points(track, plane, downM));
     if (!reason.isEmpty()) {
       news.reason(reason);

@@ -1,6 +1,7 @@
 package org.u2sa.sim.world;
 
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 
 /** A level lawn with ramps of boards on it, which do not overlap: terrain and surface. */
 public final class RampedGround implements Terrain, Surface {
@@ -24,20 +25,20 @@ public final class RampedGround implements Terrain, Surface {
 
   @Override
   public double riseEast(double eastM, double northM) {
-    double rise = 0.0;
-    for (Ramp ramp : ramps) {
-      rise += ramp.riseEast(eastM, northM);
-    }
-    return rise;
+    return sum(ramp -> ramp.riseEast(eastM, northM));
   }
 
   @Override
   public double riseNorth(double eastM, double northM) {
-    double rise = 0.0;
+    return sum(ramp -> ramp.riseNorth(eastM, northM));
+  }
+
+  private double sum(ToDoubleFunction<Ramp> rise) {
+    double sum = 0.0;
     for (Ramp ramp : ramps) {
-      rise += ramp.riseNorth(eastM, northM);
+      sum += rise.applyAsDouble(ramp);
     }
-    return rise;
+    return sum;
   }
 
   /** Of the ways up and down; the sides are upright. */

@@ -41,53 +41,48 @@ record ChainResult(
   }
 
   String row() {
-    return String.format(
-        Locale.ROOT,
-        "%-32s %8.0f %8.0f %8.0f %8.0f | %8.0f %8.0f | %7d %5d %6d %8d %5d %8d %3d/%2d ms %5.1f",
-        scenario,
-        micros(command, 50.0),
-        micros(command, 99.0),
-        micros(command, 99.9),
-        micros(command, 100.0),
-        micros(plan, 50.0),
-        micros(plan, 99.0),
-        sent,
-        late,
-        merged,
-        overruns,
-        dropped,
-        replaced,
-        gcCount,
-        gcMillis,
-        load);
+    return String.format(Locale.ROOT, "%-32s", scenario)
+        + String.format(
+            Locale.ROOT,
+            " %8.0f %8.0f %8.0f %8.0f | %8.0f %8.0f | %7d %5d %6d %8d %5d %8d %3d/%2d ms %5.1f",
+            figures());
   }
 
   String json() {
     return String.format(
-        Locale.ROOT,
-        "{\"benchmark\": \"chain\", \"hz\": %d, \"neighbours\": %d, \"company\": \"%s\", \"round\": %d, \"p50_us\": %.1f,"
-            + " \"p99_us\": %.1f, \"p99.9_us\": %.1f, \"max_us\": %.1f, \"plan_p50_us\": %.1f, \"plan_p99_us\": %.1f,"
-            + " \"sent\": %d, \"late\": %d, \"merged\": %d, \"overruns\": %d, \"lost\": %d, \"replaced\": %d, \"gc\": %d, \"gc_ms\": %d,"
-            + " \"load\": %.2f}",
-        scenario.hz(),
-        scenario.neighbours(),
-        scenario.company(),
-        round,
-        micros(command, 50.0),
-        micros(command, 99.0),
-        micros(command, 99.9),
-        micros(command, 100.0),
-        micros(plan, 50.0),
-        micros(plan, 99.0),
-        sent,
-        late,
-        merged,
-        overruns,
-        dropped,
-        replaced,
-        gcCount,
-        gcMillis,
-        load);
+            Locale.ROOT,
+            "{\"benchmark\": \"chain\", \"hz\": %d, \"neighbours\": %d, \"company\": \"%s\", \"round\": %d, ",
+            scenario.hz(),
+            scenario.neighbours(),
+            scenario.company(),
+            round)
+        + String.format(
+            Locale.ROOT,
+            "\"p50_us\": %.1f, \"p99_us\": %.1f, \"p99.9_us\": %.1f, \"max_us\": %.1f, \"plan_p50_us\": %.1f, \"plan_p99_us\": %.1f,"
+                + " \"sent\": %d, \"late\": %d, \"merged\": %d, \"overruns\": %d, \"lost\": %d, \"replaced\": %d, \"gc\": %d, \"gc_ms\": %d,"
+                + " \"load\": %.2f}",
+            figures());
+  }
+
+  /** In the order of the table. */
+  private Object[] figures() {
+    return new Object[] {
+      micros(command, 50.0),
+      micros(command, 99.0),
+      micros(command, 99.9),
+      micros(command, 100.0),
+      micros(plan, 50.0),
+      micros(plan, 99.0),
+      sent,
+      late,
+      merged,
+      overruns,
+      dropped,
+      replaced,
+      gcCount,
+      gcMillis,
+      load
+    };
   }
 
   private static double micros(Histogram histogram, double percentile) {

@@ -142,7 +142,7 @@ public final class AckermannPursuitControl extends ControlSystem {
       // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
       share = -Math.atan(now.wheelbase() * curvature) / now.angleRad();
     }
-    double throttle = tuning.get().calibration().share(drive.speedMps() + demand.trimMps());
+    double throttle = tuning.get().calibration().share(drive.speedMps() + demand.moreMps());
     commandShare(now.throttleActuator(), throttle);
     if (now.steersByAngle()) {
       double bounded = Math.max(-1.0, Math.min(1.0, share));

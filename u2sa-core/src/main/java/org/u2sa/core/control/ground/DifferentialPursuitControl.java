@@ -134,7 +134,7 @@ public final class DifferentialPursuitControl extends ControlSystem {
     Drive told =
         drive.isStanding()
             ? drive
-            : new Drive(drive.speedMps() + demand.trimMps(), drive.yawRateRadPerS() + turn);
+            : new Drive(drive.speedMps() + demand.moreMps(), drive.yawRateRadPerS() + turn);
     WheelSpeeds wheels = WheelSpeeds.of(told, turning.get().track(), motor.maxMps());
     double slope = drive.isStanding() ? 0.0 : slopes.get().share(state);
     WheelShares shares =

@@ -32,10 +32,10 @@ final class PursuitControl {
    * What the motors are to do.
    *
    * @param drive how the vehicle is to move
-   * @param trimMps what must be told more, for that speed and for its change [m/s]
+   * @param moreMps what must be told more, for that speed and for its change [m/s]
    * @param yawErrorRadPerS wanted yaw rate less the measured one; empty if unknown
    */
-  record Demand(Drive drive, double trimMps, OptionalDouble yawErrorRadPerS) {}
+  record Demand(Drive drive, double moreMps, OptionalDouble yawErrorRadPerS) {}
 
   /** How to move now, after a state. */
   Demand step(Optional<GroundTarget> target, GroundControl.Measured measured, double stepS) {
