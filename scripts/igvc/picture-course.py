@@ -16,8 +16,11 @@ import math
 import re
 import sys
 
-import numpy
-from matplotlib import image
+try:
+    import numpy
+    from matplotlib import image
+except ImportError as missing:
+    sys.exit(f"this Python has no {missing.name}; expected python3-numpy and python3-matplotlib (Debian) or pip install numpy matplotlib")
 
 LINE_M = 0.0762
 STEP_M = 0.18

@@ -101,12 +101,15 @@ final class CampaignOptions {
         "Try each of the values of a demo's option (payload=0,5,10) or a service's variable (\"PathPlanner:LOOK AHEAD=0.8,1.2\").",
         "Several: all combinations."
       })
-  private void sweep(String text) {
-    Sweep sweep = Sweep.of(text);
-    if (sweeps.stream().anyMatch(earlier -> earlier.name().equals(sweep.name()))) {
-      throw refused("--sweep \"" + text + "\": " + sweep.name() + " is swept already");
+  private void sweeps(List<String> texts) { // all so far, each time
+    sweeps.clear();
+    for (String text : texts) {
+      Sweep sweep = Sweep.of(text);
+      if (sweeps.stream().anyMatch(earlier -> earlier.name().equals(sweep.name()))) {
+        throw refused("--sweep \"" + text + "\": " + sweep.name() + " is swept already");
+      }
+      sweeps.add(sweep);
     }
-    sweeps.add(sweep);
   }
 
   private int atLeastOne(String option, int value) {

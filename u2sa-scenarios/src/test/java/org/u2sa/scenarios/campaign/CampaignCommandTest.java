@@ -37,13 +37,26 @@ class CampaignCommandTest {
 
   @Test
   void campaign_oneAndTwoProcesses_comeToTheSame() throws IOException {
-    String[] runs = {"ugv", "--runs", "2", "--sweep", "payload=0,5", "--", "--loops", "1"};
+    String[] runs = {
+      "ugv",
+      "--runs",
+      "1",
+      "--sweep",
+      "payload=0,5",
+      "--sweep",
+      "estimator=fusing,pass_through",
+      "--",
+      "--loops",
+      "1"
+    };
     assertThat(campaign("two", withJobs(2, runs))).as(err + "\n" + out).isEqualTo(ExitCode.DONE);
     JsonNode two = summary("two");
     assertThat(two.get("runs").asInt()).isEqualTo(4);
     assertThat(two.get("runsSucceeded").asInt()).isEqualTo(4);
     assertThat(directory.resolve("two/runs.csv")).content().hasLineCount(5);
-    assertThat(directory.resolve("two/campaign.html")).content().contains("By payload");
+    assertThat(directory.resolve("two/campaign.html"))
+        .content()
+        .contains("By payload", "By estimator");
     try (var left = Files.list(directory.resolve("two"))) {
       assertThat(left).noneMatch(Files::isDirectory);
     }
@@ -62,6 +75,13 @@ class CampaignCommandTest {
     List<String> all = new ArrayList<>(List.of("--jobs", Integer.toString(jobs)));
     all.addAll(List.of(rest));
     return all.toArray(String[]::new);
+  }
+
+  @Test
+  void campaign_sameNameSweptTwice_isRefused() {
+    assertThat(campaign("x", "ugv", "--sweep", "payload=0,5", "--sweep", "payload=7"))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("payload is swept already");
   }
 
   @Test
