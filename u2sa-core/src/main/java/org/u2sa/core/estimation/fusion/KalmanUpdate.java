@@ -7,21 +7,22 @@ import org.ejml.dense.row.CommonOps_DDRM;
 /**
  * Corrects state and covariance by one measurement vector. The covariance is updated in Joseph's
  * form, written out for a gain K and G = P Hᵀ: P - K Gᵀ - G Kᵀ + K S Kᵀ, which stays positive
- * whatever the rounding of K (Bucy and Joseph 1968).
+ * whatever the rounding of K (Bucy and Joseph 1968). Only errors that the measurement tells of are
+ * looked at, and of the covariance one half: the other one is the same.
  */
 final class KalmanUpdate {
   private static final int N = FilterState.N;
 
-  private final DMatrixRMaj g = new DMatrixRMaj(N, 3);
-  private final DMatrixRMaj k = new DMatrixRMaj(N, 3);
-  private final DMatrixRMaj ks = new DMatrixRMaj(N, 3);
+  private final double[][] g = new double[3][N]; // columns of G
+  private final double[][] k = new double[3][N]; // columns of K
+  private final double[][] excess = new double[3][N]; // columns of K S - G: rounding of K
   private final DMatrixRMaj s = new DMatrixRMaj(3, 3);
   private final DMatrixRMaj inverse = new DMatrixRMaj(3, 3);
-  private final double[][] gains = new double[3][N]; // columns of K
-  private final double[][] shared = new double[3][N]; // columns of G
-  private final double[] sum = new double[N];
   private final double[] dx = new double[N];
-  private final int[] columns = new int[N]; // of error states that are concerned
+  private final int[] used = new int[N]; // columns of H that are not 0, rising
+  private final int[] touched = new int[N]; // rows of G that are not 0, rising
+  private int uses;
+  private int touches;
   private int rows;
 
   /** Variance of each component by the state's own uncertainty: diagonal of H P Hᵀ. */
@@ -35,36 +36,50 @@ final class KalmanUpdate {
    */
   double prepare(FilterState state, MeasurementModel m, double factor) {
     rows = m.rows;
-    m.h.reshape(rows, N);
-    g.reshape(N, rows);
     s.reshape(rows, rows);
     inverse.reshape(rows, rows);
+    findUsed(m.h.data);
     project(state.p.data, m.h.data);
-    CommonOps_DDRM.mult(m.h, g, s);
     for (int i = 0; i < rows; i++) {
+      for (int j = 0; j < rows; j++) {
+        double sum = 0.0;
+        for (int c = 0; c < uses; c++) {
+          sum += m.h.data[i * N + used[c]] * g[j][used[c]];
+        }
+        s.data[i * rows + j] = sum;
+      }
       expected[i] = s.data[i * rows + i];
     }
     return weigh(m, factor);
   }
 
-  /** G = P Hᵀ, from the columns of H that are not 0. */
-  private void project(double[] p, double[] h) {
-    int used = 0;
+  private void findUsed(double[] h) {
+    uses = 0;
     for (int column = 0; column < N; column++) {
       for (int row = 0; row < rows; row++) {
         if (h[row * N + column] != 0.0) {
-          columns[used++] = column;
+          used[uses++] = column;
           break;
         }
       }
     }
+  }
+
+  /** G = P Hᵀ. */
+  private void project(double[] p, double[] h) {
+    touches = 0;
     for (int i = 0; i < N; i++) {
+      boolean isTouched = false;
       for (int row = 0; row < rows; row++) {
         double sum = 0.0;
-        for (int c = 0; c < used; c++) {
-          sum += p[i * N + columns[c]] * h[row * N + columns[c]];
+        for (int c = 0; c < uses; c++) {
+          sum += p[i * N + used[c]] * h[row * N + used[c]];
         }
-        g.data[i * rows + row] = sum;
+        g[row][i] = sum;
+        isTouched |= sum != 0.0;
+      }
+      if (isTouched) {
+        touched[touches++] = i;
       }
     }
   }
@@ -86,57 +101,49 @@ final class KalmanUpdate {
 
   /** Corrects the state by what was prepared. */
   void apply(FilterState state, MeasurementModel m) {
-    k.reshape(N, rows);
-    ks.reshape(N, rows);
-    CommonOps_DDRM.mult(g, inverse, k);
-    CommonOps_DDRM.mult(k, s, ks);
-    int touched = 0;
-    for (int i = 0; i < N; i++) {
-      dx[i] = 0.0;
-      boolean isTouched = false;
+    Arrays.fill(dx, 0.0);
+    for (int a = 0; a < touches; a++) {
+      int i = touched[a];
       for (int c = 0; c < rows; c++) {
-        gains[c][i] = k.data[i * rows + c];
-        shared[c][i] = g.data[i * rows + c];
-        isTouched |= g.data[i * rows + c] != 0.0;
-        dx[i] += k.data[i * rows + c] * m.innovation[c];
+        k[c][i] = product(g, i, inverse.data, c);
+        dx[i] += k[c][i] * m.innovation[c];
       }
-      if (isTouched) {
-        columns[touched++] = i;
+      for (int c = 0; c < rows; c++) {
+        excess[c][i] = product(k, i, s.data, c) - g[c][i];
       }
     }
     double[] p = state.p.data;
-    for (int a = 0; a < touched; a++) {
-      change(p, columns[a]);
+    for (int c = 0; c < rows; c++) {
+      change(p, g[c], k[c], excess[c]);
     }
-    for (int a = 1; a < touched; a++) {
+    for (int a = 1; a < touches; a++) {
+      int i = touched[a];
       for (int b = 0; b < a; b++) {
-        int here = columns[a] * N + columns[b];
-        int there = columns[b] * N + columns[a];
-        double mean = 0.5 * (p[here] + p[there]);
-        p[here] = mean;
-        p[there] = mean;
+        p[touched[b] * N + i] = p[i * N + touched[b]];
       }
     }
     correct(state);
   }
 
-  /**
-   * Adds a row of K S Kᵀ - K Gᵀ - G Kᵀ: rows of arrays, which the compiler takes several at once.
-   */
-  private void change(double[] p, int i) {
-    Arrays.fill(sum, 0.0);
+  /** A number of the product of a matrix of columns and a square one. */
+  private double product(double[][] columns, int row, double[] square, int column) {
+    double sum = 0.0;
     for (int c = 0; c < rows; c++) {
-      double[] kc = gains[c];
-      double[] gc = shared[c];
-      double ksi = ks.data[i * rows + c];
-      double ki = kc[i];
-      double gi = gc[i];
-      for (int j = 0; j < N; j++) {
-        sum[j] += ksi * kc[j] - ki * gc[j] - gi * kc[j];
-      }
+      sum += columns[c][row] * square[c * rows + column];
     }
-    for (int j = 0; j < N; j++) {
-      p[i * N + j] += sum[j];
+    return sum;
+  }
+
+  /** Adds one component's share of (K S - G) Kᵀ - K Gᵀ to the lower half. */
+  private void change(double[] p, double[] of, double[] gain, double[] rounding) {
+    for (int a = 0; a < touches; a++) {
+      int i = touched[a];
+      double ki = gain[i];
+      double ri = rounding[i];
+      for (int b = 0; b <= a; b++) {
+        int j = touched[b];
+        p[i * N + j] += ri * gain[j] - ki * of[j];
+      }
     }
   }
 

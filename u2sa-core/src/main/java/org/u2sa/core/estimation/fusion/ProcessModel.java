@@ -70,7 +70,6 @@ final class ProcessModel {
     turn(s, dt);
     f.carry(s.p.data);
     addNoise(s, dt);
-    f.symmetrise(s.p.data);
   }
 
   /** v̇ = R (f - b) + g, δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, equations 272 and 283). */

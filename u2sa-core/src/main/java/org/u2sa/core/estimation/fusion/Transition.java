@@ -4,8 +4,9 @@ import java.util.Arrays;
 
 /**
  * How the error state goes on over a step: the identity, but for a few numbers (four of a hundred
- * differ from 0). P ← F P Fᵀ works on those alone, and P is symmetric: where only one of two errors
- * changes, one half of the product is the other one.
+ * differ from 0). P ← F P Fᵀ works on those alone, and P is symmetric: one half of the product is
+ * the other one. What is not estimated, and so has no variance, stays so where it depends on itself
+ * only.
  */
 final class Transition {
   private static final int N = FilterState.N;
@@ -42,14 +43,12 @@ final class Transition {
     values[row][at] = value;
   }
 
-  /**
-   * P ← F P Fᵀ of a symmetric P. Where both errors change, halves of the result differ by rounding
-   * until {@link #symmetrise}.
-   */
+  /** P ← F P Fᵀ of a symmetric P. */
   void carry(double[] p) {
     changes = 0;
     for (int row = 0; row < N; row++) {
-      if (sizes[row] > 1 || values[row][0] != 1.0) {
+      boolean isScaled = values[row][0] != 1.0 && p[row * N + row] != 0.0;
+      if (sizes[row] > 1 || isScaled) {
         changed[changes++] = row;
       }
     }
@@ -64,7 +63,7 @@ final class Transition {
       }
     }
     for (int c = 0; c < changes; c++) {
-      combineColumns(p, changed[c]);
+      combineColumns(p, c);
     }
   }
 
@@ -80,10 +79,11 @@ final class Transition {
     }
   }
 
-  /** A row of (F P) Fᵀ, in the columns that change. */
-  private void combineColumns(double[] p, int row) {
+  /** A row of (F P) Fᵀ, in the columns that change, and the column that is the same. */
+  private void combineColumns(double[] p, int change) {
+    int row = changed[change];
     int from = row * N;
-    for (int c = 0; c < changes; c++) {
+    for (int c = 0; c <= change; c++) {
       int column = changed[c];
       int[] of = columns[column];
       double[] by = values[column];
@@ -92,19 +92,7 @@ final class Transition {
         sum += by[n] * product[from + of[n]];
       }
       p[from + column] = sum;
-    }
-  }
-
-  /** Makes halves equal again after {@link #carry}; both may have been changed alike meanwhile. */
-  void symmetrise(double[] p) {
-    for (int c = 1; c < changes; c++) {
-      for (int b = 0; b < c; b++) {
-        int here = changed[c] * N + changed[b];
-        int there = changed[b] * N + changed[c];
-        double mean = 0.5 * (p[here] + p[there]);
-        p[here] = mean;
-        p[there] = mean;
-      }
+      p[column * N + row] = sum;
     }
   }
 }

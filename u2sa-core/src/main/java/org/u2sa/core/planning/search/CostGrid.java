@@ -73,8 +73,8 @@ public final class CostGrid {
         int i = frame.index(row, column);
         int state = (isOccupied.test(i) ? OCCUPIED : 0) | (isUnknown.test(i) ? UNKNOWN : 0);
         if (state != states[i]) {
+          changes.add(row, column, column, ((state ^ states[i]) & OCCUPIED) != 0);
           states[i] = (byte) state;
-          changes.add(row, column);
         }
       }
     }
@@ -90,41 +90,69 @@ public final class CostGrid {
     for (int row = 0; row < frame.rows(); row++) {
       int begin = frame.index(row, 0);
       if (change.find(states, newStates, begin, frame.columns())) {
+        boolean stands = false;
+        for (int i = begin + change.first(); i <= begin + change.last(); i++) {
+          stands |= ((states[i] ^ newStates[i]) & OCCUPIED) != 0;
+        }
+        changes.add(row, change.first(), change.last(), stands);
         int length = change.last() - change.first() + 1;
         System.arraycopy(newStates, begin + change.first(), states, begin + change.first(), length);
-        changes.add(row, change.first());
-        changes.add(row, change.last());
       }
     }
     return changes.compute();
   }
 
-  /** The cells whose state has changed. */
+  /**
+   * The cells whose state has changed. Distances are computed anew only around rows in which
+   * something new stands, or no longer does: most changes are cells seen for the first time.
+   */
   private final class Changes {
+    private final Span seen = new Span();
+    private final Span occupied = new Span();
+
+    void add(int row, int first, int last, boolean stands) {
+      seen.add(row, first, last);
+      if (stands) {
+        occupied.add(row, first, last);
+      }
+    }
+
+    /** Computes costs around them. Returns the cells whose cost may have changed; null if none. */
+    Area compute() {
+      if (seen.isEmpty()) {
+        return null;
+      }
+      if (!occupied.isEmpty()) {
+        int[] near =
+            distances.update(states, occupied.top, occupied.left, occupied.bottom, occupied.right);
+        seen.add(near[0], near[1], near[3]);
+        seen.add(near[2], near[1], near[3]);
+      }
+      for (int row = seen.top; row <= seen.bottom; row++) {
+        for (int i = frame.index(row, seen.left); i <= frame.index(row, seen.right); i++) {
+          cost[i] = costAt[distances.square(i)] + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
+        }
+      }
+      return new Area(seen.top, seen.left, seen.bottom, seen.right);
+    }
+  }
+
+  /** A rectangle around cells. */
+  private static final class Span {
     private int top = Integer.MAX_VALUE;
     private int left = Integer.MAX_VALUE;
     private int bottom = -1;
     private int right = -1;
 
-    void add(int row, int column) {
+    void add(int row, int first, int last) {
       top = Math.min(top, row);
-      bottom = row;
-      left = Math.min(left, column);
-      right = Math.max(right, column);
+      bottom = Math.max(bottom, row);
+      left = Math.min(left, first);
+      right = Math.max(right, last);
     }
 
-    /** Computes costs around them. Returns the cells whose cost may have changed; null if none. */
-    Area compute() {
-      if (bottom < 0) {
-        return null;
-      }
-      int[] near = distances.update(states, top, left, bottom, right);
-      for (int row = near[0]; row <= near[2]; row++) {
-        for (int i = frame.index(row, near[1]); i <= frame.index(row, near[3]); i++) {
-          cost[i] = costAt[distances.square(i)] + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
-        }
-      }
-      return new Area(near[0], near[1], near[2], near[3]);
+    boolean isEmpty() {
+      return bottom < 0;
     }
   }
 

@@ -47,14 +47,13 @@ class TransitionTest {
   }
 
   @Test
-  void symmetrise_afterCarry_makesHalvesEqualToTheLastBit() {
+  void carry_anyNumbers_leavesHalvesEqualToTheLastBit() {
     transition.reset();
     for (int i = 0; i < 40; i++) {
       transition.set(random.nextInt(N), random.nextInt(N), random.nextGaussian());
     }
     DMatrixRMaj p = RandomMatrices_DDRM.symmetric(N, -1.0, 1.0, random);
     transition.carry(p.data);
-    transition.symmetrise(p.data);
     for (int i = 0; i < N; i++) {
       for (int k = 0; k < i; k++) {
         assertThat(p.get(i, k)).as("number %d, %d", i, k).isEqualTo(p.get(k, i));
@@ -70,6 +69,17 @@ class TransitionTest {
     set(3, 7, -2.0);
     set(4, 4, 0.5);
     assertCarries();
+  }
+
+  @Test
+  void carry_scaleOfWhatHasNoVariance_changesNothing() {
+    transition.reset();
+    transition.set(5, 5, 0.5);
+    DMatrixRMaj p = CommonOps_DDRM.identity(N);
+    p.set(5, 5, 0.0);
+    DMatrixRMaj before = p.copy();
+    transition.carry(p.data);
+    assertThat(p.data).isEqualTo(before.data);
   }
 
   @Test
