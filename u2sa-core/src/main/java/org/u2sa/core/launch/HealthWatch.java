@@ -52,19 +52,31 @@ final class HealthWatch implements AutoCloseable {
 
   private void run() {
     try {
-      long dueMicros = clock.micros();
-      spokeMicros = dueMicros;
-      while (!closed) {
-        waiter.await(dueMicros);
-        for (U2SAService service : closed ? List.<U2SAService>of() : services.get()) {
-          look(service);
-        }
-        dueMicros = clock.micros() + EVERY_MICROS;
-      }
+      spokeMicros = clock.micros();
+      waiter.lend(new Looks());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
       waiter.close();
+    }
+  }
+
+  /** One look at all services in each turn but the first, which joins the others'. */
+  private final class Looks implements Clock.Turns {
+    private boolean hasJoined;
+
+    @Override
+    public long take() {
+      if (closed) {
+        return OVER;
+      }
+      long dueMicros = clock.micros();
+      if (hasJoined) {
+        services.get().forEach(HealthWatch.this::look);
+        dueMicros += EVERY_MICROS;
+      }
+      hasJoined = true;
+      return dueMicros;
     }
   }
 

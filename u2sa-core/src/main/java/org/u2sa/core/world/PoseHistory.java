@@ -38,7 +38,10 @@ final class PoseHistory {
       states.clear();
     }
     states.put(time, state);
-    states.headMap(states.lastKey() - SPAN_MICROS).clear();
+    long oldest = states.lastKey() - SPAN_MICROS;
+    while (states.firstKey() < oldest) {
+      states.pollFirstEntry();
+    }
     return true;
   }
 

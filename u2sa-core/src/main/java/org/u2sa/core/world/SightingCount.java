@@ -35,9 +35,15 @@ final class SightingCount {
 
   @Override
   public String toString() {
-    return String.format(
-        "%d sightings, %d scans, %d without a state of their time, %d without a time, %d states "
-            + "without place or heading",
-        sightings, scans, stateless, untimed, badStates);
+    return sightings
+        + " sightings, "
+        + scans
+        + " scans, "
+        + stateless
+        + " without a state of their time, "
+        + untimed
+        + " without a time, "
+        + badStates
+        + " states without place or heading";
   }
 }

@@ -8,12 +8,12 @@ final class History {
   /** A measurement, and what it led to. */
   static final class Entry {
     final Measurement measurement = new Measurement();
-    final FilterState after = new FilterState();
+    FilterState after = new FilterState();
     int source;
   }
 
   private final Entry[] ring;
-  private final FilterState base = new FilterState(); // before the oldest entry
+  private FilterState base = new FilterState(); // before the oldest entry
   private int first;
   private int count;
   private int fused; // entries from the oldest on whose states are what they led to
@@ -89,7 +89,9 @@ final class History {
       if (comesBefore(m, at(0).measurement)) {
         return -1;
       }
-      base.copyFrom(at(0).after);
+      FilterState unused = base;
+      base = at(0).after;
+      at(0).after = unused;
       first = (first + 1) % ring.length;
       count--;
       fused--;
