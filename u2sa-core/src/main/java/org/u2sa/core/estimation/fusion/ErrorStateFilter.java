@@ -26,6 +26,7 @@ public final class ErrorStateFilter {
   private final ProcessModel process;
   private final Fuser fuser;
   private final History history;
+  private final long horizonMicros;
   private final FilterState ahead = new FilterState();
   private final MeasurementModel look = new MeasurementModel();
   private long late;
@@ -38,6 +39,7 @@ public final class ErrorStateFilter {
     process = new ProcessModel(tuning);
     fuser = new Fuser(tuning, trust, process);
     history = new History(tuning.history());
+    horizonMicros = (long) Math.ceil(tuning.horizonS() * 1e6);
   }
 
   /** Takes a measurement, which is copied. */
@@ -53,6 +55,7 @@ public final class ErrorStateFilter {
     if (history.isFull() && history.fused() == 0) {
       fuse(); // the state after the oldest is what remains of it
     }
+    history.forget(micros() - horizonMicros);
     int source = trust.source(m.source());
     int index = history.insert(m, source);
     if (index < 0) {

@@ -89,12 +89,7 @@ final class History {
       if (comesBefore(m, at(0).measurement)) {
         return -1;
       }
-      FilterState unused = base;
-      base = at(0).after;
-      at(0).after = unused;
-      first = (first + 1) % ring.length;
-      count--;
-      fused--;
+      forgetOldest();
     }
     int index = count;
     Entry entry = at(index);
@@ -108,6 +103,30 @@ final class History {
     count++;
     fused = Math.min(fused, index);
     return index;
+  }
+
+  /**
+   * Forgets the oldest entries, if they are fused, as far as they are older than that time; the
+   * state after them remains.
+   */
+  void forget(long micros) {
+    while (fused > 0 && at(0).measurement.micros() < micros) {
+      forgetOldest();
+    }
+  }
+
+  /** The oldest is filled anew next: a short history stays in the processor's caches. */
+  private void forgetOldest() {
+    Entry oldest = at(0);
+    FilterState unused = base;
+    base = oldest.after;
+    oldest.after = unused;
+    int next = (first + count) % ring.length;
+    ring[first] = ring[next];
+    ring[next] = oldest;
+    first = (first + 1) % ring.length;
+    count--;
+    fused--;
   }
 
   private static boolean comesBefore(Measurement a, Measurement b) {

@@ -67,16 +67,26 @@ final class KalmanUpdate {
 
   /** G = P Hᵀ. */
   private void project(double[] p, double[] h) {
+    for (int row = 0; row < rows; row++) {
+      double[] column = g[row];
+      Arrays.fill(column, 0.0);
+      for (int c = 0; c < uses; c++) {
+        double factor = h[row * N + used[c]];
+        int from = used[c] * N; // P is symmetric, and its rows lie together
+        for (int i = 0; i < N; i++) {
+          column[i] += factor * p[from + i];
+        }
+      }
+    }
+    findTouched();
+  }
+
+  private void findTouched() {
     touches = 0;
     for (int i = 0; i < N; i++) {
       boolean isTouched = false;
       for (int row = 0; row < rows; row++) {
-        double sum = 0.0;
-        for (int c = 0; c < uses; c++) {
-          sum += p[i * N + used[c]] * h[row * N + used[c]];
-        }
-        g[row][i] = sum;
-        isTouched |= sum != 0.0;
+        isTouched |= g[row][i] != 0.0;
       }
       if (isTouched) {
         touched[touches++] = i;
