@@ -36,7 +36,9 @@ final class StateHistory {
     }
     lastStepMicros = step;
     states.put(time, state);
-    states.headMap(time - spanMicros).clear();
+    while (states.firstKey() < time - spanMicros) {
+      states.pollFirstEntry();
+    }
     return true;
   }
 

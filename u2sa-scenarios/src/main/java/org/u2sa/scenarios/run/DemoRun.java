@@ -213,7 +213,7 @@ record DemoRun(
               Math.min(sample.leg() + 1, count),
               count,
               underWay ? plan.waypoints().get(sample.leg()).name() : "",
-              plan.distanceM(sample.leg(), sample.longitudeDeg(), sample.latitudeDeg()),
+              () -> plan.distanceM(sample.leg(), sample.longitudeDeg(), sample.latitudeDeg()),
               Clock.seconds(stopwatch.micros() - startMicros)));
     }
 

@@ -2,6 +2,7 @@ package org.u2sa.scenarios.terminal;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.DoubleSupplier;
 import org.u2sa.gcs.terminal.Terminal;
 import org.u2sa.scenarios.report.TrackSample;
 
@@ -126,8 +127,8 @@ public final class LiveStatus implements AutoCloseable {
     String name = s.waypointName().isEmpty() ? "" : " (" + s.waypointName() + ")";
     String distance =
         s.sample().flight().isPresent()
-            ? format("%.2f km", s.distanceM() / 1000.0)
-            : format("%.1f m", s.distanceM());
+            ? format("%.2f km", s.distanceM().getAsDouble() / 1000.0)
+            : format("%.1f m", s.distanceM().getAsDouble());
     return format("waypoint %d of %d%s, %s to go", s.waypoint(), s.waypoints(), name, distance);
   }
 
@@ -161,7 +162,7 @@ public final class LiveStatus implements AutoCloseable {
    * @param waypoint number of the waypoint it goes to, from 1; 0: none
    * @param waypoints how many the mission has
    * @param waypointName name of the waypoint it goes to; may be empty
-   * @param distanceM horizontal distance to it [m]
+   * @param distanceM horizontal distance to it [m]; asked only if the moment is shown
    * @param elapsedS time of the wall clock since the start [s]
    */
   public record Moment(
@@ -169,7 +170,7 @@ public final class LiveStatus implements AutoCloseable {
       int waypoint,
       int waypoints,
       String waypointName,
-      double distanceM,
+      DoubleSupplier distanceM,
       double elapsedS) {
 
     /** What the vehicle does, e.g. {@code CLIMB}. */

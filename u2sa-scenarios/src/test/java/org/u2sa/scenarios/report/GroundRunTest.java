@@ -136,7 +136,7 @@ class GroundRunTest {
     Terminal terminal = new Terminal(new PrintWriter(text), false, false, 100);
     WaypointTable.print(terminal, report().score());
     LiveStatus live = new LiveStatus(terminal);
-    live.update(new LiveStatus.Moment(sample(65.0, 1.0, 2.0, 1), 2, 4, "gate 1", 12.34, 1.0));
+    live.update(new LiveStatus.Moment(sample(65.0, 1.0, 2.0, 1), 2, 4, "gate 1", () -> 12.34, 1.0));
 
     assertThat(text.toString().lines())
         .contains(

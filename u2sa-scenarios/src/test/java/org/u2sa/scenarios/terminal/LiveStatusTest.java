@@ -31,7 +31,7 @@ class LiveStatusTest {
             waypoint - 1,
             phase,
             Optional.of(flight));
-    return new LiveStatus.Moment(sample, waypoint, 10, "Ridge", 2310.0, elapsedS);
+    return new LiveStatus.Moment(sample, waypoint, 10, "Ridge", () -> 2310.0, elapsedS);
   }
 
   private Terminal interactive(int columns) {

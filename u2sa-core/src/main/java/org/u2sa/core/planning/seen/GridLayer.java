@@ -59,9 +59,9 @@ final class GridLayer {
     return layer;
   }
 
-  /** The state of each cell of the plan, as {@link CostGrid} has them; the caller's own. */
+  /** The state of each cell of the plan, as {@link CostGrid} has them; to be read only. */
   byte[] states() {
-    return said.clone();
+    return said;
   }
 
   private void draw() {

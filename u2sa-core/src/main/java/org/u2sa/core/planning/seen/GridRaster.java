@@ -18,7 +18,7 @@ final class GridRaster {
   /** The cells are as the World Modeler has seen them: free, occupied or unknown. */
   GridRaster(GridFrame frame, GridLayer seen) {
     this.frame = frame;
-    states = seen.states();
+    states = seen.states().clone();
   }
 
   /** The state of each cell, as {@link CostGrid} has them. */

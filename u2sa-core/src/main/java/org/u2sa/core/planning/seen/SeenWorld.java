@@ -211,28 +211,30 @@ public final class SeenWorld {
       costs = new CostGrid(new GridFrame(north, east, now.cellM(), cells, cells), now.inflation());
       costsRead = now;
     }
-    GridRaster raster = raster(now);
-    shapes.forEach(raster::draw);
-    if (!overlooks) {
-      guessed.forEach(raster::draw);
-    }
-    if (!corridors.isEmpty()) {
-      raster.drawOutside(corridors);
-    }
-    boolean different = costs.update(raster.states()) != null;
+    boolean different = costs.update(states(now)) != null;
     if (different || moved) {
       revision++;
     }
     changed = false;
   }
 
-  /** The window as the World Modeler's grid has it, before any object. */
-  private GridRaster raster(Reading now) {
-    if (seenGrid == null) {
-      return new GridRaster(costs.frame());
+  /** The window as the World Modeler's grid has it, with all objects. */
+  private byte[] states(Reading now) {
+    if (seenGrid != null) {
+      layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
     }
-    layer = GridLayer.of(seenGrid, plane, costs.frame(), now.occupiedAbove(), layer);
-    return new GridRaster(costs.frame(), layer);
+    List<PlanarShape> closed = overlooks ? List.of() : guessed;
+    if (seenGrid != null && shapes.isEmpty() && closed.isEmpty() && corridors.isEmpty()) {
+      return layer.states();
+    }
+    GridRaster raster =
+        seenGrid == null ? new GridRaster(costs.frame()) : new GridRaster(costs.frame(), layer);
+    shapes.forEach(raster::draw);
+    closed.forEach(raster::draw);
+    if (!corridors.isEmpty()) {
+      raster.drawOutside(corridors);
+    }
+    return raster.states();
   }
 
   private static boolean isNearEdge(GridFrame frame, double northM, double eastM) {
