@@ -24,6 +24,7 @@ final class MessageHandling {
   private final ContractResponder contract;
   private final HealthReporter reporter;
   private final int maxErrorsInARow;
+  private final CallbackStopwatch stopwatch;
   private final Execution execution; // null if nobody keeps it
   private final ServiceHealth.CallbackCode handled = this::handleNext; // one for all messages
   private ServiceInbox.Delivery next; // is handled by it
@@ -37,6 +38,7 @@ final class MessageHandling {
     reporter = new HealthReporter(service, variables.healthInterval());
     inbox = new ServiceInbox(variables.inboxCapacity());
     contract = new ContractResponder(service);
+    stopwatch = service.health.stopwatch();
     execution = service.context().execution().orElse(null);
   }
 
@@ -79,6 +81,7 @@ final class MessageHandling {
 
     @Override
     public long take() throws InterruptedException {
+      stopwatch.pause(); // the thread has waited, or done something else
       while (service.running) {
         if (service.succession.carryOut()) {
           service.running = false;
@@ -88,12 +91,15 @@ final class MessageHandling {
           guarded(contract.configurationWriter()::handOver);
           continue;
         }
-        long now = service.clock().micros();
-        reporter.reportIfDue(now);
+        long now = stopwatch.runMicros();
+        if (reporter.reportIfDue(now)) {
+          stopwatch.pause();
+        }
         boolean mayHandle = first-- > 0 || now < untilMicros;
         ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
         if (execution != null) {
           delivery = asExecuted(delivery);
+          stopwatch.pause();
         }
         if (delivery != null) {
           handle(delivery);
@@ -180,6 +186,7 @@ final class MessageHandling {
     if (health.run(code)) {
       return;
     }
+    stopwatch.pause(); // writing the log takes long
     String what = health.lastError().orElse("");
     String inRow = " (exception " + health.exceptionsInRow() + " in a row)";
     boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: no flood of stack traces
@@ -221,13 +228,15 @@ final class MessageHandling {
       return dueMicros;
     }
 
-    /** Reports if it is time. Called on the service's thread. */
-    void reportIfDue(long nowMicros) {
-      if (nowMicros >= dueMicros) {
-        service.publish(Channels.HEALTH, report());
-        reportedMicros = nowMicros;
-        dueMicros = nowMicros + intervalMicros;
+    /** Reports if it is time, and tells whether it was. Called on the service's thread. */
+    boolean reportIfDue(long nowMicros) {
+      if (nowMicros < dueMicros) {
+        return false;
       }
+      service.publish(Channels.HEALTH, report());
+      reportedMicros = nowMicros;
+      dueMicros = nowMicros + intervalMicros;
+      return true;
     }
 
     /** Reports before the next message is handled. Called on the service's thread. */
