@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -16,7 +17,7 @@ final class FieldStorage {
   private static final int ROOM_TO_BEGIN_WITH = 4; // numbers: a position or a velocity
 
   private double[] numbers = NO_NUMBERS;
-  private final Object[] values;
+  private Object[] values;
   private long present; // bit n: the number of slot n is set
   private long timestampMicros;
   private boolean timed; // the timestamp is set
@@ -96,6 +97,32 @@ final class FieldStorage {
     requireThawed(field);
     timestampMicros = micros;
     timed = true;
+  }
+
+  /**
+   * Takes over all values of another message of the type, and copies of the messages within.
+   *
+   * @param messageLists slots of the lists that hold them
+   */
+  void takeFrom(FieldStorage other, int[] messageLists) {
+    present = other.present;
+    numbers = Arrays.copyOf(other.numbers, Long.bitCount(present));
+    values = other.values.clone();
+    timestampMicros = other.timestampMicros;
+    timed = other.timed;
+    for (int slot : messageLists) {
+      if (values[slot] != null) {
+        values[slot] = copies((List<?>) values[slot]);
+      }
+    }
+  }
+
+  private static List<U2SAData> copies(List<?> messages) {
+    List<U2SAData> copies = new ArrayList<>(messages.size());
+    for (Object message : messages) {
+      copies.add(((U2SAData) message).copy());
+    }
+    return List.copyOf(copies);
   }
 
   private void requireThawed(MessageField<?> field) {

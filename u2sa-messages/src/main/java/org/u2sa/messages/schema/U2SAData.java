@@ -132,9 +132,7 @@ public abstract class U2SAData {
   /** A message with the same values that is not frozen. */
   public U2SAData copy() {
     U2SAData copy = type().newCarrier();
-    for (MessageField<U2SAData> field : fields()) {
-      field.copy(this, copy);
-    }
+    copy.storage.takeFrom(storage, type().messageLists());
     copy.unknown = unknown;
     return copy;
   }

@@ -106,13 +106,6 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     put(message, value);
   }
 
-  @Override
-  final void copy(T from, T to) {
-    if (isSet(from)) {
-      put(to, values.copied(valueIn(from)));
-    }
-  }
-
   /** A constant of an enum that a later version of the data model has and this reader does not. */
   static final class UnknownConstantException extends IllegalArgumentException {
     private static final long serialVersionUID = 1L;
