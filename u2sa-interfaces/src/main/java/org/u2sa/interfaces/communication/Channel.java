@@ -26,7 +26,8 @@ public final class Channel<T extends U2SAData> {
   private final Function<? super T, String> source;
   private final Set<Trait> traits;
 
-  // Of traits and name; each is asked for several times a message.
+  // Of type, traits and name; each is asked for several times a message.
+  private final Class<T> messageClass;
   private final boolean deliversEvery;
   private final boolean retained;
   private final boolean urgent;
@@ -52,6 +53,7 @@ public final class Channel<T extends U2SAData> {
     this.carried = carried;
     this.source = source;
     this.traits = traits;
+    messageClass = type.messageClass();
     deliversEvery = traits.contains(Trait.EVERY);
     retained = traits.contains(Trait.RETAINED);
     urgent = traits.contains(Trait.URGENT);
@@ -176,8 +178,7 @@ public final class Channel<T extends U2SAData> {
 
   /** Which source the message is of; newer messages of one source replace older ones. */
   public String sourceOf(U2SAData message) {
-    Class<T> carried = type.messageClass();
-    return carried.isInstance(message) ? source.apply(carried.cast(message)) : "";
+    return messageClass.isInstance(message) ? source.apply(messageClass.cast(message)) : "";
   }
 
   /**
@@ -186,13 +187,12 @@ public final class Channel<T extends U2SAData> {
    * those have channels of their own.
    */
   public boolean carries(U2SAData message) {
-    return type.messageClass().isInstance(message)
-        && (carried == null || carried.include(message.type()));
+    return messageClass.isInstance(message) && (carried == null || carried.include(message.type()));
   }
 
   /** {@link #carries(U2SAData)} of a message of that type. */
   public boolean carries(MessageType<?> other) {
-    return type.messageClass().isAssignableFrom(other.messageClass())
+    return messageClass.isAssignableFrom(other.messageClass())
         && (carried == null || carried.include(other));
   }
 
