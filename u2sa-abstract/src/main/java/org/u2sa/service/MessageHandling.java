@@ -1,14 +1,9 @@
 package org.u2sa.service;
 
-import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.Set;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -24,6 +19,7 @@ final class MessageHandling {
   private final ContractResponder contract;
   private final HealthReporter reporter;
   private final int maxErrorsInARow;
+  private final CallbackStopwatch stopwatch;
   private final Execution execution; // null if nobody keeps it
   private final ServiceHealth.CallbackCode handled = this::handleNext; // one for all messages
   private ServiceInbox.Delivery next; // is handled by it
@@ -37,6 +33,7 @@ final class MessageHandling {
     reporter = new HealthReporter(service, variables.healthInterval());
     inbox = new ServiceInbox(variables.inboxCapacity());
     contract = new ContractResponder(service);
+    stopwatch = service.health.stopwatch();
     execution = service.context().execution().orElse(null);
   }
 
@@ -79,6 +76,7 @@ final class MessageHandling {
 
     @Override
     public long take() throws InterruptedException {
+      stopwatch.pause(); // the thread has waited, or done something else
       while (service.running) {
         if (service.succession.carryOut()) {
           service.running = false;
@@ -88,12 +86,15 @@ final class MessageHandling {
           guarded(contract.configurationWriter()::handOver);
           continue;
         }
-        long now = service.clock().micros();
-        reporter.reportIfDue(now);
+        long now = stopwatch.runMicros();
+        if (reporter.reportIfDue(now)) {
+          stopwatch.pause();
+        }
         boolean mayHandle = first-- > 0 || now < untilMicros;
         ServiceInbox.Delivery delivery = mayHandle ? inbox.poll() : null;
         if (execution != null) {
           delivery = asExecuted(delivery);
+          stopwatch.pause();
         }
         if (delivery != null) {
           handle(delivery);
@@ -180,6 +181,7 @@ final class MessageHandling {
     if (health.run(code)) {
       return;
     }
+    stopwatch.pause(); // writing the log takes long
     String what = health.lastError().orElse("");
     String inRow = " (exception " + health.exceptionsInRow() + " in a row)";
     boolean where = Long.bitCount(health.exceptions()) == 1; // 1, 2, 4…: no flood of stack traces
@@ -195,94 +197,5 @@ final class MessageHandling {
   void reportLast() {
     contract.configurationWriter().close();
     reporter.reportLast();
-  }
-
-  /**
-   * Says how a service is (thesis 3.5.3): by itself at its interval, and what others may say on its
-   * behalf when it is silent.
-   */
-  static final class HealthReporter {
-    /** Intervals without a report after which a service is silent. */
-    private static final long SILENT_AFTER = 3;
-
-    private final U2SAService service;
-    private final long intervalMicros;
-    private long dueMicros = Long.MIN_VALUE; // touched by the service's thread only
-    private volatile long reportedMicros = Long.MIN_VALUE;
-    private volatile boolean lastSaid;
-
-    HealthReporter(U2SAService service, double intervalS) {
-      this.service = service;
-      intervalMicros = Clock.micros(intervalS);
-    }
-
-    /** When the next report is due [µs]. */
-    long dueMicros() {
-      return dueMicros;
-    }
-
-    /** Reports if it is time. Called on the service's thread. */
-    void reportIfDue(long nowMicros) {
-      if (nowMicros >= dueMicros) {
-        service.publish(Channels.HEALTH, report());
-        reportedMicros = nowMicros;
-        dueMicros = nowMicros + intervalMicros;
-      }
-    }
-
-    /** Reports before the next message is handled. Called on the service's thread. */
-    void reportSoon() {
-      dueMicros = Long.MIN_VALUE;
-    }
-
-    /** Reports that the service has ended. */
-    void reportLast() {
-      HealthReport last = report();
-      if (service.health.hasDied()) {
-        last.threadAlive(false);
-      }
-      lastSaid = service.publish(Channels.HEALTH, last);
-    }
-
-    /**
-     * What is to be said on behalf of the service because its own report is overdue; empty if it
-     * speaks for itself, has not been started, or has said its last.
-     */
-    Optional<HealthReport> onBehalf(long nowMicros) {
-      Thread.State state =
-          service.getState(); // asked first: who has ended by now has said its last
-      if (state == Thread.State.NEW || service.status() == ServiceStatus.CREATED || lastSaid) {
-        return Optional.empty();
-      }
-      boolean alive = state != Thread.State.TERMINATED;
-      long heardMicros = Math.max(service.life.startedMicros(), reportedMicros);
-      if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
-        return Optional.empty();
-      }
-      HealthReport report = report().threadAlive(alive);
-      service.health.runningS().ifPresent(report::callbackRunning);
-      return Optional.of(report);
-    }
-
-    private HealthReport report() {
-      HealthReport report =
-          new HealthReport()
-              .serviceName(service.getName())
-              .status(service.status())
-              .interval(Clock.seconds(intervalMicros))
-              .inboxDepth(service.handling.inbox().depth())
-              .dropped(service.handling.inbox().dropped())
-              .replaced(service.handling.inbox().replaced())
-              .refused(service.wiring.refused())
-              .missed(service.wiring.missed())
-              .published(service.wiring.published());
-      service.wiring.instance().ifPresent(report::instance);
-      service.wiring.dataAgeS().ifPresent(report::dataAge);
-      Set<String> deafTo = service.wiring.refusedSubscriptions();
-      if (!deafTo.isEmpty()) {
-        report.refusedSubscriptions(String.join(",", deafTo));
-      }
-      return service.health.addTo(report);
-    }
   }
 }

@@ -7,12 +7,13 @@ final class Selection {
   /**
    * The number that would stand at an index if they were sorted, smallest first.
    *
-   * @param numbers reordered by this
+   * @param numbers the first of them are reordered by this
+   * @param count how many of them count
    * @param index 0 or more, less than their count
    */
-  static long nth(long[] numbers, int index) {
+  static long nth(long[] numbers, int count, int index) {
     int low = 0;
-    int high = numbers.length - 1;
+    int high = count - 1;
     while (low < high) {
       long pivot = numbers[index];
       int up = low;

@@ -1,14 +1,14 @@
 package org.u2sa.service;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
@@ -16,17 +16,12 @@ import org.u2sa.messages.contract.HealthReport;
  * by any.
  */
 final class ServiceHealth {
-  private static final int REMEMBERED_CALLBACKS = 256;
   private static final long IDLE = Long.MAX_VALUE;
-  private static final double MEDIAN = 0.50;
-  private static final double WORST_PERCENT = 0.99;
 
-  private final Clock stopwatch =
-      new SystemClock(); // how long code takes is real time in simulations too
-  private final long[] callbackMicros = new long[REMEMBERED_CALLBACKS];
-  private long callbacks;
+  private final CallbackStopwatch stopwatch;
+  private final CallbackTimes times = new CallbackTimes();
   private long exceptions;
-  private int exceptionsInRow;
+  private final AtomicInteger exceptionsInRow = new AtomicInteger();
   private long overruns;
   private long refused; // commands
   private long obeyed; // likewise
@@ -37,40 +32,54 @@ final class ServiceHealth {
   private final Map<String, String> remarks = new TreeMap<>(); // by part
   private boolean died;
   private List<String> emergencyStops; // null: heeds none
-  private volatile long busySinceMicros = IDLE; // of the stopwatch; written by the service's thread
+  private final AtomicLong busySinceMicros =
+      new AtomicLong(IDLE); // real time; set lazily by the service's thread: it is for who watches
+
+  ServiceHealth(CallbackStopwatch stopwatch) {
+    this.stopwatch = stopwatch;
+  }
+
+  /** The clock that code is measured by. */
+  CallbackStopwatch stopwatch() {
+    return stopwatch;
+  }
 
   /**
    * Runs author's code, measures it, and lets no exception out. Returns whether it ended without
    * one.
    */
   boolean run(CallbackCode code) throws InterruptedException {
-    long began = stopwatch.micros();
-    busySinceMicros = began;
+    long began = stopwatch.begin();
+    busySinceMicros.lazySet(began);
     try {
       code.run();
-      succeeded(stopwatch.micros() - began);
+      times.add(stopwatch.end() - began);
+      if (exceptionsInRow.get() != 0) {
+        exceptionsInRow.set(0);
+      }
       return true;
     } catch (InterruptedException e) {
       throw e;
     } catch (Exception e) { // also undeclared checked ones, as Kotlin's functions throw
-      failed(e, stopwatch.micros() - began);
+      times.add(stopwatch.end() - began);
+      failed(e);
       return false;
     } finally {
-      busySinceMicros = IDLE;
+      busySinceMicros.lazySet(IDLE);
     }
   }
 
   /** Takes note that the service's thread is back in its author's code, or waits again. */
   void busy(boolean isBusy) {
-    busySinceMicros = isBusy ? stopwatch.micros() : IDLE;
+    busySinceMicros.lazySet(isBusy ? stopwatch.realMicros() : IDLE);
   }
 
   /** How long the author's code that runs now has been running [s]; empty if none does. */
   OptionalDouble runningS() {
-    long since = busySinceMicros;
+    long since = busySinceMicros.get();
     return since == IDLE
         ? OptionalDouble.empty()
-        : OptionalDouble.of(Clock.seconds(Math.max(0, stopwatch.micros() - since)));
+        : OptionalDouble.of(Clock.seconds(Math.max(0, stopwatch.realMicrosElsewhere() - since)));
   }
 
   /** Code of a service's author. */
@@ -79,21 +88,11 @@ final class ServiceHealth {
     void run() throws InterruptedException;
   }
 
-  private synchronized void succeeded(long micros) {
-    exceptionsInRow = 0;
-    took(micros);
-  }
-
-  private synchronized void failed(Exception e, long micros) {
+  private synchronized void failed(Exception e) {
     exceptions++;
-    exceptionsInRow++;
+    exceptionsInRow.incrementAndGet();
     lastException = e;
     lastError = e.toString();
-    took(micros);
-  }
-
-  private void took(long micros) {
-    callbackMicros[(int) (callbacks++ % REMEMBERED_CALLBACKS)] = micros;
   }
 
   synchronized void overrun(long missedPeriods) {
@@ -150,8 +149,8 @@ final class ServiceHealth {
     return died;
   }
 
-  synchronized int exceptionsInRow() {
-    return exceptionsInRow;
+  int exceptionsInRow() {
+    return exceptionsInRow.get();
   }
 
   /** The exception that code threw last, or null. */
@@ -181,21 +180,13 @@ final class ServiceHealth {
       remarks.forEach((part, what) -> said.add(part + ": " + what));
       report.remarks(said);
     }
-    long[] took = Arrays.copyOf(callbackMicros, (int) Math.min(callbacks, REMEMBERED_CALLBACKS));
+    CallbackTimes.Percentiles took = times.percentiles();
     return report
         .overruns(overruns)
         .exceptions(exceptions)
         .refused(report.refused() + refused)
         .expired(expired)
-        .callbackP50(percentile(took, MEDIAN))
-        .callbackP99(percentile(took, WORST_PERCENT));
-  }
-
-  /** Time [s] that this share of times [µs], which it reorders, did not exceed; 0 if none. */
-  private static double percentile(long[] took, double fraction) {
-    return took.length == 0
-        ? 0.0
-        : Clock.seconds(
-            Selection.nth(took, (int) Math.min(took.length - 1L, (long) (fraction * took.length))));
+        .callbackP50(took.p50S())
+        .callbackP99(took.p99S());
   }
 }

@@ -34,7 +34,7 @@ final class ServiceWiring {
   private final Clock clock;
   private final Execution execution; // null if nobody keeps it
   private final AtomicLong published = new AtomicLong(); // without what the contract makes it say
-  private volatile long publishedMicros; // the last of them
+  private final AtomicLong publishedMicros = new AtomicLong(); // the last of them
   private boolean closed;
 
   ServiceWiring(ServiceContext context, String serviceName, ServiceReceiver receiver) {
@@ -126,7 +126,7 @@ final class ServiceWiring {
       return false;
     }
     if (!ContractResponder.CHANNELS.contains(channel) && !channel.equals(Channels.HEALTH)) {
-      publishedMicros = nowMicros;
+      publishedMicros.lazySet(nowMicros); // whoever sees the count that follows sees this too
       published.incrementAndGet();
     }
     return true;
@@ -151,7 +151,7 @@ final class ServiceWiring {
   OptionalDouble dataAgeS() {
     return published() == 0
         ? OptionalDouble.empty()
-        : OptionalDouble.of(Clock.seconds(Math.max(0, clock.micros() - publishedMicros)));
+        : OptionalDouble.of(Clock.seconds(Math.max(0, clock.micros() - publishedMicros.get())));
   }
 
   boolean registerPublisher(Channel<?> channel) {

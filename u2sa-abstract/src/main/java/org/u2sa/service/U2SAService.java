@@ -51,7 +51,7 @@ public abstract class U2SAService extends Thread
   protected volatile boolean running;
 
   final ServiceWiring wiring;
-  final ServiceHealth health = new ServiceHealth();
+  final ServiceHealth health;
   final ServiceLife life;
   final Succession succession;
   final MessageHandling handling;
@@ -71,6 +71,7 @@ public abstract class U2SAService extends Thread
   protected U2SAService(ServiceContext context, ServiceRole role, String serviceName) {
     this.context = context;
     this.role = role;
+    health = new ServiceHealth(new CallbackStopwatch(context.clock()));
     int own = (int) getId();
     threadID = context.execution().map(execution -> execution.threadId(own)).orElse(own);
     configuration = new ServiceConfiguration(context, serviceName);

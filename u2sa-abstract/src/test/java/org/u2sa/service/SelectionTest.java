@@ -16,7 +16,8 @@ class SelectionTest {
         long[] sorted = numbers.clone();
         Arrays.sort(sorted);
         for (int index = 0; index < count; index++) {
-          assertThat(Selection.nth(numbers.clone(), index)).isEqualTo(sorted[index]);
+          assertThat(Selection.nth(Arrays.copyOf(numbers, count + 3), count, index))
+              .isEqualTo(sorted[index]);
         }
       }
     }

@@ -48,6 +48,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
   private Stage stage = Stage.STRANGER;
   private PacketFilter packets; // from its admission, as the rules
   private PacketRules rules;
+  private boolean hasNews; // for Moquette, since it was told last that nothing more has come
   private String clientId = "";
   private volatile String name = ConnectionFilter.ANONYMOUS;
   private User user; // null: anonymous
@@ -239,6 +240,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
             ConnectionFault.MALFORMED,
             cause == null ? "" : Refusals.shown("" + cause.getMessage()));
       } else if (stage == Stage.STRANGER) {
+        hasNews = true; // hands it on by itself
         connect(ctx, packet);
       } else {
         handedOn = packets.examine(ctx, packet);
@@ -249,9 +251,22 @@ final class ClientSession extends ChannelInboundHandlerAdapter {
         }
       }
     } finally {
+      hasNews |= handedOn;
       if (!handedOn) {
         ReferenceCountUtil.release(message);
       }
+    }
+  }
+
+  /**
+   * Moquette looks through the client's queue then, on a thread of its own. Where all that came
+   * went past it, there is nothing to be found, and to wake that thread would delay the message.
+   */
+  @Override
+  public void channelReadComplete(ChannelHandlerContext ctx) {
+    if (hasNews || stage != Stage.IN) {
+      hasNews = false;
+      ctx.fireChannelReadComplete();
     }
   }
 

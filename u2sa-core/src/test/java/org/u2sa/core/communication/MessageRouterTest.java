@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.u2sa.core.communication.BrokerTraffic.frozen;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -44,6 +48,33 @@ class MessageRouterTest {
     assertThat(listener.nextMessage()).isPositive();
     AttackedBroker.soon().until(() -> local.messages.contains(command));
     sink.close();
+  }
+
+  @Test
+  void publish_nothingIsRetained_wakesNoThreadOfMoquettes() throws IOException {
+    RawClient listener = broker.stranger().introduced("listener");
+    assertThat(listener.subscribe("u2sa/cessna/stop/#", 0)).isZero();
+    RawClient publisher = broker.stranger().introduced("publisher");
+    byte[] command = frozen(new StopCommand().serviceName("Other")).serialize();
+    int messages = 200;
+    long before = waitsOfMoquette();
+
+    for (int i = 0; i < messages; i++) {
+      publisher.publish(STOP, command, 1);
+      assertThat(publisher.next()).isEqualTo(0x40);
+      assertThat(listener.next()).isEqualTo(0x30);
+    }
+
+    assertThat(waitsOfMoquette() - before).isLessThan(messages / 2);
+  }
+
+  /** How often its threads of sessions have begun to wait, so far. */
+  private static long waitsOfMoquette() {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    return Arrays.stream(threads.getThreadInfo(threads.getAllThreadIds()))
+        .filter(thread -> thread != null && thread.getThreadName().startsWith("Session Executor"))
+        .mapToLong(ThreadInfo::getWaitedCount)
+        .sum();
   }
 
   @Test

@@ -25,7 +25,14 @@ public final class Channel<T extends U2SAData> {
   private final CarriedTypes carried; // null: the type and its subclasses, whatever they are
   private final Function<? super T, String> source;
   private final Set<Trait> traits;
-  private final int hash; // asked for, and compared, several times for each message
+
+  // Of type, traits and name; each is asked for several times a message.
+  private final Class<T> messageClass;
+  private final boolean deliversEvery;
+  private final boolean retained;
+  private final boolean urgent;
+  private final boolean reservesRoom;
+  private final int hash;
 
   private enum Trait {
     EVERY,
@@ -46,6 +53,11 @@ public final class Channel<T extends U2SAData> {
     this.carried = carried;
     this.source = source;
     this.traits = traits;
+    messageClass = type.messageClass();
+    deliversEvery = traits.contains(Trait.EVERY);
+    retained = traits.contains(Trait.RETAINED);
+    urgent = traits.contains(Trait.URGENT);
+    reservesRoom = urgent || traits.contains(Trait.RESERVED);
     hash = name.hashCode();
   }
 
@@ -141,17 +153,17 @@ public final class Channel<T extends U2SAData> {
 
   /** Whether each message matters; otherwise the newest of each source does. */
   public boolean deliversEvery() {
-    return traits.contains(Trait.EVERY);
+    return deliversEvery;
   }
 
   /** Whether a late subscriber is handed the last message of each source. */
   public boolean isRetained() {
-    return traits.contains(Trait.RETAINED);
+    return retained;
   }
 
   /** Whether its messages find room where others have filled theirs. */
   public boolean reservesRoom() {
-    return traits.contains(Trait.RESERVED) || isUrgent();
+    return reservesRoom;
   }
 
   /** Whether a topic of the channel may end with its source. */
@@ -161,13 +173,12 @@ public final class Channel<T extends U2SAData> {
 
   /** Whether its messages overtake others that wait for a service. */
   public boolean isUrgent() {
-    return traits.contains(Trait.URGENT);
+    return urgent;
   }
 
   /** Which source the message is of; newer messages of one source replace older ones. */
   public String sourceOf(U2SAData message) {
-    Class<T> carried = type.messageClass();
-    return carried.isInstance(message) ? source.apply(carried.cast(message)) : "";
+    return messageClass.isInstance(message) ? source.apply(messageClass.cast(message)) : "";
   }
 
   /**
@@ -176,13 +187,12 @@ public final class Channel<T extends U2SAData> {
    * those have channels of their own.
    */
   public boolean carries(U2SAData message) {
-    return type.messageClass().isInstance(message)
-        && (carried == null || carried.include(message.type()));
+    return messageClass.isInstance(message) && (carried == null || carried.include(message.type()));
   }
 
   /** {@link #carries(U2SAData)} of a message of that type. */
   public boolean carries(MessageType<?> other) {
-    return type.messageClass().isAssignableFrom(other.messageClass())
+    return messageClass.isAssignableFrom(other.messageClass())
         && (carried == null || carried.include(other));
   }
 

@@ -111,8 +111,13 @@ public final class LocalBus implements Transport {
   }
 
   private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {
-    void hand(U2SAData message) {
-      if (channel.carries(message)) {
+    /**
+     * Hands on what the subscriber's channel carries.
+     *
+     * @param carrier a channel that is known to carry the message; null if none is
+     */
+    void hand(U2SAData message, Channel<?> carrier) {
+      if (channel == carrier || channel.carries(message)) {
         try {
           receiver.receive(channel, message);
         } catch (RuntimeException e) {
@@ -140,6 +145,7 @@ public final class LocalBus implements Transport {
      * @param publisher whose bridges it crosses; null if it came from another process
      */
     void deliver(Channel<?> on, U2SAData message, LocalConnection publisher) {
+      Channel<?> carrier = publisher == null ? null : on; // publishing checks it
       if (on.isRetained()) {
         // So that a new subscriber sees a retained message once, and that of two publishers the
         // same one comes last here and beyond the bridges.
@@ -147,7 +153,7 @@ public final class LocalBus implements Transport {
           channel = on;
           String source = on.sourceOf(message);
           retained.put(source, message);
-          hand(message);
+          hand(message, carrier);
           if (publisher != null) {
             publishers.put(source, publisher);
             publisher.cross(on, message, Bridge::forward);
@@ -156,16 +162,16 @@ public final class LocalBus implements Transport {
           }
         }
       } else {
-        hand(message);
+        hand(message, carrier);
         if (publisher != null) {
           publisher.cross(on, message, Bridge::forward);
         }
       }
     }
 
-    private void hand(U2SAData message) {
+    private void hand(U2SAData message, Channel<?> carrier) {
       for (Subscription subscription : subscriptions) {
-        subscription.hand(message);
+        subscription.hand(message, carrier);
       }
     }
 
@@ -179,7 +185,7 @@ public final class LocalBus implements Transport {
       more[subscriptions.length] = added;
       subscriptions = more;
       for (U2SAData message : retained.values()) {
-        added.hand(message);
+        added.hand(message, null);
       }
     }
 

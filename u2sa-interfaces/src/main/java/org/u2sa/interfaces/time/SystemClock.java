@@ -121,8 +121,8 @@ public final class SystemClock implements Clock {
     @Override
     public void signal() {
       // An unpark is a system call; a flood of messages to a thread that is busy anyway needs one
-      // only.
-      if (!signalled.getAndSet(true)) {
+      // only, and most of them need not even write.
+      if (!signalled.get() && !signalled.getAndSet(true)) {
         LockSupport.unpark(waiting);
       }
     }

@@ -1,19 +1,29 @@
 package org.u2sa.messages.schema;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
- * The values of one message, by slot: numbers unboxed with a mask of those that are set, all else
- * as immutable objects.
+ * The values of one message.
+ *
+ * <p>Most messages set few of the numbers that their type could have. So the numbers that are set
+ * stand without gaps in the order of their slots, and a mask says which they are. All else is kept
+ * as immutable objects by slot, but for the timestamp, which nearly every message has: it needs no
+ * object.
  */
 final class FieldStorage {
-  private final double[] numbers;
-  private final Object[] values;
-  private long present; // bit n: numbers[n] is set
+  private static final double[] NO_NUMBERS = {};
+  private static final int ROOM_TO_BEGIN_WITH = 4; // numbers: a position or a velocity
+
+  private double[] numbers = NO_NUMBERS;
+  private Object[] values;
+  private long present; // bit n: the number of slot n is set
+  private long timestampMicros;
+  private boolean timed; // the timestamp is set
   private boolean frozen;
 
   FieldStorage(MessageType.Sizes sizes) {
-    numbers = new double[sizes.numbers()];
     values = new Object[sizes.values()];
   }
 
@@ -30,9 +40,18 @@ final class FieldStorage {
     return values[field.slot] != null;
   }
 
+  boolean hasTimestamp() {
+    return timed;
+  }
+
   /** The value, or the default, or NaN. */
   double get(NumberField<?> field) {
-    return has(field) ? numbers[field.slot] : field.ifUnset;
+    return has(field) ? numbers[indexOf(field.slot)] : field.ifUnset;
+  }
+
+  /** Where the number of a slot stands or would stand: after all those of lower slots. */
+  private int indexOf(int slot) {
+    return Long.bitCount(present & (1L << slot) - 1);
   }
 
   /** The value, or the default, or null. */
@@ -43,15 +62,78 @@ final class FieldStorage {
     return value == null ? field.ifUnset : (V) value;
   }
 
+  /** The timestamp [µs]; 0 if there is none. */
+  long timestamp() {
+    return timestampMicros;
+  }
+
   void put(NumberField<?> field, double value) {
     requireThawed(field);
-    numbers[field.slot] = value;
-    present |= 1L << field.slot;
+    int index = indexOf(field.slot);
+    if (!has(field)) {
+      makeRoomAt(index);
+      present |= 1L << field.slot;
+    }
+    numbers[index] = value;
+  }
+
+  private void makeRoomAt(int index) {
+    int count = Long.bitCount(present);
+    double[] old = numbers;
+    if (count == old.length) {
+      numbers = Arrays.copyOf(old, Math.min(2 * count + ROOM_TO_BEGIN_WITH, Long.SIZE));
+    }
+    if (index < count) { // else it comes last, as in messages that are read or filled in order
+      System.arraycopy(old, index, numbers, index + 1, count - index);
+    }
   }
 
   <V> void put(ValueField<?, V> field, V value) {
     requireThawed(field);
     values[field.slot] = value;
+  }
+
+  void timestamp(TimestampField field, long micros) {
+    requireThawed(field);
+    timestampMicros = micros;
+    timed = true;
+  }
+
+  /**
+   * Makes room at once for numbers that are about to be set.
+   *
+   * @param fields how many fields will be set, numbers or not, as a sender says: may be anything
+   */
+  void expect(long fields, MessageType.Sizes sizes) {
+    if (fields > numbers.length) {
+      numbers = Arrays.copyOf(numbers, (int) Math.min(fields, sizes.numbers()));
+    }
+  }
+
+  /**
+   * Takes over all values of another message of the type, and copies of the messages within.
+   *
+   * @param messageLists slots of the lists that hold them
+   */
+  void takeFrom(FieldStorage other, int[] messageLists) {
+    present = other.present;
+    numbers = Arrays.copyOf(other.numbers, Long.bitCount(present));
+    values = other.values.clone();
+    timestampMicros = other.timestampMicros;
+    timed = other.timed;
+    for (int slot : messageLists) {
+      if (values[slot] != null) {
+        values[slot] = copies((List<?>) values[slot]);
+      }
+    }
+  }
+
+  private static List<U2SAData> copies(List<?> messages) {
+    List<U2SAData> copies = new ArrayList<>(messages.size());
+    for (Object message : messages) {
+      copies.add(((U2SAData) message).copy());
+    }
+    return List.copyOf(copies);
   }
 
   private void requireThawed(MessageField<?> field) {
@@ -61,21 +143,20 @@ final class FieldStorage {
     }
   }
 
-  /** Freezes this message and the messages within. */
-  void freeze() {
-    for (Object value : values) {
-      if (value instanceof List<?> list && holdsMessages(list)) {
-        for (Object element : list) {
+  /**
+   * Freezes this message and the messages within.
+   *
+   * @param messageLists slots of the lists that hold them
+   */
+  void freeze(int[] messageLists) {
+    for (int slot : messageLists) {
+      if (values[slot] != null) {
+        for (Object element : (List<?>) values[slot]) {
           ((U2SAData) element).freeze();
         }
       }
     }
     frozen = true;
-  }
-
-  /** The first element tells: a list is of one kind. */
-  private static boolean holdsMessages(List<?> list) {
-    return !(list instanceof DeferredTexts) && !list.isEmpty() && list.get(0) instanceof U2SAData;
   }
 
   boolean isFrozen() {

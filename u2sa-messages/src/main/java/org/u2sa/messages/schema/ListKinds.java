@@ -218,12 +218,5 @@ final class ListKinds {
     public MessageType<?> elementType() {
       return element;
     }
-
-    @Override
-    public List<M> copied(List<M> value) {
-      List<M> copies = new ArrayList<>(value.size());
-      value.forEach(message -> copies.add(element.messageClass().cast(message.copy())));
-      return List.copyOf(copies);
-    }
   }
 }

@@ -131,8 +131,6 @@ public abstract class MessageField<T extends U2SAData> {
 
   abstract void read(CborReader in, T message) throws MalformedMessageException;
 
-  abstract void copy(T from, T to);
-
   /** "Waypoint.x", for errors. */
   final String path() {
     return owner + "." + name;

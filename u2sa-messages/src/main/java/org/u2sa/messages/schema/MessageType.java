@@ -40,6 +40,7 @@ public final class MessageType<T extends U2SAData> {
   private final long alwaysWritten; // bit n: the number of slot n has a default
   private final NumberField<T>[] numbers; // by slot
   private final int[] numbersBefore; // by index in values: numbers whose slot is below come first
+  private final int[] messageLists; // slots of values
   private final long[] beginnings; // of the fields' names, and the bits of them that count
   private final long[] masks;
 
@@ -77,6 +78,11 @@ public final class MessageType<T extends U2SAData> {
         required.add(field);
       }
     }
+    messageLists =
+        values.stream()
+            .filter(field -> field.kind() == Kind.MESSAGE_LIST)
+            .mapToInt(field -> field.slot)
+            .toArray();
     alwaysWritten = always;
     numbersBefore = before;
     List<String> names = new ArrayList<>();
@@ -226,6 +232,11 @@ public final class MessageType<T extends U2SAData> {
   /** Those without which a message is not complete. */
   List<MessageField<T>> requiredFields() {
     return required;
+  }
+
+  /** Slots of the values that are lists of messages. */
+  int[] messageLists() {
+    return messageLists;
   }
 
   MessageField<T> fieldOrNull(String name) {

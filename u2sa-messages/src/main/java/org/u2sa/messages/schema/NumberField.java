@@ -109,11 +109,4 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   void read(CborReader in, T message) throws MalformedMessageException {
     message.put(this, in.number());
   }
-
-  @Override
-  void copy(T from, T to) {
-    if (isSet(from)) {
-      to.storage().put(this, from.storage().get(this));
-    }
-  }
 }

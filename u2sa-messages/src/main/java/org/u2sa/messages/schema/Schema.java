@@ -83,6 +83,10 @@ public final class Schema<T extends U2SAData> {
     return new Schema<>(new MessageType.Identity<>("U2SAData", U2SAData.class, null, true, null));
   }
 
+  static TimestampField timestamp(Schema<U2SAData> root) {
+    return root.added(new TimestampField(root.outline("timestamp", "us", FieldPresence.OPTIONAL)));
+  }
+
   /** Fields declared after this call joined the wire format in the given version. */
   public Schema<T> since(int version) {
     since = version;

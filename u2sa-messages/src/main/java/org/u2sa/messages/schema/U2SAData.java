@@ -20,8 +20,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 public abstract class U2SAData {
   private static final Schema<U2SAData> SCHEMA = Schema.root();
   private static final ValueField<U2SAData, String> SYSTEM_ID = SCHEMA.optionalText("systemId");
-  private static final ValueField<U2SAData, Long> TIMESTAMP =
-      SCHEMA.optionalCount("timestamp", "us");
+  private static final TimestampField TIMESTAMP = Schema.timestamp(SCHEMA);
 
   /** The root of all types: systemId and timestamp. */
   public static final MessageType<U2SAData> TYPE = SCHEMA.build();
@@ -60,12 +59,12 @@ public abstract class U2SAData {
 
   /** When what the message tells was measured [µs of the run's clock]; empty until set. */
   public final OptionalLong timestamp() {
-    return optionalCount(TIMESTAMP);
+    return storage.hasTimestamp() ? OptionalLong.of(storage.timestamp()) : OptionalLong.empty();
   }
 
   /** Sets {@link #timestamp()}. */
   public final void timestamp(long micros) {
-    put(TIMESTAMP, micros);
+    storage.timestamp(TIMESTAMP, micros);
   }
 
   /**
@@ -121,7 +120,7 @@ public abstract class U2SAData {
   public final void freeze() {
     if (!storage.isFrozen()) {
       requireComplete();
-      storage.freeze();
+      storage.freeze(type().messageLists());
     }
   }
 
@@ -133,9 +132,7 @@ public abstract class U2SAData {
   /** A message with the same values that is not frozen. */
   public U2SAData copy() {
     U2SAData copy = type().newCarrier();
-    for (MessageField<U2SAData> field : fields()) {
-      field.copy(this, copy);
-    }
+    copy.storage.takeFrom(storage, type().messageLists());
     copy.unknown = unknown;
     return copy;
   }

@@ -9,7 +9,7 @@ import java.util.Optional;
  * @param <T> the message class
  * @param <V> the value's class; immutable
  */
-public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
+public class ValueField<T extends U2SAData, V> extends MessageField<T> {
   final V ifUnset; // null: none
   private final ValueKind<V> values;
 
@@ -20,16 +20,16 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
   }
 
   /** For a list of messages, their type or its nearest common ancestor. */
-  public Optional<MessageType<?>> elementType() {
+  public final Optional<MessageType<?>> elementType() {
     return Optional.ofNullable(values.elementType());
   }
 
   /** For an enum, its constants in wire order; else empty. */
-  public List<V> constants() {
+  public final List<V> constants() {
     return values.constants();
   }
 
-  V checked(Object value) {
+  final V checked(Object value) {
     try {
       return values.checked(value);
     } catch (IllegalArgumentException e) {
@@ -37,9 +37,19 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
     }
   }
 
+  /** The value, or its default; null if it has neither. */
+  V valueIn(T message) {
+    return message.storage().get(this);
+  }
+
+  /** Keeps a value that is {@link #checked}. */
+  void put(T message, V value) {
+    message.storage().put(this, value);
+  }
+
   @Override
-  public Optional<Object> get(T message) {
-    return Optional.ofNullable(message.storage().get(this));
+  public final Optional<Object> get(T message) {
+    return Optional.ofNullable(valueIn(message));
   }
 
   @Override
@@ -48,22 +58,22 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
   }
 
   @Override
-  boolean isWritten(T message) {
+  final boolean isWritten(T message) {
     return ifUnset != null || isSet(message);
   }
 
   @Override
-  public void set(T message, Object value) {
-    message.storage().put(this, checked(value));
+  public final void set(T message, Object value) {
+    put(message, checked(value));
   }
 
   @Override
-  public void setText(T message, String text) {
+  public final void setText(T message, String text) {
     setTexts(message, List.of(text));
   }
 
   @Override
-  public void setTexts(T message, List<String> texts) {
+  public final void setTexts(T message, List<String> texts) {
     V value;
     try {
       value = values.parsed(texts);
@@ -75,7 +85,7 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
 
   /** Writes name and value if the field {@link #isWritten}. */
   void write(CborOutput out, T message) {
-    V value = message.storage().get(this);
+    V value = valueIn(message);
     if (value != null) {
       out.key(key);
       values.write(out, value);
@@ -93,14 +103,7 @@ public final class ValueField<T extends U2SAData, V> extends MessageField<T> {
       }
       return; // as if it were absent: what it would have meant, this reader cannot know
     }
-    message.storage().put(this, value);
-  }
-
-  @Override
-  void copy(T from, T to) {
-    if (isSet(from)) {
-      to.storage().put(this, values.copied(from.storage().get(this)));
-    }
+    put(message, value);
   }
 
   /** A constant of an enum that a later version of the data model has and this reader does not. */

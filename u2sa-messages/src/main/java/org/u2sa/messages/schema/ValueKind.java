@@ -23,11 +23,6 @@ interface ValueKind<V> {
     return checked(read(in));
   }
 
-  /** For copies of messages: nested messages are copied too, all else is immutable. */
-  default V copied(V value) {
-    return value;
-  }
-
   /** The type of the messages in a list; null if it is no list of messages. */
   default MessageType<?> elementType() {
     return null;

@@ -3,11 +3,16 @@ package org.u2sa.messages.schema;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.ActuatorCommand;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.PercentageCommand;
@@ -46,6 +51,44 @@ class U2SADataTest {
   void presenceVector_waypoint_countsFromX() {
     assertThat(new Waypoint().uid("1").description("d").x(1.0).presenceVector()).isEqualTo(1L);
     assertThat(new Waypoint().time(1.0).presenceVector()).isEqualTo(1L << 6);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5})
+  void number_setInAnyOrder_eachKeepsItsOwn(long seed) {
+    List<StateField> order = new ArrayList<>(List.of(StateField.values()));
+    Collections.shuffle(order, new Random(seed));
+    StateInformation state = new StateInformation();
+
+    for (int set = 1; set <= order.size(); set++) {
+      state.number(order.get(set - 1), -1.0);
+      state.number(order.get(set - 1), order.get(set - 1).ordinal()); // replaces the one before
+
+      for (int i = 0; i < order.size(); i++) {
+        StateField field = order.get(i);
+        assertThat(state.number(field))
+            .isEqualTo(i < set ? OptionalDouble.of(field.ordinal()) : OptionalDouble.empty());
+      }
+    }
+  }
+
+  @Test
+  void timestamp_setOrNot_isSeenByGetterFieldAndCopy() {
+    MessageField<Waypoint> field = Waypoint.TYPE.field("timestamp").orElseThrow();
+    Waypoint without = new Waypoint();
+    Waypoint zero = new Waypoint();
+    zero.timestamp(0L);
+    Waypoint byField = new Waypoint();
+    field.set(byField, -5L);
+
+    assertThat(without.timestamp()).isEmpty();
+    assertThat(field.get(without)).isEmpty();
+    assertThat(without.copy().timestamp()).isEmpty();
+    assertThat(zero.timestamp()).hasValue(0L);
+    assertThat(field.get(zero)).contains(0L);
+    assertThat(zero.copy().timestamp()).hasValue(0L);
+    assertThat(byField.timestamp()).hasValue(-5L);
+    assertThat(zero).isNotEqualTo(without);
   }
 
   @Test
@@ -94,7 +137,7 @@ class U2SADataTest {
 
   @Test
   void lists_givenAndGot_cannotBeChangedFromOutside() {
-    List<String> uids = new java.util.ArrayList<>(List.of("2"));
+    List<String> uids = new ArrayList<>(List.of("2"));
     Waypoint goal = new Waypoint().next(uids);
     uids.add("3");
 

@@ -1,0 +1,98 @@
+package org.u2sa.service;
+
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
+
+/**
+ * Says how a service is (thesis 3.5.3): by itself at its interval, and what others may say on its
+ * behalf when it is silent.
+ */
+final class HealthReporter {
+  /** Intervals without a report after which a service is silent. */
+  private static final long SILENT_AFTER = 3;
+
+  private final U2SAService service;
+  private final long intervalMicros;
+  private long dueMicros = Long.MIN_VALUE; // touched by the service's thread only
+  private volatile long reportedMicros = Long.MIN_VALUE;
+  private volatile boolean lastSaid;
+
+  HealthReporter(U2SAService service, double intervalS) {
+    this.service = service;
+    intervalMicros = Clock.micros(intervalS);
+  }
+
+  /** When the next report is due [µs]. */
+  long dueMicros() {
+    return dueMicros;
+  }
+
+  /** Reports if it is time, and tells whether it was. Called on the service's thread. */
+  boolean reportIfDue(long nowMicros) {
+    if (nowMicros < dueMicros) {
+      return false;
+    }
+    service.publish(Channels.HEALTH, report());
+    reportedMicros = nowMicros;
+    dueMicros = nowMicros + intervalMicros;
+    return true;
+  }
+
+  /** Reports before the next message is handled. Called on the service's thread. */
+  void reportSoon() {
+    dueMicros = Long.MIN_VALUE;
+  }
+
+  /** Reports that the service has ended. */
+  void reportLast() {
+    HealthReport last = report();
+    if (service.health.hasDied()) {
+      last.threadAlive(false);
+    }
+    lastSaid = service.publish(Channels.HEALTH, last);
+  }
+
+  /**
+   * What is to be said on behalf of the service because its own report is overdue; empty if it
+   * speaks for itself, has not been started, or has said its last.
+   */
+  Optional<HealthReport> onBehalf(long nowMicros) {
+    Thread.State state = service.getState(); // asked first: who has ended by now has said its last
+    if (state == Thread.State.NEW || service.status() == ServiceStatus.CREATED || lastSaid) {
+      return Optional.empty();
+    }
+    boolean alive = state != Thread.State.TERMINATED;
+    long heardMicros = Math.max(service.life.startedMicros(), reportedMicros);
+    if (alive && nowMicros - heardMicros < SILENT_AFTER * intervalMicros) {
+      return Optional.empty();
+    }
+    HealthReport report = report().threadAlive(alive);
+    service.health.runningS().ifPresent(report::callbackRunning);
+    return Optional.of(report);
+  }
+
+  private HealthReport report() {
+    HealthReport report =
+        new HealthReport()
+            .serviceName(service.getName())
+            .status(service.status())
+            .interval(Clock.seconds(intervalMicros))
+            .inboxDepth(service.handling.inbox().depth())
+            .dropped(service.handling.inbox().dropped())
+            .replaced(service.handling.inbox().replaced())
+            .refused(service.wiring.refused())
+            .missed(service.wiring.missed())
+            .published(service.wiring.published());
+    service.wiring.instance().ifPresent(report::instance);
+    service.wiring.dataAgeS().ifPresent(report::dataAge);
+    Set<String> deafTo = service.wiring.refusedSubscriptions();
+    if (!deafTo.isEmpty()) {
+      report.refusedSubscriptions(String.join(",", deafTo));
+    }
+    return service.health.addTo(report);
+  }
+}

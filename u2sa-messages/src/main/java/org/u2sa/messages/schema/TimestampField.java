@@ -1,0 +1,36 @@
+package org.u2sa.messages.schema;
+
+/** When what a message tells was measured [µs]: a field of every message, kept as a plain long. */
+final class TimestampField extends ValueField<U2SAData, Long> {
+  TimestampField(FieldOutline outline) {
+    super(outline, ScalarKinds.COUNT, null);
+  }
+
+  @Override
+  public boolean isSet(U2SAData message) {
+    return message.storage().hasTimestamp();
+  }
+
+  @Override
+  Long valueIn(U2SAData message) {
+    return isSet(message) ? (Long) message.storage().timestamp() : null;
+  }
+
+  @Override
+  void put(U2SAData message, Long micros) {
+    message.storage().timestamp(this, micros);
+  }
+
+  @Override
+  void write(CborOutput out, U2SAData message) {
+    if (isSet(message)) {
+      out.key(key);
+      out.count(message.storage().timestamp());
+    }
+  }
+
+  @Override
+  void read(CborReader in, U2SAData message) {
+    message.storage().timestamp(this, in.count());
+  }
+}
