@@ -220,4 +220,17 @@ class GridLayerTest {
     assertThat(near.states()[full]).isEqualTo(CostGrid.OCCUPIED);
     assertThat(far.states()[full]).isNotEqualTo(CostGrid.OCCUPIED);
   }
+
+  @Test
+  void states_shapeDrawnIntoARasterOfThem_staySoThatItCanVanish() {
+    OccupancyGrid grid =
+        grid(ReferenceFrame.LOCAL_ENU, Point.ORIGIN, 1.0, 2, EMPTY, EMPTY, EMPTY, EMPTY);
+    GridFrame frame = new GridFrame(-1.0, -1.0, 0.5, 4, 4);
+    GridLayer layer = GridLayer.of(grid, local, frame, THRESHOLD, null);
+    byte[] before = layer.states().clone();
+    GridRaster raster = new GridRaster(frame, layer);
+    raster.draw(PlanarShape.disc("post", 0.0, 0.0, 0.3));
+    assertThat(raster.states()).isNotEqualTo(before);
+    assertThat(layer.states()).isEqualTo(before);
+  }
 }
