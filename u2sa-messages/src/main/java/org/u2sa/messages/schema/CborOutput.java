@@ -77,14 +77,7 @@ final class CborOutput {
     int size = values.size();
     head(Cbor.ARRAY, size);
     reserve(size * LONGEST_HEAD);
-    ByteBuffer into = ByteBuffer.wrap(bytes); // nobody else's: compilers leave it out
-    int at = length;
-    for (int i = 0; i < size; i++) {
-      into.put(at, (byte) Cbor.FLOAT_64);
-      into.putDouble(at + 1, values.at(i));
-      at += LONGEST_HEAD;
-    }
-    length = at;
+    length = values.put(bytes, length);
   }
 
   /** An array of true and false. */
