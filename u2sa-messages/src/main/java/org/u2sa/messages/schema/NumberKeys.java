@@ -117,7 +117,7 @@ final class NumberKeys {
         continue;
       }
       int length = (int) words[row + LENGTH];
-      if (bytes.length - at < length + WORD || !isRestAt(from, at, words, row)) {
+      if (bytes.length - at < length + WORD || !isRestAt(bytes, at, words, row)) {
         continue;
       }
       double value = from.getDouble(at + length);
@@ -134,7 +134,8 @@ final class NumberKeys {
   }
 
   /** Whether the row stands there, of which the first word does; a number follows within bounds. */
-  private static boolean isRestAt(ByteBuffer from, int at, long[] words, int row) {
+  private static boolean isRestAt(byte[] bytes, int at, long[] words, int row) {
+    ByteBuffer from = ByteBuffer.wrap(bytes);
     long length = words[row + LENGTH];
     return length <= WORD
         || (from.getLong(at + WORD) & words[row + WORDS + 1]) == words[row + 1]
