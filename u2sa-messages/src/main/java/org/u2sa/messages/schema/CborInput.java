@@ -21,17 +21,24 @@ final class CborInput {
   private static final int HALF_LARGEST_EXPONENT = 0x1F;
 
   private final byte[] bytes;
-  private final ByteBuffer view;
   private int at;
 
   CborInput(byte[] bytes) {
     this.bytes = bytes;
-    view = ByteBuffer.wrap(bytes);
   }
 
   /** Bytes read so far. */
   int offset() {
     return at;
+  }
+
+  /** All of them, for who reads several at once and then calls {@link #passTo}; never changed. */
+  byte[] bytes() {
+    return bytes;
+  }
+
+  void passTo(int offset) {
+    at = offset;
   }
 
   boolean isAtEnd() {
@@ -49,39 +56,44 @@ final class CborInput {
     return bytes[at] & 0xFF;
   }
 
-  /** The next eight bytes, big-endian; zeros after the end. They stay there. */
-  long word() {
-    if (bytes.length - at >= Long.BYTES) {
-      return view.getLong(at);
+  /** Eight bytes so far ahead, big-endian; zeros after the end. They stay there. */
+  long word(int ahead) {
+    int start = at + ahead;
+    if (bytes.length - start >= Long.BYTES) {
+      return view().getLong(start);
     }
     long word = 0L;
     for (int i = 0; i < Long.BYTES; i++) {
-      word = word << Byte.SIZE | (at + i < bytes.length ? bytes[at + i] & 0xFF : 0);
+      word = word << Byte.SIZE | (start + i < bytes.length ? bytes[start + i] & 0xFF : 0);
     }
     return word;
   }
 
-  /** Whether the key stands here, which begins as {@link #word} does; then it is read. */
-  boolean take(FieldKey key) {
-    boolean isHere = key.isAt(view, at);
-    if (isHere) {
-      at += key.length();
-    }
-    return isHere;
-  }
-
   /** Whether the next bytes are these; then they are read. */
   boolean take(byte[] encoded) {
+    boolean isNext = isNext(encoded, 0);
+    if (isNext) {
+      at += encoded.length;
+    }
+    return isNext;
+  }
+
+  /** Whether the next bytes are these, of which the first ones are known to be. They stay there. */
+  boolean isNext(byte[] encoded, int known) {
     if (bytes.length - at < encoded.length) {
       return false;
     }
-    for (int i = 0; i < encoded.length; i++) {
+    for (int i = known; i < encoded.length; i++) {
       if (bytes[at + i] != encoded[i]) {
         return false;
       }
     }
-    at += encoded.length;
     return true;
+  }
+
+  /** A buffer of the caller's own: where nobody else has it, compilers leave it out. */
+  private ByteBuffer view() {
+    return ByteBuffer.wrap(bytes);
   }
 
   /** A number of any length, whole ones too. */
@@ -89,15 +101,15 @@ final class CborInput {
     int first = next();
     if (first == Cbor.FLOAT_64) {
       int start = skipBytes(1 + Double.BYTES) + 1;
-      return view.getDouble(start);
+      return view().getDouble(start);
     }
     if (first == Cbor.FLOAT_32) {
       int start = skipBytes(1 + Float.BYTES) + 1;
-      return view.getFloat(start);
+      return view().getFloat(start);
     }
     if (first == Cbor.FLOAT_16) {
       int start = skipBytes(1 + Short.BYTES) + 1;
-      return half(view.getShort(start));
+      return half(view().getShort(start));
     }
     if ((first & Cbor.MAJOR) > Cbor.NEGATIVE) {
       throw unexpected("a number");
@@ -109,6 +121,7 @@ final class CborInput {
 
   /** As many numbers as there is room for in the array. */
   void numbers(double[] into) {
+    ByteBuffer view = view();
     for (int i = 0; i < into.length; i++) {
       if (bytes.length - at > Double.BYTES && (bytes[at] & 0xFF) == Cbor.FLOAT_64) {
         into[i] = view.getDouble(at + 1);
@@ -167,6 +180,29 @@ final class CborInput {
   }
 
   String text() {
+    String text = shortText();
+    return text == null ? anyText() : text;
+  }
+
+  /** A text as most are: short, of ASCII, its length in its first byte. Else null: not read. */
+  private String shortText() {
+    int length = at < bytes.length ? (bytes[at] & 0xFF) - Cbor.TEXT : -1;
+    if (length < 0 || length >= Cbor.ONE_BYTE || length >= bytes.length - at) {
+      return null;
+    }
+    int start = at + 1;
+    int signs = 0;
+    for (int i = start; i < start + length; i++) {
+      signs |= bytes[i];
+    }
+    if (signs < 0) {
+      return null;
+    }
+    at = start + length;
+    return new String(bytes, start, length, StandardCharsets.ISO_8859_1); // the same in ASCII
+  }
+
+  private String anyText() {
     if ((next() & Cbor.MAJOR) != Cbor.TEXT) {
       throw unexpected("text");
     }
@@ -350,11 +386,11 @@ final class CborInput {
       case Cbor.ONE_BYTE:
         return bytes[skipBytes(1 + Byte.BYTES) + 1] & 0xFF;
       case Cbor.TWO_BYTES:
-        return view.getShort(skipBytes(1 + Short.BYTES) + 1) & 0xFFFF;
+        return view().getShort(skipBytes(1 + Short.BYTES) + 1) & 0xFFFF;
       case Cbor.FOUR_BYTES:
-        return view.getInt(skipBytes(1 + Integer.BYTES) + 1) & 0xFFFF_FFFFL;
+        return view().getInt(skipBytes(1 + Integer.BYTES) + 1) & 0xFFFF_FFFFL;
       case Cbor.EIGHT_BYTES:
-        return view.getLong(skipBytes(1 + Long.BYTES) + 1);
+        return view().getLong(skipBytes(1 + Long.BYTES) + 1);
       default:
         at++;
         throw new IllegalArgumentException("expected a length or a value, not CBOR's reserved one");

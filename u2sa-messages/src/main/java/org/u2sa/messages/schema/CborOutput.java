@@ -15,7 +15,6 @@ final class CborOutput {
   private static final int ASCII_LAST = 0x7F;
 
   private byte[] bytes;
-  private ByteBuffer view;
   private int length;
 
   CborOutput() {
@@ -27,51 +26,50 @@ final class CborOutput {
    */
   CborOutput(int expected) {
     bytes = new byte[expected];
-    view = ByteBuffer.wrap(bytes);
   }
 
-  /** All that was written. */
+  /** How many bytes open an item with that argument, which is unsigned. */
+  static int headBytes(long argument) {
+    if (argument >= 0 && argument < Cbor.ONE_BYTE) {
+      return 1;
+    }
+    if (argument >>> Byte.SIZE == 0L) {
+      return 1 + Byte.BYTES;
+    }
+    if (argument >>> Short.SIZE == 0L) {
+      return 1 + Short.BYTES;
+    }
+    return argument >>> Integer.SIZE == 0L ? 1 + Integer.BYTES : LONGEST_HEAD;
+  }
+
+  /** How many bytes a whole number takes. */
+  static int countBytes(long value) {
+    return headBytes(value < 0 ? ~value : value);
+  }
+
+  /** How many bytes a text takes if it is of ASCII; more if it is not. */
+  static int textBytes(String value) {
+    return headBytes(value.length()) + value.length();
+  }
+
+  /** All that was written; the last call. */
   byte[] toBytes() {
-    return Arrays.copyOf(bytes, length);
+    return length == bytes.length ? bytes : Arrays.copyOf(bytes, length);
   }
 
   void number(double value) {
     reserve(LONGEST_HEAD);
     bytes[length] = (byte) Cbor.FLOAT_64;
-    view.putDouble(length + 1, value);
+    ByteBuffer.wrap(bytes).putDouble(length + 1, value);
     length += LONGEST_HEAD;
   }
 
-  /**
-   * Names and values of numbers.
-   *
-   * @param fields by slot
-   * @param slots which to write, a bit each
-   * @param bound writes those of slots below it
-   * @return which are left, a bit each
-   */
-  long numbers(NumberField<?>[] fields, FieldStorage storage, long slots, int bound) {
-    long left = slots;
-    int at = length; // fields of this object would be read and written each time
-    for (int slot = Long.numberOfTrailingZeros(left);
-        slot < bound;
-        slot = Long.numberOfTrailingZeros(left)) {
-      left &= left - 1;
-      NumberField<?> field = fields[slot];
-      FieldKey key = field.key;
-      if (at + key.room() + LONGEST_HEAD > bytes.length) {
-        length = at;
-        reserve(key.room() + LONGEST_HEAD);
-      }
-      ByteBuffer into = view;
-      key.put(into, at);
-      at += key.length();
-      into.put(at, (byte) Cbor.FLOAT_64);
-      into.putDouble(at + 1, storage.get(field));
-      at += LONGEST_HEAD;
+  /** Names and values of the numbers of those slots, a bit each. */
+  void numbers(NumberKeys keys, FieldStorage storage, long slots) {
+    if (slots != 0L) {
+      reserve(keys.bytes(slots));
+      length = keys.put(bytes, length, storage, slots);
     }
-    length = at;
-    return left;
   }
 
   /** An array of numbers. */
@@ -79,14 +77,7 @@ final class CborOutput {
     int size = values.size();
     head(Cbor.ARRAY, size);
     reserve(size * LONGEST_HEAD);
-    ByteBuffer into = view;
-    int at = length;
-    for (int i = 0; i < size; i++) {
-      into.put(at, (byte) Cbor.FLOAT_64);
-      into.putDouble(at + 1, values.at(i));
-      at += LONGEST_HEAD;
-    }
-    length = at;
+    length = values.put(bytes, length);
   }
 
   /** An array of true and false. */
@@ -129,15 +120,17 @@ final class CborOutput {
     int before = length;
     head(Cbor.TEXT, chars);
     reserve(chars);
+    byte[] into = bytes;
+    int at = length;
     for (int i = 0; i < chars; i++) {
       char each = value.charAt(i);
       if (each > ASCII_LAST) {
         length = before;
         return false;
       }
-      bytes[length + i] = (byte) each;
+      into[at + i] = (byte) each;
     }
-    length += chars;
+    length = at + chars;
     return true;
   }
 
@@ -158,9 +151,12 @@ final class CborOutput {
 
   /** A field's name. */
   void key(FieldKey key) {
-    reserve(key.room());
-    key.put(view, length);
-    length += key.length();
+    if (bytes.length - length < key.room()) { // what is beyond the name may be beyond the end
+      item(key.bytes());
+    } else {
+      key.put(ByteBuffer.wrap(bytes), length);
+      length += key.length();
+    }
   }
 
   /** What was encoded before. */
@@ -171,31 +167,36 @@ final class CborOutput {
   }
 
   private void head(int major, long argument) {
-    reserve(LONGEST_HEAD);
-    if (argument < Cbor.ONE_BYTE) {
-      bytes[length++] = (byte) (major | (int) argument);
-    } else if (argument <= 0xFF) {
-      bytes[length++] = (byte) (major | Cbor.ONE_BYTE);
-      bytes[length++] = (byte) argument;
-    } else if (argument <= 0xFFFF) {
-      bytes[length] = (byte) (major | Cbor.TWO_BYTES);
-      view.putShort(length + 1, (short) argument);
-      length += 1 + Short.BYTES;
-    } else if (argument <= 0xFFFF_FFFFL) {
-      bytes[length] = (byte) (major | Cbor.FOUR_BYTES);
-      view.putInt(length + 1, (int) argument);
-      length += 1 + Integer.BYTES;
-    } else {
-      bytes[length] = (byte) (major | Cbor.EIGHT_BYTES);
-      view.putLong(length + 1, argument);
-      length += LONGEST_HEAD;
+    int size = headBytes(argument);
+    reserve(size);
+    byte[] into = bytes;
+    int at = length;
+    length = at + size;
+    ByteBuffer view = ByteBuffer.wrap(into);
+    switch (size) {
+      case 1 -> into[at] = (byte) (major | (int) argument);
+      case 1 + Byte.BYTES -> {
+        into[at] = (byte) (major | Cbor.ONE_BYTE);
+        into[at + 1] = (byte) argument;
+      }
+      case 1 + Short.BYTES -> {
+        into[at] = (byte) (major | Cbor.TWO_BYTES);
+        view.putShort(at + 1, (short) argument);
+      }
+      case 1 + Integer.BYTES -> {
+        into[at] = (byte) (major | Cbor.FOUR_BYTES);
+        view.putInt(at + 1, (int) argument);
+      }
+      default -> {
+        into[at] = (byte) (major | Cbor.EIGHT_BYTES);
+        view.putLong(at + 1, argument);
+      }
     }
   }
 
   private void reserve(int more) {
     if (length + more > bytes.length) {
       bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + more));
-      view = ByteBuffer.wrap(bytes);
     }
   }
 }

@@ -2,11 +2,9 @@ package org.u2sa.messages.schema;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -67,7 +65,7 @@ final class CborReader {
     path = where();
     key = null;
     deeper();
-    fields(message, unknown, pairs, read);
+    new FieldsReader(this, in, message, unknown, pairs, read).readAll();
     if (unknown != null) {
       message.keepUnknown(
           new U2SAData.UnknownPart(List.copyOf(chain), Collections.unmodifiableMap(unknown)));
@@ -80,45 +78,20 @@ final class CborReader {
     return message;
   }
 
-  private void fields(U2SAData message, Map<String, Object> unknown, long pairs, long begun)
-      throws MalformedMessageException {
-    MessageType<U2SAData> type = message.ownType();
-    Set<String> others = Set.of(); // keys without a value in the message
-    int next = 0;
-    for (long read = begun; !in.isDone(pairs, read); read++) {
-      MessageField<U2SAData> field = null;
-      int index = type.takeKey(in, next);
-      if (index >= 0) { // in the order in which writers put them
-        field = type.at(index);
-        key = field.name();
-        next = index + 1;
-      } else {
-        key = in.text();
-        field = type.fieldOrNull(key);
-      }
-      boolean isKnownTwice = field != null && field.isSet(message);
-      if (isKnownTwice || !others.isEmpty() && others.contains(key)) {
-        throw malformed("the key comes twice");
-      }
-      if (field != null) {
-        field.read(this, message);
-      } else if (depth == 1 && key.equals(Origin.KEY)) {
-        origin = origin();
-      } else if (unknown != null && !key.equals(Schema.TYPE_KEY)) {
-        unknown.put(key, AnyValue.read(this));
-      } else {
-        in.skip(Limits.DEPTH - depth);
-      }
-      if (field == null || !field.isSet(message)) { // the latter: what only later readers know
-        others = with(others, key);
-      }
-    }
+  /** Says which field is being read, for errors. */
+  void reading(String name) {
+    key = name;
   }
 
-  private static Set<String> with(Set<String> keys, String key) {
-    Set<String> more = keys.isEmpty() ? new HashSet<>() : keys;
-    more.add(key);
-    return more;
+  /** The value after a key that is no field's. */
+  void other(String name, Map<String, Object> unknown) throws MalformedMessageException {
+    if (depth == 1 && name.equals(Origin.KEY)) {
+      origin = origin();
+    } else if (unknown != null && !name.equals(Schema.TYPE_KEY)) {
+      unknown.put(name, AnyValue.read(this));
+    } else {
+      in.skip(Limits.DEPTH - depth);
+    }
   }
 
   /** The next item, as [sender, sequence]. */
@@ -136,10 +109,9 @@ final class CborReader {
   }
 
   private void requireComplete(U2SAData message) throws MalformedMessageException {
-    for (MessageField<U2SAData> field : message.ownType().requiredFields()) {
-      if (!field.isSet(message)) {
-        throw malformed(field.path() + " is required and missing");
-      }
+    MessageField<U2SAData> missing = message.ownType().table().missing(message);
+    if (missing != null) {
+      throw malformed(missing.path() + " is required and missing");
     }
   }
 

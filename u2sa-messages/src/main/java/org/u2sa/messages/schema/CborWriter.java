@@ -7,15 +7,19 @@ import org.u2sa.messages.frame.Point;
 /** Writes one message as CBOR: fields in the schema's order. */
 final class CborWriter {
   private static final int COORDINATES = 3;
-  private static final int BYTES_BESIDE = 64; // who sends it, a longer text
-  private static final int BYTES_A_FIELD = 24; // with its name
+  private static final int ORIGIN_BYTES = 48; // with a sender of 32 characters
 
   private CborWriter() {}
 
   /** The message, and who sends it unless that is null. */
   static byte[] bytes(U2SAData message, Origin origin) {
-    CborOutput out = new CborOutput(expectedBytes(message));
-    message(out, message, origin, false);
+    FieldTable.Written written = message.ownType().table().written(message);
+    CborOutput out =
+        new CborOutput(
+            CborOutput.headBytes(written.fields())
+                + written.bytes()
+                + (origin == null ? 0 : ORIGIN_BYTES));
+    message(out, message, written.fields(), origin, false);
     byte[] bytes = out.toBytes();
     if (bytes.length > Limits.PAYLOAD_BYTES) {
       throw new IllegalStateException(
@@ -26,28 +30,24 @@ final class CborWriter {
     return bytes;
   }
 
-  /** Not too few for most messages; lists take what they need. */
-  private static int expectedBytes(U2SAData message) {
-    return BYTES_BESIDE + BYTES_A_FIELD * message.ownType().written(message);
-  }
-
-  private static void message(CborOutput out, U2SAData message, Origin origin, boolean withType) {
-    MessageType<U2SAData> type = message.ownType();
+  private static void message(
+      CborOutput out, U2SAData message, int fields, Origin origin, boolean withType) {
     Map<String, Object> unknown = message.unknownFields();
-    int written = type.written(message);
-    out.map(written + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
+    out.map(fields + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
     if (withType) {
       out.item(Schema.TYPE_KEY_BYTES);
       List<String> chain = message.typeChain();
       out.array(chain.size());
       chain.forEach(out::text);
     }
-    type.write(out, message);
-    unknown.forEach(
-        (name, value) -> {
-          out.text(name);
-          AnyValue.write(out, value);
-        });
+    message.ownType().table().write(out, message);
+    if (!unknown.isEmpty()) { // most have none, and need no iterator for it
+      unknown.forEach(
+          (name, value) -> {
+            out.text(name);
+            AnyValue.write(out, value);
+          });
+    }
     if (origin != null) {
       out.text(Origin.KEY);
       out.array(Origin.ELEMENTS);
@@ -57,7 +57,7 @@ final class CborWriter {
   }
 
   static void nested(CborOutput out, U2SAData message) {
-    message(out, message, null, true);
+    message(out, message, message.ownType().table().written(message).fields(), null, true);
   }
 
   static void point(CborOutput out, Point value) {

@@ -77,6 +77,26 @@ final class FieldStorage {
     numbers[index] = value;
   }
 
+  /**
+   * Keeps a number, as readers come by them: one after the other.
+   *
+   * @param atMost how many may come, this one included
+   * @return false if that number or one of a higher slot is set, or the message is frozen: then
+   *     nothing is kept
+   */
+  boolean append(int slot, double value, int atMost) {
+    if (present >>> slot != 0L || frozen) {
+      return false;
+    }
+    int count = Long.bitCount(present);
+    if (count == numbers.length) {
+      numbers = Arrays.copyOf(numbers, count + atMost);
+    }
+    numbers[count] = value;
+    present |= 1L << slot;
+    return true;
+  }
+
   private void makeRoomAt(int index) {
     int count = Long.bitCount(present);
     double[] old = numbers;

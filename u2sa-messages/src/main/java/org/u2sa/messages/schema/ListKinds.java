@@ -142,6 +142,11 @@ final class ListKinds {
     }
 
     @Override
+    public int expectedBytes(List<Double> values) {
+      return CborOutput.headBytes(values.size()) + values.size() * (1 + Double.BYTES);
+    }
+
+    @Override
     public void write(CborOutput out, List<Double> values) {
       out.numbers(Numbers.of(values));
     }
@@ -171,6 +176,11 @@ final class ListKinds {
     @Override
     public List<Boolean> parsed(List<String> texts) {
       return split(texts, ",", part -> ScalarKinds.FLAG.parsed(List.of(part)));
+    }
+
+    @Override
+    public int expectedBytes(List<Boolean> values) {
+      return CborOutput.headBytes(values.size()) + values.size();
     }
 
     @Override

@@ -129,7 +129,8 @@ public abstract class MessageField<T extends U2SAData> {
   /** True if an encoder must write the field. */
   abstract boolean isWritten(T message);
 
-  abstract void read(CborReader in, T message) throws MalformedMessageException;
+  /** Reads the value; false if it was passed over as one that only later readers know. */
+  abstract boolean read(CborReader in, T message) throws MalformedMessageException;
 
   /** "Waypoint.x", for errors. */
   final String path() {

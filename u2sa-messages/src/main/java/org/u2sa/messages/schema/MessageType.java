@@ -34,15 +34,8 @@ public final class MessageType<T extends U2SAData> {
   private final ValueField<?, ReferenceFrame> frameField; // null: none
   private final Sizes sizes;
   private final List<String> chain;
-  private final List<MessageField<T>> required = new ArrayList<>();
-  private final MessageField<T>[] inOrder; // the fields
-  private final List<ValueField<T, ?>> values = new ArrayList<>(); // of the fields
-  private final long alwaysWritten; // bit n: the number of slot n has a default
-  private final NumberField<T>[] numbers; // by slot
-  private final int[] numbersBefore; // by index in values: numbers whose slot is below come first
+  private final FieldTable<T> table;
   private final int[] messageLists; // slots of values
-  private final long[] beginnings; // of the fields' names, and the bits of them that count
-  private final long[] masks;
 
   MessageType(
       Identity<T> identity,
@@ -55,52 +48,21 @@ public final class MessageType<T extends U2SAData> {
     this.aliases = aliases;
     this.frameField = frameField;
     this.sizes = sizes;
-    inOrder = array(fields);
-    numbers = numberArray(sizes.numbers());
-    beginnings = new long[inOrder.length];
-    masks = new long[inOrder.length];
-    int[] before = new int[inOrder.length];
-    int numbersSoFar = 0;
-    long always = 0L;
+    table = new FieldTable<>(fields, sizes.numbers());
     for (MessageField<T> field : fields) {
-      beginnings[byName.size()] = field.key.beginning();
-      masks[byName.size()] = field.key.mask();
       byName.put(field.name(), field);
-      if (field instanceof ValueField<T, ?> value) {
-        before[values.size()] = numbersSoFar;
-        values.add(value);
-      } else if (field instanceof NumberField<T> number) {
-        numbers[number.slot] = number;
-        numbersSoFar = number.slot + 1; // slots are allotted in the fields' order
-        always |= Double.isNaN(number.ifUnset) ? 0L : 1L << number.slot;
-      }
-      if (field.isRequired()) {
-        required.add(field);
-      }
     }
     messageLists =
-        values.stream()
+        fields.stream()
             .filter(field -> field.kind() == Kind.MESSAGE_LIST)
             .mapToInt(field -> field.slot)
             .toArray();
-    alwaysWritten = always;
-    numbersBefore = before;
     List<String> names = new ArrayList<>();
     if (identity.parent() != null) {
       names.addAll(identity.parent().chain());
       names.add(identity.name());
     }
     chain = List.copyOf(names);
-  }
-
-  @SuppressWarnings({"unchecked", "rawtypes"}) // there are no arrays of generic types
-  private static <T extends U2SAData> MessageField<T>[] array(List<MessageField<T>> fields) {
-    return fields.toArray(new MessageField[0]);
-  }
-
-  @SuppressWarnings({"unchecked", "rawtypes"}) // likewise
-  private static <T extends U2SAData> NumberField<T>[] numberArray(int length) {
-    return new NumberField[length];
   }
 
   /** A field reads and writes every subclass of the class that declares it. */
@@ -185,53 +147,9 @@ public final class MessageType<T extends U2SAData> {
     return identity.empty().get();
   }
 
-  /**
-   * Reads a key if it is a field's, written as short as can be.
-   *
-   * @param from index of the field to begin with: that after the one before, as writers keep the
-   *     order
-   * @return the field's index; -1 if the key is none of those, or is before that one
-   */
-  int takeKey(CborInput in, int from) {
-    long word = in.word();
-    for (int index = from; index < inOrder.length; index++) {
-      if ((word & masks[index]) == beginnings[index] && in.take(inOrder[index].key)) {
-        return index;
-      }
-    }
-    return -1;
-  }
-
-  /** Writes all fields of a message that are to be written, in their order. */
-  void write(CborOutput out, T message) {
-    FieldStorage storage = message.storage();
-    long left = storage.numbersWritten(alwaysWritten);
-    for (int i = 0; i < values.size(); i++) {
-      left = out.numbers(numbers, storage, left, numbersBefore[i]);
-      values.get(i).write(out, message);
-    }
-    out.numbers(numbers, storage, left, Long.SIZE);
-  }
-
-  /** The field of that index in {@link #fields()}. */
-  MessageField<T> at(int index) {
-    return inOrder[index];
-  }
-
-  /** How many fields of a message are on the wire. */
-  int written(T message) {
-    int count = Long.bitCount(message.storage().numbersWritten(alwaysWritten));
-    for (int i = 0; i < values.size(); i++) {
-      if (values.get(i).isWritten(message)) {
-        count++;
-      }
-    }
-    return count;
-  }
-
-  /** Those without which a message is not complete. */
-  List<MessageField<T>> requiredFields() {
-    return required;
+  /** The fields as writers and readers pass over them. */
+  FieldTable<T> table() {
+    return table;
   }
 
   /** Slots of the values that are lists of messages. */

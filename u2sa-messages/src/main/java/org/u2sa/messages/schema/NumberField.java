@@ -18,6 +18,8 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   private final String globalUnit;
   private final double min;
   private final double max;
+  private final double least; // finite, so that comparing with them refuses infinities and NaN too
+  private final double most;
 
   NumberField(FieldOutline outline, String globalUnit, double ifUnset, double min, double max) {
     super(outline, Kind.DOUBLE);
@@ -25,6 +27,13 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     this.ifUnset = ifUnset;
     this.min = min;
     this.max = max;
+    least = Math.max(min, -Double.MAX_VALUE);
+    most = Math.min(max, Double.MAX_VALUE);
+  }
+
+  /** Whether the field may have that value. */
+  boolean takes(double value) {
+    return value >= least && value <= most;
   }
 
   /** Smallest value taken; -∞ if unbounded. */
@@ -48,14 +57,14 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   }
 
   double checked(double value) {
+    if (takes(value)) {
+      return value;
+    }
     if (!Double.isFinite(value)) {
       String unit = unit().isEmpty() ? "" : " [" + unit() + "]";
       throw refused(value, "expected a finite number" + unit);
     }
-    if (value < min || value > max) {
-      throw refused(value, "expected " + range() + (unit().isEmpty() ? "" : " " + unit()));
-    }
-    return value;
+    throw refused(value, "expected " + range() + (unit().isEmpty() ? "" : " " + unit()));
   }
 
   private String range() {
@@ -106,7 +115,8 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
   }
 
   @Override
-  void read(CborReader in, T message) throws MalformedMessageException {
+  boolean read(CborReader in, T message) throws MalformedMessageException {
     message.put(this, in.number());
+    return true;
   }
 }

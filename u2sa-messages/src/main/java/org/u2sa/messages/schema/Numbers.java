@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import java.nio.ByteBuffer;
 import java.util.AbstractList;
 import java.util.Collection;
 import java.util.RandomAccess;
@@ -46,9 +47,20 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
     return owning(values);
   }
 
-  /** The number at an index, as such. */
-  double at(int index) {
-    return values[index];
+  /**
+   * Writes them as float64, for which there must be room.
+   *
+   * @return where they end
+   */
+  int put(byte[] bytes, int start) {
+    ByteBuffer into = ByteBuffer.wrap(bytes); // nobody else's: compilers leave it out
+    int at = start;
+    for (double value : values) {
+      bytes[at] = (byte) Cbor.FLOAT_64;
+      into.putDouble(at + 1, value);
+      at += 1 + Double.BYTES;
+    }
+    return at;
   }
 
   @Override

@@ -22,6 +22,11 @@ final class TimestampField extends ValueField<U2SAData, Long> {
   }
 
   @Override
+  int expectedBytes(U2SAData message) {
+    return isSet(message) ? key.length() + CborOutput.countBytes(message.storage().timestamp()) : 0;
+  }
+
+  @Override
   void write(CborOutput out, U2SAData message) {
     if (isSet(message)) {
       out.key(key);
@@ -30,7 +35,8 @@ final class TimestampField extends ValueField<U2SAData, Long> {
   }
 
   @Override
-  void read(CborReader in, U2SAData message) {
+  boolean read(CborReader in, U2SAData message) {
     message.storage().timestamp(this, in.count());
+    return true;
   }
 }

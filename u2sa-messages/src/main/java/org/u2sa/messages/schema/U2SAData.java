@@ -138,11 +138,9 @@ public abstract class U2SAData {
   }
 
   private void requireComplete() {
-    List<MessageField<U2SAData>> required = ownType().requiredFields();
-    for (int i = 0; i < required.size(); i++) { // without an iterator for each message
-      if (!required.get(i).isSet(this)) {
-        throw missing(required.get(i));
-      }
+    MessageField<U2SAData> missing = ownType().table().missing(this);
+    if (missing != null) {
+      throw missing(missing);
     }
   }
 

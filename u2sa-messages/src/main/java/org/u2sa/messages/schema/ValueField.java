@@ -2,6 +2,7 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * A field that holds anything but a double.
@@ -83,27 +84,59 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     set(message, value);
   }
 
+  /** How many bytes {@link #write} writes, about; 0 if nothing. */
+  int expectedBytes(T message) {
+    V value = valueIn(message);
+    if (value == null) {
+      return 0;
+    }
+    return key.length() + bytes(value);
+  }
+
+  private int bytes(V value) {
+    if (value instanceof String text) { // most are
+      return CborOutput.textBytes(text);
+    } else if (value instanceof ReferenceFrame frame) {
+      return CborOutput.textBytes(frame.name());
+    } else if (value instanceof Boolean) {
+      return 1;
+    }
+    return values.expectedBytes(value);
+  }
+
   /** Writes name and value if the field {@link #isWritten}. */
   void write(CborOutput out, T message) {
     V value = valueIn(message);
     if (value != null) {
       out.key(key);
-      values.write(out, value);
+      if (value instanceof String text) { // most are: no need to ask what kind it is
+        out.text(text);
+      } else if (value instanceof ReferenceFrame frame) {
+        out.text(frame.name());
+      } else {
+        values.write(out, value);
+      }
     }
   }
 
   @Override
-  void read(CborReader in, T message) throws MalformedMessageException {
+  boolean read(CborReader in, T message) throws MalformedMessageException {
     V value;
     try {
-      value = values.readChecked(in);
+      value = kind() == Kind.STRING ? text(in) : values.readChecked(in);
     } catch (UnknownConstantException e) {
       if (!isOptional()) {
         throw e;
       }
-      return; // as if it were absent: what it would have meant, this reader cannot know
+      return false; // as if it were absent: what it would have meant, this reader cannot know
     }
     put(message, value);
+    return true;
+  }
+
+  @SuppressWarnings("unchecked") // a field of that kind holds texts
+  private V text(CborReader in) { // as most are: no need to ask the kind how to read it
+    return (V) in.text();
   }
 
   /** A constant of an enum that a later version of the data model has and this reader does not. */
