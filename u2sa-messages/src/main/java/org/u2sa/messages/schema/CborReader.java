@@ -57,7 +57,6 @@ final class CborReader {
   private U2SAData message(MessageType<?> type, List<String> chain, long pairs, long read)
       throws MalformedMessageException {
     U2SAData message = type.newCarrier();
-    message.storage().expect(pairs, type.sizes());
     boolean isKnown = type.chain().equals(chain);
     Map<String, Object> unknown = isKnown ? null : new LinkedHashMap<>();
     String outerPath = path;

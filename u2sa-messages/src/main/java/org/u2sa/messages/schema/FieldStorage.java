@@ -120,17 +120,6 @@ final class FieldStorage {
   }
 
   /**
-   * Makes room at once for numbers that are about to be set.
-   *
-   * @param fields how many fields will be set, numbers or not, as a sender says: may be anything
-   */
-  void expect(long fields, MessageType.Sizes sizes) {
-    if (fields > numbers.length) {
-      numbers = Arrays.copyOf(numbers, (int) Math.min(fields, sizes.numbers()));
-    }
-  }
-
-  /**
    * Takes over all values of another message of the type, and copies of the messages within.
    *
    * @param messageLists slots of the lists that hold them

@@ -13,19 +13,37 @@ final class TrafficMemory {
   /** What stands longer counts as parked [µs]. */
   private static final long PARKED_AFTER_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
-  private record Motion(long micros, double northMps, double eastMps) {}
+  /** Velocity when it was fastest, and when it moved last [µs]. */
+  private record Motion(long micros, double northMps, double eastMps, long lastMicros) {
+    double mps() {
+      return Math.hypot(northMps, eastMps);
+    }
+
+    /** With what is seen now: another velocity only if it is faster, or this one is long ago. */
+    Motion and(Motion now) {
+      boolean isOld = now.micros - micros > PARKED_AFTER_MICROS;
+      return isOld || now.mps() >= mps()
+          ? now
+          : new Motion(micros, northMps, eastMps, now.lastMicros);
+    }
+  }
 
   private final Map<String, Motion> moved = new HashMap<>();
 
-  /** Takes note that an object moves. */
+  /**
+   * Takes note that an object moves. The fastest of the last seconds counts: while a thing stops,
+   * an estimate of its velocity fades away.
+   */
   void moves(Mover mover) {
-    moved.put(mover.name(), new Motion(mover.seenMicros(), mover.northMps(), mover.eastMps()));
+    long seen = mover.seenMicros();
+    moved.merge(
+        mover.name(), new Motion(seen, mover.northMps(), mover.eastMps(), seen), Motion::and);
   }
 
   /** How an object that stands may set off: on and back; nothing if it is parked. */
   List<Mover> mightMove(Mover standing) {
     Motion last = moved.get(standing.name());
-    if (last == null || standing.seenMicros() - last.micros() > PARKED_AFTER_MICROS) {
+    if (last == null || standing.seenMicros() - last.lastMicros() > PARKED_AFTER_MICROS) {
       moved.remove(standing.name());
       return List.of();
     }
