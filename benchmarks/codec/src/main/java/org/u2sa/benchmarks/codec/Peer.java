@@ -7,8 +7,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.util.List;
+import java.util.function.Supplier;
 import org.msgpack.jackson.dataformat.MessagePackFactory;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.KeyForm;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -17,52 +19,65 @@ enum Peer {
   OURS {
     @Override
     Codec with(Contents contents) {
-      U2SAData message = contents.ours();
-      MessageCodec codec = new MessageCodec(StandardTypes.registry());
-      List<String> chain = message.typeChain();
-      return new Codec(message::serialize, bytes -> codec.decode(chain, bytes));
+      return ours(contents, KeyForm.NAMES);
+    }
+  },
+  OURS_WITH_LABELS {
+    @Override
+    Codec with(Contents contents) {
+      return ours(contents, KeyForm.LABELS);
     }
   },
   JACKSON_JSON {
     @Override
     Codec with(Contents contents) {
-      return jackson(new ObjectMapper(), contents.bean());
+      return jackson(new ObjectMapper(), contents);
     }
   },
   MESSAGE_PACK {
     @Override
     Codec with(Contents contents) {
-      return jackson(new ObjectMapper(new MessagePackFactory()), contents.bean());
+      return jackson(new ObjectMapper(new MessagePackFactory()), contents);
     }
   },
   PROTOBUF {
     @Override
     Codec with(Contents contents) {
-      com.google.protobuf.Message message = contents.protobuf();
-      Parser<?> parser = message.getParserForType();
-      return new Codec(message::toByteArray, parser::parseFrom);
+      Parser<?> parser = contents.protobuf().getParserForType();
+      return new Codec(() -> encoder(contents.protobuf()), parser::parseFrom);
+    }
+
+    private Encoder encoder(com.google.protobuf.Message message) {
+      return message::toByteArray;
     }
   },
   JAVA {
     @Override
     Codec with(Contents contents) {
-      Object bean = contents.bean();
       return new Codec(
-          () -> {
-            ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-            try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
-              out.writeObject(bean);
-            }
-            return bytes.toByteArray();
-          },
+          () -> encoder(contents.bean()),
           bytes -> new ObjectInputStream(new ByteArrayInputStream(bytes)).readObject());
+    }
+
+    private Encoder encoder(Object bean) {
+      return () -> {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
+          out.writeObject(bean);
+        }
+        return bytes.toByteArray();
+      };
     }
   };
 
-  /** Both ways of one codec with one message. */
-  record Codec(Encoder encoder, Decoder decoder) {}
+  /**
+   * Both ways of one codec with one contents.
+   *
+   * @param fresh makes a message that was never encoded before
+   */
+  record Codec(Supplier<Encoder> fresh, Decoder decoder) {}
 
-  /** To bytes. */
+  /** One message to bytes. */
   interface Encoder {
     byte[] encode() throws Exception;
   }
@@ -74,8 +89,24 @@ enum Peer {
 
   abstract Codec with(Contents contents);
 
-  private static Codec jackson(ObjectMapper mapper, Object bean) {
-    Class<?> type = bean.getClass();
-    return new Codec(() -> mapper.writeValueAsBytes(bean), bytes -> mapper.readValue(bytes, type));
+  private static Codec ours(Contents contents, KeyForm form) {
+    MessageCodec codec = new MessageCodec(StandardTypes.registry(), form);
+    List<String> chain = contents.ours().typeChain();
+    return new Codec(() -> encoder(codec, contents.ours()), bytes -> codec.decode(chain, bytes));
+  }
+
+  private static Encoder encoder(MessageCodec codec, U2SAData message) {
+    message.freeze(); // as whoever publishes it does
+    return () -> codec.encode(message);
+  }
+
+  private static Codec jackson(ObjectMapper mapper, Contents contents) {
+    Class<?> type = contents.bean().getClass();
+    return new Codec(
+        () -> encoder(mapper, contents.bean()), bytes -> mapper.readValue(bytes, type));
+  }
+
+  private static Encoder encoder(ObjectMapper mapper, Object bean) {
+    return () -> mapper.writeValueAsBytes(bean);
   }
 }
