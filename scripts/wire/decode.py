@@ -20,7 +20,9 @@ try:
 except ImportError:
     sys.exit("decode.py needs cbor2: pip install cbor2")
 
-GOLDEN = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "wire" / "golden"
+WIRE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "wire"
+GOLDEN = WIRE / "golden"
+LABELS = {int(label): name for label, name in map(str.split, (WIRE / "labels.txt").read_text(encoding="utf-8").splitlines())}
 
 
 def decode(payload):
@@ -33,10 +35,17 @@ def decode(payload):
         raise ValueError(f"no CBOR: {e}") from e
     if stream.read(1):
         raise ValueError(f"{len(payload) - stream.tell() + 1} bytes after the message")
-    if not isinstance(message, dict) or not all(isinstance(key, str) for key in message):
-        raise ValueError("expected a map with text keys")
+    if not isinstance(message, dict) or not all(isinstance(key, (str, int)) for key in message):
+        raise ValueError("expected a map with text keys or labels")
     check_numbers(message, "message")
-    return message
+    return named(message)
+
+
+def named(value):
+    """The value with names for labels, its own and those of the messages in it."""
+    if isinstance(value, dict):
+        return {LABELS.get(key, f"#{key}") if isinstance(key, int) else key: named(item) for key, item in value.items()}
+    return [named(item) for item in value] if isinstance(value, list) else value
 
 
 def check_numbers(value, where):

@@ -10,6 +10,7 @@ import cbor2
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(REPOSITORY / "clients" / "python" / "tools"))
 import tables  # noqa: E402  (reads the schema)
+from decode import named  # noqa: E402
 
 _SCHEMA = tables.schema()
 CHANNELS = {row["name"]: tables.channel(row)[1:] for row in _SCHEMA["channels"]}
@@ -73,6 +74,7 @@ def parts(payload):
     require(stream.read() == b"", "bytes after the message")
     require(isinstance(message, dict), "payload is no map")
     require(cbor2.dumps(message) == payload, "not as writers write: definite lengths, shortest integers, float64")
+    message = named(message)
     if "origin" not in message:
         return message, None
     require(list(message)[-1] == "origin", "origin is not behind all other pairs")

@@ -5,7 +5,9 @@ import json
 import pathlib
 import unittest
 
-from u2sa import Malformed, Message, Schema, decode, encode
+import cbor2
+
+from u2sa import Malformed, Message, Schema, decode, encode, tables
 from u2sa.message import UnknownConstant
 from u2sa.schema import STANDARD
 
@@ -36,6 +38,34 @@ class GoldenTest(unittest.TestCase):
                 self.assertEqual([key for key, _ in message.items()], list(said["message"]))
 
 
+class LabelsTest(unittest.TestCase):
+    """Fields named by numbers, as FIELD KEYS = labels has them written."""
+
+    LABELS = {name: label for label, name in enumerate(tables.LABELS)}
+
+    def labelled(self, value):
+        if isinstance(value, dict):
+            return {self.LABELS.get(key, key): self.labelled(item) for key, item in value.items()}
+        return [self.labelled(item) for item in value] if isinstance(value, list) else value
+
+    def test_every_vector_with_labels_is_the_same_message(self):
+        for file in sorted(GOLDEN.rglob("*.cbor")):
+            with self.subTest(file.name):
+                chain = json.loads(file.with_suffix(".json").read_text(encoding="utf-8"))["typeChain"]
+                payload = cbor2.dumps(self.labelled(cbor2.loads(file.read_bytes())))
+                self.assertLess(len(payload), file.stat().st_size)
+                self.assertEqual(encode(decode(chain, payload)), file.read_bytes())
+
+    def test_labels_that_nobody_knows_are_skipped_or_shown(self):
+        self.assertEqual(decode(["StateInformation"], bytes.fromhex("a2 1903e8 07 06 f93e00"))["x"], 1.5)
+        self.assertEqual(decode(["Tide"], bytes.fromhex("a1 1903e8 07")).unknown, {"#1000": 7})
+
+    def test_a_field_by_name_and_by_label_is_refused(self):
+        for hexadecimal in ("a2 06 f93e00 6178 f93e00", "a2 06 f93e00 1806 f93e00", "a2 06 f93e00 622336 f93e00"):
+            with self.subTest(hexadecimal), self.assertRaisesRegex(Malformed, "comes twice"):
+                decode(["StateInformation"], bytes.fromhex(hexadecimal))
+
+
 class HostileBytesTest(unittest.TestCase):
     def refused(self, chain, hexadecimal, expected):
         with self.assertRaises(Malformed) as caught:
@@ -50,7 +80,7 @@ class HostileBytesTest(unittest.TestCase):
                 ("a26178fb00000000000000006178fb0000000000000000", "comes twice"), ("a2617100617100", "comes twice"),
                 ("a2617100 7f6171ff00", "comes twice"), ("a161718181818181818181818181818181", "levels"),
                 ("a16a73656e736f724e616d657b00000001ffffffff", "at most"), ("bbffffffffffffffff", "cut short"),
-                ("a16a73656e736f724e616d6563edb9bb", "CBOR"), ("a100f6", "text key"),
+                ("a16a73656e736f724e616d6563edb9bb", "CBOR"), ("a120f6", "text key"),
                 ("a16974696d657374616d70c249ffffffffffffffffff", "64 bits")):
             with self.subTest(hexadecimal):
                 self.refused("StateInformation", hexadecimal, expected)

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Writes u2sa/tables.py from docs/schema/u2sa-messages.json, or says with --check whether it is what that says."""
+"""Writes u2sa/tables.py from docs/schema/u2sa-messages.json and docs/wire/labels.txt, or says with --check whether it is what those say."""
 import json
 import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent.parent
 SCHEMA = HERE.parent.parent / "docs" / "schema" / "u2sa-messages.json"
+LABELS = HERE.parent.parent / "docs" / "wire" / "labels.txt"
 TABLES = HERE / "u2sa" / "tables.py"
 
 
@@ -37,7 +38,7 @@ def standard(rows):
 
 def written():
     whole = schema()
-    out = ['"""Channels and messages, written by tools/tables.py from docs/schema/u2sa-messages.json. Do not edit."""', ""]
+    out = ['"""Channels and messages, written by tools/tables.py from docs/schema/u2sa-messages.json and docs/wire/labels.txt. Do not edit."""', ""]
     out += ["# name: (QoS, retained, field that names the source in the topic)", "CHANNELS = {"]
     out += [f"    {name!r}: ({qos}, {retained}, {source!r})," for name, qos, retained, source in map(channel, standard(whole["channels"]))]
     out += ["}", ""]
@@ -47,14 +48,16 @@ def written():
         out += [f"    ({chain!r}, {abstract}, ["]
         out += [f"        {each!r}," for each in fields]
         out += ["    ]),"]
-    out += ["]", ""]
+    out += ["]", "", "# names of fields; each one's place is its label", "LABELS = ("]
+    out += [f"    {line.split()[1]!r}," for line in LABELS.read_text(encoding="utf-8").splitlines()]
+    out += [")", ""]
     return "\n".join(out)
 
 
 def main():
     if sys.argv[1:] == ["--check"]:
         if TABLES.read_text(encoding="utf-8") != written():
-            sys.exit("clients/python/u2sa/tables.py is not what docs/schema/u2sa-messages.json says: "
+            sys.exit("clients/python/u2sa/tables.py is not what docs/schema/u2sa-messages.json and docs/wire/labels.txt say: "
                      "run python3 clients/python/tools/tables.py")
         return
     TABLES.write_text(written(), encoding="utf-8")

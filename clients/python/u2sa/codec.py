@@ -7,7 +7,7 @@ import cbor2
 
 from . import message as values
 from .message import Message, UnknownConstant
-from .schema import STANDARD, TYPE_KEY, Malformed, Schema
+from .schema import STANDARD, TYPE_KEY, Malformed, Schema, name_of
 from .wellformed import check
 
 PAYLOAD_BYTES = 1 << 20
@@ -64,8 +64,9 @@ def decode(chain: Sequence[str], payload: bytes, schema: Schema = STANDARD) -> M
         pairs = cbor2.loads(payload)
     except (cbor2.CBORDecodeError, ValueError, OverflowError) as e:
         raise Malformed(f"{chain[-1]}: no CBOR: {e}") from e
-    origin = pairs.pop(_ORIGIN, None) if isinstance(pairs, dict) else None
-    message = _message(chain, pairs, schema, chain[-1])
+    named = _named(pairs, chain[-1])
+    origin = named.pop(_ORIGIN, None)
+    message = _message(chain, named, schema, chain[-1])
     message.origin = _origin(origin)
     return message
 
@@ -84,15 +85,27 @@ def _check_chain(chain: Sequence[str]) -> None:
         raise Malformed(f"expected 1…{CHAIN_NAMES} type names, not {list(chain)!r}")
 
 
-def _message(chain: Sequence[str], pairs: Any, schema: Schema, where: str) -> Message:
+def _named(pairs: Any, where: str) -> Dict[str, Any]:
+    """The pairs of a map by the names of their fields, whether those or their labels were written."""
     if not isinstance(pairs, dict):
         raise Malformed(f"{where}: expected a map, not {type(pairs).__name__}")
+    named: Dict[str, Any] = {}
+    for key, value in pairs.items():
+        if type(key) is int and key >= 0 or isinstance(key, str):
+            name = name_of(key)
+        else:
+            raise Malformed(f"{where}: expected a text key or a label, not {key!r}")
+        if name in named:
+            raise Malformed(f"{where}.{name}: the key comes twice")
+        named[name] = value
+    return named
+
+
+def _message(chain: Sequence[str], pairs: Dict[str, Any], schema: Schema, where: str) -> Message:
     kind = schema.nearest(chain)
     message = Message.carrier(kind, chain)
     known = kind is not None and kind.chain == tuple(chain)
     for key, value in pairs.items():
-        if not isinstance(key, str):
-            raise Malformed(f"{where}: expected a text key, not {key!r}")
         field = kind.field(key) if kind else None
         if field is None:
             if not known and key != TYPE_KEY:
@@ -113,8 +126,9 @@ def _message(chain: Sequence[str], pairs: Any, schema: Schema, where: str) -> Me
 
 def _nested(value: Any, schema: Schema, where: str) -> List[Message]:
     messages = []
-    for pairs in values.sequence(value, where):
-        if not isinstance(pairs, dict) or next(iter(pairs), None) != TYPE_KEY:
+    for element in values.sequence(value, where):
+        pairs = _named(element, where)
+        if next(iter(pairs), None) != TYPE_KEY:
             raise Malformed(f'{where}: expected "type" as the first key of a message in a list')
         chain = pairs[TYPE_KEY]
         if not isinstance(chain, list):
@@ -127,7 +141,7 @@ def _nested(value: Any, schema: Schema, where: str) -> List[Message]:
 def _plain(value: Any, where: str) -> Any:
     """A value of a field that no table has: numbers, texts, byte strings, flags, arrays and maps of such."""
     if isinstance(value, dict):
-        return {values.text(key, where): _plain(item, where) for key, item in value.items()}
+        return {values.text(key, where): _plain(item, where) for key, item in _named(value, where).items()}
     if isinstance(value, list):
         return [_plain(item, where) for item in values.sequence(value, where)]
     if isinstance(value, str):

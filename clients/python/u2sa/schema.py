@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import tables
 
@@ -12,6 +12,16 @@ TYPE_KEY = "type"
 
 class Malformed(ValueError):
     """Bytes, a topic or a value that is not what docs/wire-protocol.md says; names field, value and what was expected."""
+
+
+_UNKNOWN = "#"  # before the digits of a label that a reader did not know
+_WRITTEN = {f"{_UNKNOWN}{label}": name for label, name in enumerate(tables.LABELS)}
+
+
+def name_of(key: Union[int, str]) -> str:
+    """The name of the field that a map's key stands for: the key itself, or what its label says."""
+    text = f"{_UNKNOWN}{key}" if isinstance(key, int) else key
+    return _WRITTEN.get(text, text)
 
 
 @dataclass(frozen=True)

@@ -1,12 +1,12 @@
 """Looks CBOR through before memory is taken for it: lengths, depth, and keys that come twice, which cbor2 lets pass."""
 from __future__ import annotations
 
-from typing import Set
+from typing import Set, Union
 
 from .schema import Malformed
 
 DEPTH = 8
-_BYTES, _TEXT, _ARRAY, _MAP, _TAG, _SIMPLE = 2, 3, 4, 5, 6, 7
+_UNSIGNED, _BYTES, _TEXT, _ARRAY, _MAP, _TAG, _SIMPLE = 0, 2, 3, 4, 5, 6, 7
 _INDEFINITE = 31
 _BREAK = 0xFF
 _LIST_ELEMENTS = 100_000
@@ -48,7 +48,7 @@ class _Scan:
             return major, info, info
         if info < 28:
             return major, info, int.from_bytes(self._take(1 << (info - 24)), "big")
-        if info == _INDEFINITE and major in (_BYTES, _TEXT, _ARRAY, _MAP, _SIMPLE):
+        if info == _INDEFINITE and major in (_UNSIGNED, _BYTES, _TEXT, _ARRAY, _MAP, _SIMPLE):
             return major, info, -1
         raise Malformed(f"byte {self.at - 1}: {first:#04x} begins no item")
 
@@ -72,16 +72,18 @@ class _Scan:
             self._take(chunk_length)
 
     def _container(self, major: int, info: int, length: int, depth: int) -> None:
-        keys: Set[bytes] = set()
+        keys: Set[Union[bytes, int]] = set()
         count = 0
         while not self._at_break() if info == _INDEFINITE else count < length:
             count = self._bounded(count + 1, _LIST_ELEMENTS)
             if major == _MAP:
                 begin = self.at
-                if begin < len(self.bytes) and self.bytes[begin] >> 5 != _TEXT:
-                    raise Malformed(f"byte {begin}: expected a text key")
+                major_of_key = self.bytes[begin] >> 5 if begin < len(self.bytes) else _TEXT
+                if major_of_key != _TEXT and major_of_key != _UNSIGNED:
+                    raise Malformed(f"byte {begin}: expected a text key or a label")
                 self.item(depth)
-                key = _text(self.bytes[begin:self.at])
+                item = self.bytes[begin:self.at]
+                key = _text(item) if major_of_key == _TEXT else _label(item)
                 if key in keys:
                     raise Malformed(f"byte {begin}: the key comes twice")
                 keys.add(key)
@@ -97,6 +99,11 @@ class _Scan:
         if count > most:
             raise Malformed(f"byte {self.at}: expected at most {most}, not {count}")
         return count
+
+
+def _label(item: bytes) -> int:
+    """The number of a label, however it is written."""
+    return _Scan(item)._head()[2]
 
 
 def _text(item: bytes) -> bytes:

@@ -56,7 +56,7 @@ final class EmbeddedBroker implements AutoCloseable {
     incoming = new IncomingCopies(bus, codec, log);
     this.address = address;
     this.log = log;
-    copies = new OutgoingCopies(server, bus.systemId(), filter, log);
+    copies = new OutgoingCopies(server, bus.systemId(), codec, filter, log);
   }
 
   /**

@@ -1,6 +1,7 @@
 package org.u2sa.core.communication;
 
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.schema.KeyForm;
 
 /** The variables of the {@link CommunicationManager}, its limits and security aside. */
 public record ManagerSettings(
@@ -35,12 +36,28 @@ public record ManagerSettings(
             ifAbsentText = "auto",
             text =
                 "Whether the embedded broker announces itself by mDNS; auto: if it listens on a network.")
-        String announce) {
+        String announce,
+    @Variable(
+            oneOf = {NAMES, LABELS},
+            ifAbsentText = NAMES,
+            text =
+                "What this process's messages name their fields by. names: readable without anything; labels: numbers instead, about half of the bytes of small messages, for readers of format 3 and later.")
+        String fieldKeys) {
   /** Name of the variable {@link #broker}. */
   public static final String BROKER = "BROKER";
 
   /** Name of the variable {@link #communicationManagerPort}. */
   public static final String PORT = "COMMUNICATION MANAGER PORT";
+
+  /** Constant for {@link #fieldKeys}. */
+  static final String NAMES = "names";
+
+  /** Constant for {@link #fieldKeys}. */
+  static final String LABELS = "labels";
+
+  KeyForm keyForm() {
+    return fieldKeys.equals(LABELS) ? KeyForm.LABELS : KeyForm.NAMES;
+  }
 
   boolean announces() {
     return announce.equals("yes")

@@ -15,6 +15,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.OriginNumbers;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -38,6 +39,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private final Server server;
   private final String systemId;
+  private final MessageCodec codec;
   private final RemoteInterest interest;
   private final MessageRouter router;
   private final RetainedTable retained;
@@ -51,9 +53,15 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   private volatile boolean closing;
 
   /** Takes the messages of one system to the clients of a broker. */
-  OutgoingCopies(Server server, String systemId, ConnectionFilter filter, Consumer<String> log) {
+  OutgoingCopies(
+      Server server,
+      String systemId,
+      MessageCodec codec,
+      ConnectionFilter filter,
+      Consumer<String> log) {
     this.server = server;
     this.systemId = systemId;
+    this.codec = codec;
     interest = new RemoteInterest(systemId, filter.subscriptions(), numbers);
     router = filter.router();
     retained = filter.retained();
@@ -142,7 +150,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
         copy.channel.deliversEvery()
             || copy.channel.isRetained()
             || closing; // the last words are to be confirmed, whatever they are
-    byte[] payload = copy.message.serialize(copy.origin);
+    byte[] payload = codec.encode(copy.message, copy.origin);
     TopicRoute route = copy.channel.isRetained() ? null : router.routeOf(copy.topic);
     if (copy.channel.isRetained()) {
       retained.enterLocal(copy.topic, payload.length);

@@ -19,13 +19,13 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** What remote clients publish, on its way to the services of this process. */
 class IncomingCopiesTest {
+  private static final MessageCodec CODEC = new MessageCodec(StandardTypes.registry());
   private static final String TOPIC = "u2sa/cessna/state/StateInformation";
 
   private final List<U2SAData> received = new ArrayList<>();
   private final List<String> log = new ArrayList<>();
   private final LocalBus bus = new LocalBus("cessna");
-  private final IncomingCopies copies =
-      new IncomingCopies(bus, new MessageCodec(StandardTypes.registry()), log::add);
+  private final IncomingCopies copies = new IncomingCopies(bus, CODEC, log::add);
   private final Connection connection = bus.connect("reader", receiver());
 
   IncomingCopiesTest() {
@@ -49,7 +49,7 @@ class IncomingCopiesTest {
   private static byte[] state(long sequence) {
     StateInformation state = new StateInformation();
     state.freeze();
-    return state.serialize(new Origin("remote", sequence));
+    return CODEC.encode(state, new Origin("remote", sequence));
   }
 
   @Test

@@ -163,6 +163,11 @@ final class RawClient implements AutoCloseable {
     return first;
   }
 
+  /** What the packet has that was read last, behind its length. */
+  byte[] content() {
+    return last.clone();
+  }
+
   /** Reads a message of QoS 1. Returns its packet's identifier. */
   int nextMessage() throws IOException {
     int first = next();

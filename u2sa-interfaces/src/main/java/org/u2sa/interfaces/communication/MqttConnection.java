@@ -27,6 +27,7 @@ final class MqttConnection implements Connection {
   private final String address;
   private final String systemId;
   private final String serviceName;
+  private final MessageCodec codec;
   private final Receiver receiver;
   private final String instance = OriginNumbers.newSender();
   private final OriginNumbers numbers = new OriginNumbers(instance);
@@ -50,6 +51,7 @@ final class MqttConnection implements Connection {
     this.address = address;
     this.systemId = systemId;
     this.serviceName = serviceName;
+    this.codec = codec;
     this.receiver = receiver;
     topics = new TopicNames(systemId);
     incoming = new IncomingMessages(codec, receiver);
@@ -95,7 +97,7 @@ final class MqttConnection implements Connection {
       lost.instance(instance).systemId(systemId);
       lost.freeze();
       Topic topic = Topic.of(systemId, Channels.HEALTH, lost);
-      options.setWill(topic.toString(), lost.serialize(), AT_LEAST_ONCE, false);
+      options.setWill(topic.toString(), codec.encode(lost), AT_LEAST_ONCE, false);
     }
     return options;
   }
@@ -123,14 +125,14 @@ final class MqttConnection implements Connection {
       MqttSession session = link.session();
       boolean sent = false;
       if (channel.isRetained()) {
-        byte[] payload = message.serialize(origin);
+        byte[] payload = codec.encode(message, origin);
         RetainedTopics.Published last = retained.publishing(topic, payload);
         sent = session != null && session.publish(topic, payload, true, true, last::confirm);
         if (sent) {
           last.settle(session);
         }
       } else if (session != null) {
-        byte[] payload = message.serialize(origin);
+        byte[] payload = codec.encode(message, origin);
         sent = session.publish(topic, payload, channel.deliversEvery(), false, null);
       }
       if (!sent && session == null) {

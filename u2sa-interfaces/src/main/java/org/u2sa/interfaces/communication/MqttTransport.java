@@ -13,7 +13,7 @@ import org.u2sa.messages.schema.MessageCodec;
  * @param port the broker's TCP port, 1…65535
  * @param systemId the system whose messages are exchanged; {@link Topic#ANY_SYSTEM} hears those of
  *     all systems on the broker and publishes none
- * @param codec what reads incoming messages
+ * @param codec what writes and reads messages
  * @param access how each client logs in
  * @param patienceS how long the first attempt to connect may last [s]
  * @param client what speaks MQTT

@@ -19,9 +19,10 @@ class IncomingMessagesTest {
   private final List<U2SAData> received = new ArrayList<>();
   private final List<String> troubles = new ArrayList<>();
   private RuntimeException fault;
+  private final MessageCodec codec = new MessageCodec(StandardTypes.registry());
   private final IncomingMessages incoming =
       new IncomingMessages(
-          new MessageCodec(StandardTypes.registry()),
+          codec,
           new Receiver() {
             @Override
             public void receive(Channel<?> channel, U2SAData message) {
@@ -40,7 +41,7 @@ class IncomingMessagesTest {
   private void arrives(long sequence) {
     StateInformation state = new StateInformation();
     state.freeze();
-    incoming.hand(Channels.STATE, TOPIC, state.serialize(new Origin("a", sequence)));
+    incoming.hand(Channels.STATE, TOPIC, codec.encode(state, new Origin("a", sequence)));
   }
 
   @Test

@@ -61,7 +61,7 @@ final class AnyValue {
     } else if (value instanceof Map<?, ?> map) {
       out.map(map.size());
       for (Map.Entry<?, ?> entry : map.entrySet()) {
-        out.text((String) entry.getKey());
+        out.key(out.form().key((String) entry.getKey()));
         write(out, entry.getValue());
       }
     } else {

@@ -56,6 +56,11 @@ final class CborInput {
     return bytes[at] & 0xFF;
   }
 
+  /** Whether the next item is a number that is not negative, as labels are; it stays there. */
+  boolean isLabelNext() {
+    return at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.UNSIGNED;
+  }
+
   /** Eight bytes so far ahead, big-endian; zeros after the end. They stay there. */
   long word(int ahead) {
     int start = at + ahead;

@@ -11,21 +11,27 @@ import java.util.Arrays;
 final class CborOutput {
   private static final int TYPICAL_BYTES = 512;
   private static final int LONGEST_HEAD = 9;
-  private static final int SHORT_TEXT = 64; // chars, up to which copying them one by one is fastest
   private static final int ASCII_LAST = 0x7F;
 
+  private final KeyForm form;
   private byte[] bytes;
   private int length;
 
   CborOutput() {
-    this(TYPICAL_BYTES);
+    this(KeyForm.NAMES, TYPICAL_BYTES);
   }
 
   /**
+   * @param form of the keys of all maps
    * @param expected bytes, about; takes more as well
    */
-  CborOutput(int expected) {
+  CborOutput(KeyForm form, int expected) {
+    this.form = form;
     bytes = new byte[expected];
+  }
+
+  KeyForm form() {
+    return form;
   }
 
   /** How many bytes open an item with that argument, which is unsigned. */
@@ -64,7 +70,7 @@ final class CborOutput {
     length += LONGEST_HEAD;
   }
 
-  /** Names and values of the numbers of those slots, a bit each. */
+  /** Keys and values of the numbers of those slots, a bit each. */
   void numbers(NumberKeys keys, FieldStorage storage, long slots) {
     if (slots != 0L) {
       reserve(keys.bytes(slots));
@@ -107,28 +113,28 @@ final class CborOutput {
   }
 
   void text(String value) {
-    int chars = value.length();
-    if (chars > SHORT_TEXT || !ascii(value, chars)) {
+    if (value.length() >= Cbor.ONE_BYTE || !shortAscii(value)) {
       byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
       head(Cbor.TEXT, utf8.length);
       item(utf8);
     }
   }
 
-  /** Writes a short text if it is of ASCII; otherwise nothing counts as written. */
-  private boolean ascii(String value, int chars) {
-    int before = length;
-    head(Cbor.TEXT, chars);
-    reserve(chars);
+  /** Writes a text as most are: its length fits into its first byte. False: not of ASCII. */
+  private boolean shortAscii(String value) {
+    int chars = value.length();
+    reserve(1 + chars);
     byte[] into = bytes;
     int at = length;
+    into[at++] = (byte) (Cbor.TEXT | chars);
+    int bits = 0;
     for (int i = 0; i < chars; i++) {
       char each = value.charAt(i);
-      if (each > ASCII_LAST) {
-        length = before;
-        return false;
-      }
+      bits |= each;
       into[at + i] = (byte) each;
+    }
+    if (bits > ASCII_LAST) {
+      return false;
     }
     length = at + chars;
     return true;
@@ -149,9 +155,9 @@ final class CborOutput {
     head(Cbor.MAP, pairs);
   }
 
-  /** A field's name. */
+  /** A field's name or label. */
   void key(FieldKey key) {
-    if (bytes.length - length < key.room()) { // what is beyond the name may be beyond the end
+    if (bytes.length - length < key.room()) { // what is beyond the key may be beyond the end
       item(key.bytes());
     } else {
       key.put(ByteBuffer.wrap(bytes), length);

@@ -12,6 +12,8 @@ import org.u2sa.messages.frame.Point;
  * MalformedMessageException}.
  */
 final class CborReader {
+  private static final byte[] TYPE_NAME = KeyForm.NAMES.key(Schema.TYPE_KEY).bytes();
+  private static final byte[] TYPE_LABEL = KeyForm.LABELS.key(Schema.TYPE_KEY).bytes();
   private static final int COORDINATES = 3;
   private static final int SOME = 16; // elements, to begin with, of a list that does not say
 
@@ -119,7 +121,7 @@ final class CborReader {
     long pairs = in.map();
     boolean opensWithType =
         !in.isDone(pairs, 0)
-            && (in.take(Schema.TYPE_KEY_BYTES) || Schema.TYPE_KEY.equals(in.text()));
+            && (in.take(TYPE_NAME) || in.take(TYPE_LABEL) || Schema.TYPE_KEY.equals(key()));
     if (!opensWithType) {
       throw malformed("expected \"type\" as the first key of a message in a list");
     }
@@ -129,6 +131,12 @@ final class CborReader {
       throw malformed("expected a kind of " + expected.name() + ", not " + chain);
     }
     return expected.messageClass().cast(message(type, chain, pairs, 1));
+  }
+
+  /** The name of the pair that comes next, by whichever form of key. */
+  String key() {
+    boolean isLabel = (in.next() & Cbor.MAJOR) == Cbor.UNSIGNED;
+    return isLabel ? FieldLabels.name(in.count()) : FieldLabels.name(in.text());
   }
 
   double number() {
@@ -219,7 +227,7 @@ final class CborReader {
     deeper();
     Map<String, Object> map = new LinkedHashMap<>();
     while (!in.isDone(length, map.size())) {
-      String name = in.text();
+      String name = key();
       if (map.put(name, AnyValue.read(this)) != null) {
         throw malformed("the key \"" + name + "\" comes twice");
       }

@@ -2,6 +2,7 @@ package org.u2sa.messages.schema;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.u2sa.messages.frame.Point;
 
 /** Writes one message as CBOR: fields in the schema's order. */
@@ -9,17 +10,27 @@ final class CborWriter {
   private static final int COORDINATES = 3;
   private static final int ORIGIN_BYTES = 48; // with a sender of 32 characters
 
+  private static final FieldKey[] TYPE_KEYS = keys(Schema.TYPE_KEY); // by form
+  private static final FieldKey[] ORIGIN_KEYS = keys(Origin.KEY);
+
   private CborWriter() {}
 
+  private static FieldKey[] keys(String name) {
+    return Stream.of(KeyForm.values()).map(form -> form.key(name)).toArray(FieldKey[]::new);
+  }
+
   /** The message, and who sends it unless that is null. */
-  static byte[] bytes(U2SAData message, Origin origin) {
-    FieldTable.Written written = message.ownType().table().written(message);
+  static byte[] bytes(U2SAData message, Origin origin, KeyForm form) {
+    message.requireComplete();
+    FieldTable<U2SAData> table = message.ownType().table(form);
+    FieldTable.Written written = table.written(message);
     CborOutput out =
         new CborOutput(
+            form,
             CborOutput.headBytes(written.fields())
                 + written.bytes()
                 + (origin == null ? 0 : ORIGIN_BYTES));
-    message(out, message, written.fields(), origin, false);
+    message(out, message, table, written.fields(), origin, false);
     byte[] bytes = out.toBytes();
     if (bytes.length > Limits.PAYLOAD_BYTES) {
       throw new IllegalStateException(
@@ -31,25 +42,31 @@ final class CborWriter {
   }
 
   private static void message(
-      CborOutput out, U2SAData message, int fields, Origin origin, boolean withType) {
+      CborOutput out,
+      U2SAData message,
+      FieldTable<U2SAData> table,
+      int fields,
+      Origin origin,
+      boolean withType) {
+    KeyForm form = out.form();
     Map<String, Object> unknown = message.unknownFields();
     out.map(fields + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
     if (withType) {
-      out.item(Schema.TYPE_KEY_BYTES);
+      out.key(TYPE_KEYS[form.ordinal()]);
       List<String> chain = message.typeChain();
       out.array(chain.size());
       chain.forEach(out::text);
     }
-    message.ownType().table().write(out, message);
+    table.write(out, message);
     if (!unknown.isEmpty()) { // most have none, and need no iterator for it
       unknown.forEach(
           (name, value) -> {
-            out.text(name);
+            out.key(form.key(name));
             AnyValue.write(out, value);
           });
     }
     if (origin != null) {
-      out.text(Origin.KEY);
+      out.key(ORIGIN_KEYS[form.ordinal()]);
       out.array(Origin.ELEMENTS);
       out.text(origin.sender());
       out.count(origin.sequence());
@@ -57,7 +74,8 @@ final class CborWriter {
   }
 
   static void nested(CborOutput out, U2SAData message) {
-    message(out, message, message.ownType().table().written(message).fields(), null, true);
+    FieldTable<U2SAData> table = message.ownType().table(out.form());
+    message(out, message, table, table.written(message).fields(), null, true);
   }
 
   static void point(CborOutput out, Point value) {

@@ -3,7 +3,7 @@ package org.u2sa.messages.schema;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
-/** A field's name as it is on the wire, made once and written eight bytes at a time. Immutable. */
+/** What names a field on the wire, made once and written eight bytes at a time. Immutable. */
 final class FieldKey {
   private final byte[] bytes;
   private final int length;
@@ -11,12 +11,24 @@ final class FieldKey {
   private final long first; // of them: most names are that short
   private final long second; // 0 if there is none
 
-  FieldKey(String name) {
-    bytes = MessageField.encoded(name);
+  private FieldKey(CborOutput encoded) {
+    bytes = encoded.toBytes();
     length = bytes.length;
     words = words(bytes, (length + Long.BYTES - 1) / Long.BYTES);
     first = words[0];
     second = words.length > 1 ? words[1] : 0L;
+  }
+
+  static FieldKey ofName(String name) {
+    CborOutput out = new CborOutput();
+    out.text(name);
+    return new FieldKey(out);
+  }
+
+  static FieldKey ofLabel(int label) {
+    CborOutput out = new CborOutput();
+    out.count(label);
+    return new FieldKey(out);
   }
 
   /** So many words, big-endian, of bytes that are filled up with zeros. */
@@ -35,7 +47,7 @@ final class FieldKey {
     return kept == 0 ? 0L : -1L << (Long.BYTES - kept) * Byte.SIZE;
   }
 
-  /** The name as a CBOR text; nobody changes it. */
+  /** The key as a CBOR data item; nobody changes it. */
   byte[] bytes() {
     return bytes;
   }
@@ -49,7 +61,7 @@ final class FieldKey {
     return words.length * Long.BYTES;
   }
 
-  /** Writes the name; what follows it within {@link #room()} is overwritten by zeros. */
+  /** Writes the key; what follows it within {@link #room()} is overwritten by zeros. */
   void put(ByteBuffer into, int at) {
     into.putLong(at, first);
     if (length > Long.BYTES) {

@@ -32,6 +32,11 @@ final class FieldStorage {
     return present | always;
   }
 
+  /** The numbers that are set, in the order of their slots; nobody changes them. */
+  double[] numbers() {
+    return numbers;
+  }
+
   boolean has(NumberField<?> field) {
     return (present >>> field.slot & 1L) != 0L;
   }

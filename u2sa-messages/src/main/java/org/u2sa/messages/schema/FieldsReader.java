@@ -36,7 +36,7 @@ final class FieldsReader {
     this.unknown = unknown;
     this.pairs = pairs;
     this.read = read;
-    table = message.ownType().table();
+    table = message.ownType().table(in.isLabelNext() ? KeyForm.LABELS : KeyForm.NAMES);
   }
 
   void readAll() throws MalformedMessageException {
@@ -44,12 +44,12 @@ final class FieldsReader {
       int index = table.find(in, next);
       if (index == table.size()) {
         isInOrder = false;
-        String name = in.text();
+        String name = reader.key();
         field(message.ownType().fieldOrNull(name), name);
         read++;
       } else if (!(table.at(index) instanceof NumberField<U2SAData> number && numbers(number))) {
         MessageField<U2SAData> field = table.at(index);
-        in.passTo(in.offset() + field.key.length());
+        in.passTo(in.offset() + table.keyBytes(index));
         next = index + 1;
         field(field, field.name());
         read++;

@@ -3,20 +3,48 @@ package org.u2sa.messages.schema;
 import java.util.List;
 
 /**
- * Reads messages of the registered types from bytes. Immutable, safe for all threads. Writing is
- * {@link U2SAData#serialize()}.
+ * Messages to bytes for a transport, and bytes to messages of the registered types. Immutable, safe
+ * for all threads.
  */
 public final class MessageCodec {
   private final MessageTypes types;
+  private final KeyForm keys;
 
-  /** A codec that knows the given types. */
+  /** A codec that knows the given types and writes fields with their names. */
   public MessageCodec(MessageTypes types) {
+    this(types, KeyForm.NAMES);
+  }
+
+  /**
+   * @param types that it reads; it writes any
+   * @param keys how it names the fields of what it writes; it reads either form
+   */
+  public MessageCodec(MessageTypes types, KeyForm keys) {
     this.types = types;
+    this.keys = keys;
   }
 
   /** The types that it knows. */
   public MessageTypes types() {
     return types;
+  }
+
+  /**
+   * As {@link U2SAData#serialize()}, but with fields named as this codec does.
+   *
+   * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
+   */
+  public byte[] encode(U2SAData message) {
+    return CborWriter.bytes(message, null, keys);
+  }
+
+  /**
+   * {@link #encode(U2SAData)} with a word about who sends it.
+   *
+   * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
+   */
+  public byte[] encode(U2SAData message, Origin sentFrom) {
+    return CborWriter.bytes(message, sentFrom, keys);
   }
 
   /**

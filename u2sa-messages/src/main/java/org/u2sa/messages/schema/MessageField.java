@@ -15,7 +15,6 @@ public abstract class MessageField<T extends U2SAData> {
   static final int NO_BIT = -1;
 
   final int slot; // index in the message's storage
-  final FieldKey key;
   final int bit; // in the presence vector, or NO_BIT
   private final String owner;
   private final String name;
@@ -31,16 +30,8 @@ public abstract class MessageField<T extends U2SAData> {
     unit = outline.unit();
     presence = outline.presence();
     slot = outline.slot();
-    key = new FieldKey(name);
     bit = outline.bit();
     since = outline.since();
-  }
-
-  /** A text as it is on the wire. */
-  static byte[] encoded(String text) {
-    CborOutput out = new CborOutput();
-    out.text(text);
-    return out.toBytes();
   }
 
   /** Name in code, XML and on the wire. */

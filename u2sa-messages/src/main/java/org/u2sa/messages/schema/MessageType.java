@@ -34,7 +34,8 @@ public final class MessageType<T extends U2SAData> {
   private final ValueField<?, ReferenceFrame> frameField; // null: none
   private final Sizes sizes;
   private final List<String> chain;
-  private final FieldTable<T> table;
+  private final FieldTable<T> names;
+  private volatile FieldTable<T> labels; // made when first wanted: most processes never do
   private final int[] messageLists; // slots of values
 
   MessageType(
@@ -48,7 +49,7 @@ public final class MessageType<T extends U2SAData> {
     this.aliases = aliases;
     this.frameField = frameField;
     this.sizes = sizes;
-    table = new FieldTable<>(fields, sizes.numbers());
+    names = new FieldTable<>(fields, sizes.numbers(), KeyForm.NAMES);
     for (MessageField<T> field : fields) {
       byName.put(field.name(), field);
     }
@@ -147,9 +148,22 @@ public final class MessageType<T extends U2SAData> {
     return identity.empty().get();
   }
 
-  /** The fields as writers and readers pass over them. */
+  /** The fields as writers and readers pass over them, with their names. */
   FieldTable<T> table() {
-    return table;
+    return names;
+  }
+
+  /** The fields as writers and readers pass over them, with keys of that form. */
+  FieldTable<T> table(KeyForm form) {
+    if (form == KeyForm.NAMES) {
+      return names;
+    }
+    FieldTable<T> made = labels;
+    if (made == null) { // by two threads, maybe: what either makes is the same
+      made = new FieldTable<>(fields, sizes.numbers(), KeyForm.LABELS);
+      labels = made;
+    }
+    return made;
   }
 
   /** Slots of the values that are lists of messages. */

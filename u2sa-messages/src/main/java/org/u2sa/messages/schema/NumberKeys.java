@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 
 /**
- * The names of a type's numbers by slot, each with the first byte of a float64 behind it, side by
+ * The keys of a type's numbers by slot, each with the first byte of a float64 behind it, side by
  * side in one array. A state has 48 numbers: they are written and read one after the other in two
  * short loops, eight bytes at a time. Immutable.
  *
@@ -16,49 +16,49 @@ final class NumberKeys {
   private static final int WORDS = 3; // of name and first byte; few names are longer
   private static final int LENGTH = 2 * WORDS; // in a row: words, their masks, length
   private static final int ROW = 8;
-  private static final int GROUP = 8; // slots whose numbers are counted together
-  private static final int GROUP_SETS = 1 << GROUP;
 
   private final NumberField<?>[] fields;
+  private final FieldKey[] keys; // of them
   private final long[] rows;
-  private final short[] groupBytes; // by group and set of slots in it
+  private final long[] lengthBits; // by bit of a row's length: the slots whose lengths have it
 
-  NumberKeys(NumberField<?>[] fields) {
+  NumberKeys(NumberField<?>[] fields, FieldKey[] keys) {
     this.fields = fields;
+    this.keys = keys;
     rows = new long[fields.length * ROW];
     for (int slot = 0; slot < fields.length; slot++) {
-      byte[] name = fields[slot].key.bytes();
+      byte[] name = keys[slot].bytes();
       byte[] bytes = Arrays.copyOf(name, name.length + 1);
       bytes[name.length] = (byte) Cbor.FLOAT_64;
-      long[] words = FieldKey.words(bytes, Math.max(WORDS, fields[slot].key.room() / WORD + 1));
+      long[] words = FieldKey.words(bytes, Math.max(WORDS, keys[slot].room() / WORD + 1));
       for (int word = 0; word < WORDS; word++) {
         rows[slot * ROW + word] = words[word];
         rows[slot * ROW + WORDS + word] = FieldKey.mask(bytes.length - word * WORD);
       }
       rows[slot * ROW + LENGTH] = bytes.length;
     }
-    groupBytes = new short[(fields.length + GROUP - 1) / GROUP * GROUP_SETS];
-    for (int i = 0; i < groupBytes.length; i++) {
-      groupBytes[i] = (short) bytes(i / GROUP_SETS * GROUP, i % GROUP_SETS);
-    }
+    lengthBits = lengthBits();
   }
 
-  private int bytes(int firstSlot, int set) {
-    int sum = 0;
-    for (int slot = firstSlot; slot < Math.min(firstSlot + GROUP, fields.length); slot++) {
-      boolean isIn = (set >>> slot - firstSlot & 1) != 0;
-      sum += isIn ? (int) rows[slot * ROW + LENGTH] + WORD : 0;
+  private long[] lengthBits() {
+    long longest = 0L;
+    for (int row = 0; row < rows.length; row += ROW) {
+      longest = Math.max(longest, rows[row + LENGTH]);
     }
-    return sum;
+    long[] slots = new long[Long.SIZE - Long.numberOfLeadingZeros(longest)];
+    for (int bit = 0; bit < slots.length; bit++) {
+      for (int slot = 0; slot < fields.length; slot++) {
+        slots[bit] |= (rows[slot * ROW + LENGTH] >>> bit & 1L) << slot;
+      }
+    }
+    return slots;
   }
 
-  /** How many bytes the numbers of those slots take with their names. */
+  /** How many bytes the numbers of those slots take with their keys. */
   int bytes(long slots) {
-    int sum = 0;
-    int group = 0;
-    for (long left = slots; left != 0L; left >>>= GROUP) {
-      sum += groupBytes[group + (int) (left & GROUP_SETS - 1)];
-      group += GROUP_SETS;
+    int sum = Long.bitCount(slots) * WORD;
+    for (int bit = 0; bit < lengthBits.length; bit++) {
+      sum += Long.bitCount(slots & lengthBits[bit]) << bit;
     }
     return sum;
   }
@@ -72,10 +72,12 @@ final class NumberKeys {
   int put(byte[] bytes, int start, FieldStorage storage, long slots) {
     ByteBuffer into = ByteBuffer.wrap(bytes);
     long[] words = rows;
+    double[] numbers = storage.numbers();
+    long present = storage.numbersWritten(0L);
+    int next = Long.bitCount(present & (Long.lowestOneBit(slots) - 1L)); // of the numbers
     int at = start;
     for (long left = slots; left != 0L; left &= left - 1) {
       int slot = Long.numberOfTrailingZeros(left);
-      NumberField<?> field = fields[slot];
       int row = slot * ROW;
       int length = (int) words[row + LENGTH];
       into.putLong(at, words[row]);
@@ -84,13 +86,14 @@ final class NumberKeys {
         if (length > 2 * WORD) {
           into.putLong(at + 2 * WORD, words[row + 2]);
           if (length > WORDS * WORD) {
-            System.arraycopy(field.key.bytes(), 0, bytes, at, length - 1);
+            System.arraycopy(keys[slot].bytes(), 0, bytes, at, length - 1);
             bytes[at + length - 1] = (byte) Cbor.FLOAT_64;
           }
         }
       }
       at += length;
-      into.putDouble(at, storage.get(field));
+      boolean isSet = (present >>> slot & 1L) != 0L;
+      into.putDouble(at, isSet ? numbers[next++] : fields[slot].ifUnset);
       at += WORD;
     }
     return at;

@@ -25,7 +25,6 @@ import org.u2sa.messages.frame.ReferenceFrame;
  */
 public final class Schema<T extends U2SAData> {
   static final String TYPE_KEY = "type";
-  static final byte[] TYPE_KEY_BYTES = MessageField.encoded(TYPE_KEY);
   private static final double ANY_LESS = Double.NEGATIVE_INFINITY;
   private static final double ANY_MORE = Double.POSITIVE_INFINITY;
 

@@ -23,11 +23,11 @@ final class TimestampField extends ValueField<U2SAData, Long> {
 
   @Override
   int expectedBytes(U2SAData message) {
-    return isSet(message) ? key.length() + CborOutput.countBytes(message.storage().timestamp()) : 0;
+    return isSet(message) ? CborOutput.countBytes(message.storage().timestamp()) : 0;
   }
 
   @Override
-  void write(CborOutput out, U2SAData message) {
+  void write(CborOutput out, FieldKey key, U2SAData message) {
     if (isSet(message)) {
       out.key(key);
       out.count(message.storage().timestamp());

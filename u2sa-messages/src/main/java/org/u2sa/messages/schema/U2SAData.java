@@ -87,14 +87,7 @@ public abstract class U2SAData {
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
   public final byte[] serialize() {
-    requireComplete();
-    return CborWriter.bytes(this, null);
-  }
-
-  /** {@link #serialize()} with a word about who sends it. */
-  public final byte[] serialize(Origin sentFrom) {
-    requireComplete();
-    return CborWriter.bytes(this, sentFrom);
+    return CborWriter.bytes(this, null, KeyForm.NAMES);
   }
 
   /** Who sent the bytes that this was read from; empty if they did not say, or there were none. */
@@ -137,7 +130,13 @@ public abstract class U2SAData {
     return copy;
   }
 
-  private void requireComplete() {
+  /**
+   * @throws IllegalStateException naming the required field that is missing
+   */
+  void requireComplete() {
+    if (storage.isFrozen()) {
+      return; // it was complete when it was frozen
+    }
     MessageField<U2SAData> missing = ownType().table().missing(this);
     if (missing != null) {
       throw missing(missing);

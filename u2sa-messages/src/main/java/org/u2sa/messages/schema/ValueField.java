@@ -84,17 +84,12 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     set(message, value);
   }
 
-  /** How many bytes {@link #write} writes, about; 0 if nothing. */
+  /** How many bytes the value takes, about; 0 if nothing is written. */
   int expectedBytes(T message) {
     V value = valueIn(message);
     if (value == null) {
       return 0;
-    }
-    return key.length() + bytes(value);
-  }
-
-  private int bytes(V value) {
-    if (value instanceof String text) { // most are
+    } else if (value instanceof String text) { // most are
       return CborOutput.textBytes(text);
     } else if (value instanceof ReferenceFrame frame) {
       return CborOutput.textBytes(frame.name());
@@ -104,8 +99,8 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     return values.expectedBytes(value);
   }
 
-  /** Writes name and value if the field {@link #isWritten}. */
-  void write(CborOutput out, T message) {
+  /** Writes key and value if the field {@link #isWritten}. */
+  void write(CborOutput out, FieldKey key, T message) {
     V value = valueIn(message);
     if (value != null) {
       out.key(key);

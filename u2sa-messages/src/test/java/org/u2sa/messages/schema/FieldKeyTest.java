@@ -14,8 +14,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A field's name, written eight bytes at a time; and flags, a byte each. */
 class FieldKeyTest {
   private static byte[] bytes(String name) {
-    CborOutput out = new CborOutput(1);
-    out.key(new FieldKey(name));
+    CborOutput out = new CborOutput(KeyForm.NAMES, 1);
+    out.key(FieldKey.ofName(name));
     return out.toBytes();
   }
 
@@ -46,9 +46,9 @@ class FieldKeyTest {
   @Test
   void key_atTheEndOfTheBuffer_isWholeToo() {
     for (int room = 0; room < 24; room++) {
-      CborOutput out = new CborOutput(room);
+      CborOutput out = new CborOutput(KeyForm.NAMES, room);
       out.flag(true);
-      out.key(new FieldKey("thetaDoubleDot"));
+      out.key(FieldKey.ofName("thetaDoubleDot"));
       out.flag(false);
       assertThat(HexFormat.of().formatHex(out.toBytes()))
           .isEqualTo("f5" + "6e7468657461446f75626c65446f74" + "f4");

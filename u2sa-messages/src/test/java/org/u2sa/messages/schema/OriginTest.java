@@ -19,7 +19,7 @@ class OriginTest {
   void serialize_withOrigin_isReadBackAndIsNoPartOfTheMessage() throws MalformedMessageException {
     Waypoint waypoint = new Waypoint().uid("1").x(1).y(2).horizontalThreshold(3);
 
-    U2SAData read = codec.decode(waypoint.typeChain(), waypoint.serialize(ORIGIN));
+    U2SAData read = codec.decode(waypoint.typeChain(), codec.encode(waypoint, ORIGIN));
 
     assertThat(read.origin()).contains(ORIGIN);
     assertThat(read).isEqualTo(waypoint);
@@ -34,14 +34,14 @@ class OriginTest {
     StopCommand stop = new StopCommand().stopAll(true);
     stop.systemId("cessna");
     stop.timestamp(1_700_000_000_123_456L);
-    assertThat(stop.serialize(ORIGIN)).isEqualTo(kept);
+    assertThat(codec.encode(stop, ORIGIN)).isEqualTo(kept);
   }
 
   @Test
   void decode_unknownType_keepsTheOriginOutOfItsFields() throws MalformedMessageException {
     StopCommand stop = new StopCommand().stopAll(true);
 
-    U2SAData read = codec.decode(List.of("Unheard"), stop.serialize(ORIGIN));
+    U2SAData read = codec.decode(List.of("Unheard"), codec.encode(stop, ORIGIN));
 
     assertThat(read.origin()).contains(ORIGIN);
     assertThat(read.unknownFields()).containsOnlyKeys("stopAll");
@@ -49,7 +49,7 @@ class OriginTest {
 
   @Test
   void decode_originOfAnotherForm_isRefused() {
-    byte[] bytes = new StopCommand().serialize(ORIGIN);
+    byte[] bytes = codec.encode(new StopCommand(), ORIGIN);
     bytes[bytes.length - 1] = 0x00; // sequence 0
     assertThatThrownBy(() -> codec.decode(List.of("StopCommand"), bytes))
         .isInstanceOf(MalformedMessageException.class)

@@ -1,0 +1,91 @@
+package org.u2sa.messages.schema;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * The labels of fields: numbers that stand for their names on the wire, as in SenML (RFC 8428, 6)
+ * and COSE (RFC 9052, 1.5). One list for all classes; a name that is not in it, such as one of a
+ * class of your own, is written as text even where labels are.
+ */
+final class FieldLabels {
+  /**
+   * Before the digits of a label that this reader does not know, as the name of its field. Whoever
+   * reads it again and knows the label takes it for the name.
+   */
+  static final String UNKNOWN = "#";
+
+  /**
+   * A name's label is its place, from 0. Only ever appended to: what was written once must stay
+   * readable. The first 24 take one byte.
+   */
+  private static final String ALL =
+      """
+      systemId timestamp origin type sensorName referenceFrame x y z xDot yDot zDot phi theta
+      psi phiDot thetaDot psiDot actuatorName percentage expiry uid xSigma ySigma xDoubleDot
+      yDoubleDot zDoubleDot zSigma xDotSigma yDotSigma zDotSigma xDoubleDotSigma
+      yDoubleDotSigma zDoubleDotSigma phiDoubleDot thetaDoubleDot psiDoubleDot phiSigma
+      thetaSigma psiSigma phiDotSigma thetaDotSigma psiDotSigma phiDoubleDotSigma
+      thetaDoubleDotSigma psiDoubleDotSigma fluidxDot fluidyDot fluidzDot fluidxDoubleDot
+      fluidyDoubleDot fluidzDoubleDot fluidxDotSigma fluidyDotSigma fluidzDotSigma
+      fluidxDoubleDotSigma fluidyDoubleDotSigma fluidzDoubleDotSigma completed next
+      description abandoned result reason arrivedAt timeLimit choose nextIfDone nextIfFailed
+      nextIfTimedOut repeatFrom repeatTimes time horizontalThreshold verticalThreshold speed
+      goals upcoming landGoals fileFaults paused objectType level velocitySigma horizon
+      confidence points radius length width height objects subsystem point backwards minimum
+      maximum effect rateLimit deadband timeConstant force moment reverseForce reverseMoment
+      exponent referenceSpeed fullAngle fullSpeed available renewal serviceName commandTypes
+      serviceType status host uptime version instance className publishes subscribes stopAll
+      name variableType value unit min max choices variables revision variableName accepted
+      lastError inboxDepth dropped refused overruns exceptions callbackP50 callbackP99
+      interval threadAlive callbackRunning dataAge published expired missed replaced
+      commandsObeyed commandsRefused refusedSubscriptions emergencyStops remarks active
+      operator clears stopId lifts requestId action condition since restarts causes arm armed
+      reasons previous assignments author voltage current remaining minRange maxRange
+      timeIncrement startAngle angleIncrement angles ranges returns rollRate pitchRate yawRate
+      angularRateSigma specificForceX specificForceY specificForceZ specificForceSigma
+      timeStep trajectory left bottom resolution columns rows cells goal planner cost within
+      pointed mission finished sequence failsafe elapsed began resumable file now outcome
+      angle format data heightAboveGround calibratedAirspeed engineRpm weightOnWheels
+      engineStarting crashed phase navigating bank pitch altitude airspeed
+      """;
+
+  private static final String[] NAMES = ALL.trim().split("\\s+");
+  private static final Map<String, Integer> LABELS = new HashMap<>();
+
+  static {
+    for (int label = 0; label < NAMES.length; label++) {
+      LABELS.put(NAMES[label], label);
+    }
+  }
+
+  private FieldLabels() {}
+
+  /** How many there are: each below has a name. */
+  static int count() {
+    return NAMES.length;
+  }
+
+  /** The name's label; null if it has none. */
+  static Integer of(String name) {
+    return LABELS.get(name);
+  }
+
+  /** The name that the label stands for; what stands for it where nobody knows it. */
+  static String name(long label) {
+    return label >= 0 && label < NAMES.length ? NAMES[(int) label] : UNKNOWN + label;
+  }
+
+  /** What a key says that came as text: itself, but for a label that another did not know. */
+  static String name(String key) {
+    if (!key.startsWith(UNKNOWN)) {
+      return key;
+    }
+    for (int label = 0; label < NAMES.length; label++) {
+      if (key.equals(UNKNOWN + label)) {
+        return NAMES[label];
+      }
+    }
+    return key;
+  }
+}
