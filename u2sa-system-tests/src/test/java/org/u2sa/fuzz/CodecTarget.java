@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.KeyForm;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageType;
@@ -20,6 +21,8 @@ public final class CodecTarget {
   private static final int CHAIN = 255;
   private static final List<MessageType<?>> TYPES = List.copyOf(StandardTypes.registry().all());
   private static final MessageCodec CODEC = new MessageCodec(StandardTypes.registry());
+  private static final MessageCodec LABELS =
+      new MessageCodec(StandardTypes.registry(), KeyForm.LABELS);
 
   private CodecTarget() {}
 
@@ -59,12 +62,15 @@ public final class CodecTarget {
     }
     byte[] written = message.serialize();
     U2SAData again;
+    U2SAData labelled;
     try {
       again = CODEC.decode(message.typeChain(), written);
+      labelled = CODEC.decode(message.typeChain(), LABELS.encode(message));
     } catch (MalformedMessageException e) {
       throw new AssertionError("what was written cannot be read: " + message, e);
     }
     Agreement.require(again.equals(message), "read again", again, message);
+    Agreement.require(labelled.equals(message), "read by labels", labelled, message);
     Agreement.require(Arrays.equals(again.serialize(), written), "bytes", again, message);
     Agreement.require(message.copy().equals(message), "copy", message.copy(), message);
     Agreement.require(

@@ -32,6 +32,11 @@ final class CborInput {
     return at;
   }
 
+  /** Bytes not read yet. */
+  int left() {
+    return bytes.length - at;
+  }
+
   /** All of them, for who reads several at once and then calls {@link #passTo}; never changed. */
   byte[] bytes() {
     return bytes;

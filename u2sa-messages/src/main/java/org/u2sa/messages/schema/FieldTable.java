@@ -148,7 +148,8 @@ final class FieldTable<T extends U2SAData> {
     while ((word & masks[index]) != words[index] || !isRestNext(in, index)) {
       index++;
     }
-    return index;
+    boolean isWhole = index == fields.length || keys[index].length() <= in.left();
+    return isWhole ? index : fields.length; // what is beyond the end looks like zeros
   }
 
   private boolean isRestNext(CborInput in, int index) {

@@ -141,6 +141,8 @@ class FieldLabelsTest {
         "a1 20 00 | expected text, not an integer",
         "a1 1bffffffffffffffff 00 | not of 65",
         "a1 1806 | expected a data item, not the end",
+        "a2 1903e8 07 | StateInformation.#1000, byte 5: expected a data item, not the end",
+        "a2 1903e8 07 18 | StateInformation.#1000, byte 6: expected more bytes, not the end",
       })
   void decode_malformedWithLabels_isRefusedWithWhatWasExpected(String hex, String expected) {
     assertThatThrownBy(() -> decoded("StateInformation", hex))
