@@ -148,8 +148,11 @@ final class FieldTable<T extends U2SAData> {
     while ((word & masks[index]) != words[index] || !isRestNext(in, index)) {
       index++;
     }
-    boolean isWhole = index == fields.length || keys[index].length() <= in.left();
-    return isWhole ? index : fields.length; // what is beyond the end looks like zeros
+    boolean isCutOff =
+        in.left() < WORD // what is beyond the end looks like zeros
+            && index < fields.length
+            && keys[index].length() > in.left();
+    return isCutOff ? fields.length : index;
   }
 
   private boolean isRestNext(CborInput in, int index) {

@@ -18,7 +18,7 @@ final class FieldsReader {
   private long read; // pairs
   private int next; // index of the field after the one before
   private boolean isInOrder = true; // so far, and so no field can be there twice
-  private Set<String> others = Set.of(); // keys without a value in the message
+  private Set<String> others; // keys without a value in the message; null: none
 
   /**
    * @param read pairs of the map that were read before
@@ -75,7 +75,7 @@ final class FieldsReader {
   private void field(MessageField<U2SAData> field, String name) throws MalformedMessageException {
     reader.reading(name);
     boolean isKnownTwice = !isInOrder && field != null && field.isSet(message);
-    if (isKnownTwice || !others.isEmpty() && others.contains(name)) {
+    if (isKnownTwice || others != null && others.contains(name)) {
       throw reader.malformed("the key comes twice");
     }
     if (field == null) {
@@ -83,7 +83,7 @@ final class FieldsReader {
     } else if (field.read(reader, message)) {
       return;
     }
-    if (others.isEmpty()) {
+    if (others == null) {
       others = new HashSet<>();
     }
     others.add(name);
