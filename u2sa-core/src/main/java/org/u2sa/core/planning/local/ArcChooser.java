@@ -116,21 +116,32 @@ public final class ArcChooser {
   }
 
   private ArcChoice turn(double north, double east, boolean backwards, RouteTrack track) {
-    if (!canTurnHere()) {
+    if (spareM() < 0.0) {
       return Math.abs(speedMps) > CREEPS_MPS
           ? stand(ArcChoice.Kind.EVADE)
           : backOut(2.0 * body.circleM());
     }
-    return forecast.standing().meetsS() >= limits.horizonS()
+    if (forecast.standing().meetsS() < limits.horizonS()) {
+      return evade(track);
+    }
+    return turnsAtOnce()
         ? new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.FOLLOW)
-        : evade(track);
+        : stand(ArcChoice.Kind.EVADE);
   }
 
-  /** Whether the vehicle may turn on the spot where it comes to stand: its corners reach far. */
-  private boolean canTurnHere() {
+  /**
+   * What is left to turn on the spot where the vehicle comes to stand, as its corners reach far
+   * [m]; negative: too little.
+   */
+  private double spareM() {
     double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
     Pose there = pose.along(stopping, 0.0);
-    return costs.distanceM(there.northM(), there.eastM()) >= body.circleM();
+    return costs.distanceM(there.northM(), there.eastM()) - body.circleM();
+  }
+
+  /** Whether it may turn while it rolls to where it comes to stand: that leads aside. */
+  private boolean turnsAtOnce() {
+    return spareM() >= limits.slipM(Math.abs(speedMps));
   }
 
   /**
@@ -171,13 +182,13 @@ public final class ArcChooser {
     if (!limits.turnsOnTheSpot() || forecast.standing().meetsS() < limits.horizonS()) {
       return withoutRoute();
     }
-    if (!canTurnHere()) {
+    if (spareM() < 0.0) {
       return Math.abs(speedMps) > CREEPS_MPS
           ? stand(ArcChoice.Kind.WAIT)
           : backOut(2.0 * body.circleM());
     }
     double off = Math.abs(Pose.wrapped(headingRad - pose.headingRad()));
-    return off < LOOKS_RAD
+    return off < LOOKS_RAD || !turnsAtOnce()
         ? stand(ArcChoice.Kind.WAIT)
         : new ArcChoice(
             pose.northM() + limits.lookAheadM() * Math.cos(headingRad),

@@ -84,4 +84,12 @@ public record MotionLimits(
   double stoppingM(double fromMps) {
     return fromMps * fromMps / (2.0 * brakingMps2) + fromMps * reactionS;
   }
+
+  /**
+   * How far aside it comes to stand if it turns at its rate w while it brakes: the integral of (v −
+   * b t) w t, w v³/6b², here of the whole way to stand [m].
+   */
+  double slipM(double fromMps) {
+    return stoppingM(fromMps) * turnRateRadPerS * fromMps / brakingMps2 / 3.0;
+  }
 }

@@ -101,6 +101,57 @@ class ArcChooserTest {
     assertThat(choice.northM()).isNegative();
   }
 
+  /**
+   * It would come to stand with its middle a few centimetres farther from a wall than its corners
+   * reach.
+   */
+  @Test
+  void along_turnBesideAWallAtSpeed_standsFirst() {
+    wall(-1.0, 3.0, 0.5, 0.65);
+    RouteTrack rear = track(-10.0, 0.0, false);
+
+    ArcChoice rolling = arcs(rover(), 1.0).along(rear);
+    ArcChoice still = arcs(rover(), 0.1).along(rear);
+
+    assertThat(rolling.speedMps()).isZero();
+    assertThat(rolling.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(still.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(still.northM()).isNegative();
+  }
+
+  @Test
+  void along_turnWithRoomAtSpeed_turnsAtOnce() {
+    wall(-1.0, 3.0, 0.8, 0.9);
+    ArcChoice rolling = arcs(rover(), 1.0).along(track(-10.0, 0.0, false));
+
+    assertThat(rolling.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+    assertThat(rolling.northM()).isNegative();
+  }
+
+  @Test
+  void lookTo_rollsBesideAWall_standsFirst() {
+    wall(-1.0, 3.0, 0.5, 0.65);
+
+    assertThat(arcs(rover(), 1.0).lookTo(Math.toRadians(60.0)).speedMps()).isZero();
+    assertThat(arcs(rover(), 0.1).lookTo(Math.toRadians(60.0)).speedMps()).isPositive();
+  }
+
+  /** Numerically: a point that brakes evenly and turns evenly meanwhile. */
+  @Test
+  void slip_ofWhatTurnsWhileItBrakes_isHowFarAsideItComes() {
+    MotionLimits limits =
+        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.0, 0.8);
+    for (double mps = 0.2; mps < 1.5; mps += 0.1) {
+      double aside = 0.0;
+      double dt = 1.0e-3;
+      for (double t = 0.0; t < mps / limits.brakingMps2(); t += dt) {
+        aside += (mps - limits.brakingMps2() * t) * Math.sin(limits.turnRateRadPerS() * t) * dt;
+      }
+      assertThat(limits.slipM(mps)).isBetween(aside, 1.1 * aside);
+      assertThat(rover().slipM(mps)).isGreaterThan(limits.slipM(mps)); // it takes time to react
+    }
+  }
+
   @Test
   void lookTo_vehicleThatCannotTurnOnTheSpot_goesOnAsWithoutRoute() {
     ArcChoice choice = arcs(aeroplane(), 1.0).lookTo(Math.toRadians(60.0));
