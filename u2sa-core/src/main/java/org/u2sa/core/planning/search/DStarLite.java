@@ -33,6 +33,7 @@ public final class DStarLite {
   private final PairHeap open;
   private final BitSet changed = new BitSet(); // cells whose cost has changed since
   private final BitSet taken = new BitSet(); // those and their neighbours
+  private int revision; // of the grid's costs, as of the last search
   private double km;
   private int start = -1;
   private int last = -1;
@@ -100,6 +101,7 @@ public final class DStarLite {
     for (int i = 0; i < cost.length; i++) {
       cost[i] = grid.cost(i);
     }
+    revision = grid.revision();
     if (goal >= 0) {
       seed(goal);
       return;
@@ -154,17 +156,25 @@ public final class DStarLite {
     taken.clear();
   }
 
-  /** Takes costs over; of most rows none has changed, and buffers are compared many at a time. */
+  /** Takes costs over from rows in which some may have changed; most of these are the same. */
   private void findChanges() {
     for (int row = 0; row < frame.rows(); row++) {
-      int begin = frame.index(row, 0);
-      if (!FloatBuffer.wrap(cost, begin, frame.columns()).equals(grid.costs(row))) {
-        for (int i = begin; i < begin + frame.columns(); i++) {
-          if (cost[i] != grid.cost(i)) {
-            cost[i] = grid.cost(i);
-            changed.set(i);
-          }
-        }
+      if (grid.hasChanged(row, revision)) {
+        findChanges(row);
+      }
+    }
+    revision = grid.revision();
+  }
+
+  private void findChanges(int row) {
+    int begin = frame.index(row, 0);
+    if (FloatBuffer.wrap(cost, begin, frame.columns()).equals(grid.costs(row))) {
+      return;
+    }
+    for (int i = begin; i < begin + frame.columns(); i++) {
+      if (cost[i] != grid.cost(i)) {
+        cost[i] = grid.cost(i);
+        changed.set(i);
       }
     }
   }
