@@ -13,7 +13,11 @@ import java.util.OptionalDouble;
  * that these bytes may have told of. Belongs to the service's thread.
  */
 final class PulseLine {
-  private static final byte REPORT = 0x1C; // INCAP_REPORT: a pulse (docs/drivers/ioio-protocol.md)
+  // INCAP_REPORT: a pulse; then which input, 0 to 8, and its length (docs/drivers/ioio-protocol.md)
+  private static final byte REPORT = 0x1C;
+  private static final int INPUT = 0x0F;
+  private static final int LAST_INPUT = 8;
+  private static final int UNUSED = 0x30;
 
   private final PulseInput input;
   private boolean seesBytes;
@@ -26,9 +30,13 @@ final class PulseLine {
   /** Takes note of bytes that the library is about to get. */
   void comes(byte[] bytes) {
     seesBytes = true;
-    for (byte each : bytes) {
-      told += each == REPORT ? 1 : 0;
+    for (int i = 0; i < bytes.length; i++) {
+      told += bytes[i] == REPORT && (i + 1 == bytes.length || isInput(bytes[i + 1])) ? 1 : 0;
     }
+  }
+
+  private static boolean isInput(byte octet) {
+    return (octet & UNUSED) == 0 && (octet & INPUT) <= LAST_INPUT;
   }
 
   /** The width [s] of the oldest pulse not yet taken; empty if there is none. */

@@ -12,7 +12,8 @@ import org.junit.jupiter.api.Test;
 
 class PulseLineTest {
   private static final byte REPORT = 0x1C;
-  private static final byte OTHER = 0x1B;
+  private static final byte INPUT = (byte) 0x82; // 2, two bytes follow
+  private static final byte OTHER = 0x0C;
 
   private final Deque<Float> pulses = new ArrayDeque<>(); // that the library has
   private final PulseLine line = new PulseLine(library());
@@ -50,7 +51,7 @@ class PulseLineTest {
 
   @Test
   void next_bytesTellOfPulses_asksForSoManyOnly() throws Exception {
-    line.comes(new byte[] {OTHER, REPORT, OTHER, REPORT});
+    line.comes(new byte[] {OTHER, REPORT, INPUT, OTHER, OTHER, REPORT, INPUT});
     pulses.addAll(List.of(0.5f, 0.25f));
     assertThat(line.next()).hasValue(0.5);
     assertThat(line.next()).hasValue(0.25);
@@ -60,21 +61,28 @@ class PulseLineTest {
 
   @Test
   void next_bytesThatOnlyLookLikeReports_asksOnceAndFindsTheNextPulse() throws Exception {
-    line.comes(new byte[] {REPORT, REPORT, REPORT});
+    line.comes(new byte[] {REPORT, INPUT, REPORT, INPUT, REPORT});
     assertThat(line.next()).isEmpty();
     assertThat(line.next()).isEmpty();
     assertThat(asked).isEqualTo(1);
 
-    line.comes(new byte[] {REPORT});
+    line.comes(new byte[] {REPORT, INPUT});
     pulses.add(0.5f);
     assertThat(line.next()).hasValue(0.5);
+  }
+
+  @Test
+  void next_bytesThatCannotBeReports_asksNotAtAll() throws Exception {
+    line.comes(new byte[] {REPORT, OTHER, REPORT, (byte) 0x92, REPORT, 0x30});
+    assertThat(line.next()).isEmpty();
+    assertThat(asked).isZero();
   }
 
   @Test
   void next_pulsesFromBeforeTheFirstBytes_areTaken() throws Exception {
     pulses.addAll(List.of(0.5f, 0.25f));
     assertThat(line.next()).hasValue(0.5);
-    line.comes(new byte[] {REPORT});
+    line.comes(new byte[] {REPORT, INPUT});
     assertThat(line.next()).hasValue(0.25);
   }
 }
