@@ -208,9 +208,9 @@ public final class CostGrid {
     return changedAt[row] > since;
   }
 
-  /** The costs of a row of cells; to be read only. */
-  FloatBuffer costs(int row) {
-    return FloatBuffer.wrap(cost, frame.index(row, 0), frame.columns());
+  /** The costs of cells from one on; to be read only. */
+  FloatBuffer costs(int from, int length) {
+    return FloatBuffer.wrap(cost, from, length);
   }
 
   /**

@@ -20,6 +20,7 @@ public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final double ROUNDING = 1.0e-6; // sums of floats, taken in different order
+  private static final int BLOCK = 64; // costs compared at a time
   private static final double SAME_GOAL = 0.01; // of a cell: a goal told by the vehicle trembles
 
   private final CostGrid grid;
@@ -166,15 +167,18 @@ public final class DStarLite {
     revision = grid.revision();
   }
 
+  /** Many costs are compared at a time, and one by one only where some differ. */
   private void findChanges(int row) {
-    int begin = frame.index(row, 0);
-    if (FloatBuffer.wrap(cost, begin, frame.columns()).equals(grid.costs(row))) {
-      return;
-    }
-    for (int i = begin; i < begin + frame.columns(); i++) {
-      if (cost[i] != grid.cost(i)) {
-        cost[i] = grid.cost(i);
-        changed.set(i);
+    int end = frame.index(row, frame.columns());
+    for (int from = frame.index(row, 0); from < end; from += BLOCK) {
+      int length = Math.min(BLOCK, end - from);
+      if (!FloatBuffer.wrap(cost, from, length).equals(grid.costs(from, length))) {
+        for (int i = from; i < from + length; i++) {
+          if (cost[i] != grid.cost(i)) {
+            cost[i] = grid.cost(i);
+            changed.set(i);
+          }
+        }
       }
     }
   }

@@ -90,16 +90,16 @@ final class GridLayer {
   private int lastAlike(int row, int from) {
     int base = row * placement.columns();
     byte first = cells[base + from];
-    int to = from;
-    while (to + 1 < placement.columns() && isAlike(first, cells[base + to + 1])) {
-      to++;
+    boolean isKnown = first != OccupancyGrid.UNKNOWN;
+    boolean isFull = first >= threshold;
+    int least = isFull ? threshold : isKnown ? OccupancyGrid.UNKNOWN + 1 : OccupancyGrid.UNKNOWN;
+    int most = isFull ? Byte.MAX_VALUE : isKnown ? threshold - 1 : OccupancyGrid.UNKNOWN;
+    int end = base + placement.columns();
+    int k = base + from + 1;
+    while (k < end && cells[k] >= least && cells[k] <= most) {
+      k++;
     }
-    return to;
-  }
-
-  private boolean isAlike(byte one, byte other) {
-    return (one == OccupancyGrid.UNKNOWN) == (other == OccupancyGrid.UNKNOWN)
-        && state(one) == state(other);
+    return k - 1 - base;
   }
 
   /** Draws anew the plan's cells under those of the grid that say something else than before. */
