@@ -78,8 +78,8 @@ final class GridLayer {
           fill(
               placement.firstRow(from, row),
               placement.lastRow(from, row),
-              placement.firstColumn(from, row),
-              placement.lastColumn(to, row),
+              Math.min(placement.firstColumn(from, row), placement.firstColumn(to, row)),
+              Math.max(placement.lastColumn(from, row), placement.lastColumn(to, row)),
               state(cells[base + from]));
         }
       }
