@@ -81,6 +81,9 @@ final class Avoidance {
   private long lookedMicros = Long.MIN_VALUE; // when it turned to look for a way
   private double lookHeadingRad;
   private boolean begun;
+  private SeenWorld.Reading reading; // by these settings
+  private AvoidanceSettings readBy;
+  private boolean isReadOnTheSpot;
 
   /**
    * Where the vehicle is to go now.
@@ -123,7 +126,7 @@ final class Avoidance {
                 "NONE sees no obstacles; GRID plans around them for vehicles that turn on the spot, HYBRID for those with a turning circle; others are planners of extensions.");
     chosen = () -> configuration.getVariable(planner);
     chosen.get(); // a wrong value must fail before the vehicle moves
-    world = new SeenWorld(() -> settings.get().reading(turnRadiusM(0.0) == 0.0));
+    world = new SeenWorld(this::reading);
     guesses = new Guesses(world);
     news = new PathNews(settings, say);
   }
@@ -182,6 +185,18 @@ final class Avoidance {
   /** What is new for screens; empty if nothing. */
   Optional<PlannedPath> news() {
     return news.take();
+  }
+
+  /** How the surroundings are read: worked out again only when a setting has changed. */
+  private SeenWorld.Reading reading() {
+    AvoidanceSettings now = settings.get();
+    boolean onTheSpot = turnRadiusM(0.0) == 0.0;
+    if (now != readBy || onTheSpot != isReadOnTheSpot) {
+      readBy = now;
+      isReadOnTheSpot = onTheSpot;
+      reading = now.reading(onTheSpot);
+    }
+    return reading;
   }
 
   private double turnRadiusM(double speedMps) {

@@ -16,6 +16,7 @@ final class LogOdds {
   private static final int MOST = HIT - 1;
   private static final int LEAST = OccupancyGrid.UNKNOWN + 1;
 
+  private final byte freest;
   private final byte[] passed = new byte[VALUES];
   private final byte[] ended = new byte[VALUES];
 
@@ -28,6 +29,7 @@ final class LogOdds {
   LogOdds(double hit, double miss, double min, double max) {
     int low = Math.max(LEAST, steps(min));
     int high = Math.min(MOST, steps(max));
+    freest = (byte) low;
     for (int cell = Byte.MIN_VALUE; cell <= Byte.MAX_VALUE; cell++) {
       int known = cell == OccupancyGrid.UNKNOWN ? 0 : cell;
       passed[cell - Byte.MIN_VALUE] = (byte) Math.max(low, known - Math.max(1, steps(miss)));
@@ -37,6 +39,11 @@ final class LogOdds {
 
   private static int steps(double logOdds) {
     return (int) Math.round(logOdds / OccupancyGrid.LOG_ODDS_STEP);
+  }
+
+  /** A cell that beams have passed through so often that no further one changes it. */
+  byte freest() {
+    return freest;
   }
 
   /** A cell after a beam has passed through it, by its value less {@link Byte#MIN_VALUE}. */

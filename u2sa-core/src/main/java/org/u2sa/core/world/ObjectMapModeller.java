@@ -250,10 +250,20 @@ final class ObjectMapModeller implements Modeller {
   public String remark() {
     long confirmed = tracks.stream().filter(MappedObject::isConfirmed).count();
     long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
-    return String.format(
-        "%d objects, %d confirmed, %d moving, %d sightings, %d without a way into %s, %d of a name "
-            + "in the wrong place",
-        tracks.size(), confirmed, moving, sightings, unplaced, frame.frame(), misread);
+    return tracks.size()
+        + " objects, "
+        + confirmed
+        + " confirmed, "
+        + moving
+        + " moving, "
+        + sightings
+        + " sightings, "
+        + unplaced
+        + " without a way into "
+        + frame.frame()
+        + ", "
+        + misread
+        + " of a name in the wrong place";
   }
 
   @Override

@@ -64,20 +64,26 @@ final class ScanEntry {
       SensorPose pose = poses.at(scan, (from + to) / 2.0 / beams);
       new Part(scan, sensor, pose, band, up).enter(ranges, returns, from, to);
     }
+    polygon.fill(this::pass);
     byte[] cells = window.cells();
-    byte[] passed = odds.passed();
-    int side = window.side();
-    polygon.fill(
-        (row, from, to) -> {
-          int last = row * side + to;
-          for (int k = row * side + from; k <= last; k++) {
-            cells[k] = passed[cells[k] - Byte.MIN_VALUE];
-          }
-        });
     for (int i = 0; i < hitCount; i++) {
       cells[hits[i]] = odds.ended(before[i]);
     }
     return beams;
+  }
+
+  /** Takes cells that beams passed. Most were often passed before: these stay as they are. */
+  private void pass(int row, int from, int to) {
+    byte[] cells = window.cells();
+    byte[] passed = odds.passed();
+    byte freest = odds.freest();
+    int last = row * window.side() + to;
+    for (int k = row * window.side() + from; k <= last; k++) {
+      byte cell = cells[k];
+      if (cell != freest) {
+        cells[k] = passed[cell - Byte.MIN_VALUE];
+      }
+    }
   }
 
   private void hit(double column, double row) {

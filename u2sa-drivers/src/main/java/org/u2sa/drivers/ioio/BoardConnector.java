@@ -82,7 +82,7 @@ final class BoardConnector implements AutoCloseable {
 
   private static void take(BoardSession from, byte[] bytes) {
     if (from != null) { // it is no longer, if the wait for its end was interrupted
-      from.link().take(bytes);
+      from.take(bytes);
     }
   }
 

@@ -24,7 +24,7 @@ final class BoardPins {
   private final float[] setUs;
   private final Optional<UartLine> gps;
   private final Optional<UartLine> compass;
-  private final Optional<PulseInput> radio;
+  private final Optional<PulseLine> radio;
   private final Optional<DigitalOutput> led;
   private final AnalogInput sample;
   private final boolean ledIsLitLow;
@@ -55,11 +55,12 @@ final class BoardPins {
             : Optional.empty();
   }
 
-  private static PulseInput radio(IOIO ioio, PinPlan plan) throws ConnectionLostException {
+  private static PulseLine radio(IOIO ioio, PinPlan plan) throws ConnectionLostException {
     // pulled down, so that a wire that fell off has no pulses instead of noise
     DigitalInput.Spec spec = new DigitalInput.Spec(plan.radio(), DigitalInput.Spec.Mode.PULL_DOWN);
-    return ioio.openPulseInput(
-        spec, PulseInput.ClockRate.RATE_2MHz, PulseInput.PulseMode.POSITIVE, false);
+    return new PulseLine(
+        ioio.openPulseInput(
+            spec, PulseInput.ClockRate.RATE_2MHz, PulseInput.PulseMode.POSITIVE, false));
   }
 
   private static UartLine uart(IOIO ioio, PinPlan.Uart pins) throws ConnectionLostException {
@@ -102,25 +103,12 @@ final class BoardPins {
    * The width [s] of the oldest pulse at the radio's input not yet taken; empty if there is none.
    */
   OptionalDouble nextRadioPulse() throws ConnectionLostException {
-    if (radio.isEmpty()) {
-      return OptionalDouble.empty();
-    }
-    // The library can only wait for a pulse; an interrupted thread gets one that is there all the
-    // same, and otherwise comes back at once.
-    boolean wasInterrupted = Thread.interrupted();
-    Thread.currentThread().interrupt();
-    try {
-      double widthS = radio.get().getDurationBuffered();
-      return OptionalDouble.of(widthS);
-    } catch (InterruptedException e) {
-      return OptionalDouble.empty();
-    } finally {
-      if (!wasInterrupted) {
-        Thread.interrupted();
-      } else {
-        Thread.currentThread().interrupt();
-      }
-    }
+    return radio.isPresent() ? radio.get().next() : OptionalDouble.empty();
+  }
+
+  /** In lockstep, takes note of bytes of the board that the library is about to get. */
+  void comes(byte[] bytes) {
+    radio.ifPresent(line -> line.comes(bytes));
   }
 
   Optional<UartLine> gps() {

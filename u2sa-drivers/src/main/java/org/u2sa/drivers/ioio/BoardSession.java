@@ -72,6 +72,12 @@ final class BoardSession {
     return guarded.flushes();
   }
 
+  /** In lockstep, once it is connected: has the library take bytes on the calling thread. */
+  void take(byte[] bytes) {
+    pins.comes(bytes);
+    guarded.take(bytes);
+  }
+
   GuardedConnection link() {
     return guarded;
   }

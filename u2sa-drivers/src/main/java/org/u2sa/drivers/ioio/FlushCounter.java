@@ -4,16 +4,32 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Tells in lockstep whether, and by which thread, the IOIO library has sent a UART's data. */
+/**
+ * Tells in lockstep whether, and by which thread, the IOIO library has sent a UART's data, and runs
+ * the library's sending loop until it has.
+ */
 final class FlushCounter extends OutputStream {
   private static final int HEADER = 2; // of a message of UART data: type; number and length
   private static final long AT_MOST_MS = 5_000;
 
+  /**
+   * Leaves the library's loop. The same one each time, without a stack trace: that takes longest.
+   */
+  private static final class AllSent extends Error {
+    private static final long serialVersionUID = 1L;
+
+    AllSent() {
+      super("all is sent", null, false, false);
+    }
+  }
+
+  private final AllSent allSent = new AllSent();
   private final OutputStream target;
   private final ByteArrayOutputStream waiting =
       new ByteArrayOutputStream(); // until the library flushes; guarded by this, as all below
   private long dataSent; // bytes of what was flushed, less a header for each flush
   private long dataExpected;
+  private boolean isLeft; // by an error, as soon as all data are sent
   private Thread sender; // of the last data
 
   FlushCounter(OutputStream target) {
@@ -34,12 +50,32 @@ final class FlushCounter extends OutputStream {
     dataSent += bytes.length - HEADER;
     sender = Thread.currentThread();
     notifyAll();
+    if (isLeft && dataSent >= dataExpected) {
+      isLeft = false;
+      throw allSent;
+    }
   }
 
   /** Counts from here; until the data are sent, nothing else may be written. */
   synchronized void expect(int dataBytes) {
     dataSent = 0;
     dataExpected = dataBytes;
+  }
+
+  /** Runs the library's sending loop until it has sent the data, or would wait. */
+  void run(Runnable loop) {
+    leave(true);
+    try {
+      loop.run();
+    } catch (AllSent e) {
+      return; // nothing follows the flush: the message went out as a whole
+    } finally {
+      leave(false);
+    }
+  }
+
+  private synchronized void leave(boolean whenSent) {
+    isLeft = whenSent;
   }
 
   /** Waits until the data are sent, and returns the library's thread that did so. */

@@ -9,9 +9,9 @@ import java.io.OutputStream;
  * to wait for it takes far longer than the sending.
  *
  * <p>That thread sends once, and is then ended by an interrupt. From then on the writing thread
- * runs the library's loop ({@code FlowControlledOutputStream.FlushThread.run}) with its own
- * interrupt flag set: the loop sends what was written and returns where it would wait for more.
- * Belongs to the service's thread.
+ * runs the library's loop ({@code FlowControlledOutputStream.FlushThread.run}), and leaves it by an
+ * error when all is sent ({@link FlushCounter#run}). Its interrupt flag is set meanwhile: should
+ * the loop wait for the board before, it returns there. Belongs to the service's thread.
  */
 final class SendingLoop {
   private Thread owner; // the library's, ended; null before the first time
@@ -29,9 +29,8 @@ final class SendingLoop {
       if (owner == null) {
         owner = end(sent.awaitSender());
       } else {
-        Runnable loop = owner;
         Thread.currentThread().interrupt();
-        loop.run();
+        sent.run(owner);
       }
       sent.requireAll();
     } catch (InterruptedException e) {

@@ -48,7 +48,7 @@ class LaserPortTest extends DeviceContract<LaserScanner.Scan> {
             new SimulatedLaser(
                 SimulatedLaser.Optics.ust10lx(),
                 new NoiseStreams(1),
-                () -> LaserPortTest::distanceM)));
+                () -> (angle, cos, sin) -> distanceM(angle))));
   }
 
   private static Bench<LaserScanner.Scan> linked(

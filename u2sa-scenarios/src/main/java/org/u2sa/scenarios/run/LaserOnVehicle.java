@@ -1,16 +1,15 @@
 package org.u2sa.scenarios.run;
 
-import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
 
 /**
- * How far a level laser on a vehicle sees in a direction, to the left positive [rad]: it tilts with
- * the vehicle.
+ * How far a level laser on a vehicle sees: it tilts with the vehicle.
  *
  * @param forwardM place ahead of the vehicle's reference point [m]
  * @param upM height above it [m]
@@ -18,15 +17,15 @@ import org.u2sa.sim.world.World;
  */
 public record LaserOnVehicle(
     World world, Supplier<VehicleTruth> truth, double forwardM, double upM, double rangeM)
-    implements Supplier<DoubleUnaryOperator> {
+    implements Supplier<SimulatedLaser.Sight> {
   @Override
-  public DoubleUnaryOperator get() {
+  public SimulatedLaser.Sight get() {
     VehicleTruth now = truth.get();
     Rotation nedFromFrd = now.attitude().nedFromFrd();
     Point ned = nedFromFrd.times(Point.of(forwardM, 0.0, -upM));
     Point from = now.position().plus(Point.of(ned.y(), ned.x(), -ned.z()));
-    return angleRad -> {
-      Point way = nedFromFrd.times(Point.of(Math.cos(angleRad), -Math.sin(angleRad), 0.0));
+    return (angleRad, cos, sin) -> {
+      Point way = nedFromFrd.times(Point.of(cos, -sin, 0.0));
       Ray ray = new Ray(from.x(), from.y(), from.z(), way.y(), way.x(), -way.z());
       return world.distanceM(ray, rangeM);
     };

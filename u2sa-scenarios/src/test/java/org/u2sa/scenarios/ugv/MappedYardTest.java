@@ -70,7 +70,7 @@ class MappedYardTest {
             optics,
             new NoiseStreams(3L),
             () ->
-                angle ->
+                (angle, cos, sin) ->
                     world.distanceM(
                         Ray.of(place.plus(Point.of(0.0, 0.0, LASER_M)), heading - angle, 0.0),
                         10.0));

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Random;
-import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import org.u2sa.device.LaserScanner;
 import org.u2sa.messages.RangeScan;
@@ -17,7 +16,9 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   private static final double EDGE_M = 0.2; // between neighbouring beams
 
   private final Optics optics;
-  private final Supplier<DoubleUnaryOperator> view;
+  private final double[] cosines; // of the beams' directions, which are the same in every scan
+  private final double[] sines;
+  private final Supplier<Sight> view;
   private final Random noise;
   private final Faults faults;
   private final Random faulty;
@@ -48,6 +49,19 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
     }
   }
 
+  /** What it sees from where it is at one moment. */
+  @FunctionalInterface
+  public interface Sight {
+    /**
+     * The distance to the nearest thing in a direction; infinite if there is none [m].
+     *
+     * @param angleRad to the left positive [rad]
+     * @param cos of that angle
+     * @param sin of that angle
+     */
+    double distanceM(double angleRad, double cos, double sin);
+  }
+
   /**
    * What goes wrong with single beams.
    *
@@ -72,36 +86,43 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   /**
    * Without faults; takes the stream {@code laser}.
    *
-   * @param view what it sees from where it is now: the distance to the nearest thing in a
-   *     direction, to the left positive [rad]; infinite if there is none [m]
+   * @param view what it sees from where it is now
    */
-  public SimulatedLaser(Optics optics, NoiseStreams streams, Supplier<DoubleUnaryOperator> view) {
+  public SimulatedLaser(Optics optics, NoiseStreams streams, Supplier<Sight> view) {
     this(optics, Faults.NONE, streams, view);
   }
 
   /**
    * Takes the streams {@code laser} and {@code laser faults}.
    *
-   * @param view what it sees from where it is now: the distance to the nearest thing in a
-   *     direction, to the left positive [rad]; infinite if there is none [m]
+   * @param view what it sees from where it is now
    */
-  public SimulatedLaser(
-      Optics optics, Faults faults, NoiseStreams streams, Supplier<DoubleUnaryOperator> view) {
+  public SimulatedLaser(Optics optics, Faults faults, NoiseStreams streams, Supplier<Sight> view) {
     super(optics.rateHz(), 0.0);
     Arguments.requireInside("beams", optics.beams(), 1.0, 100_000.0);
     this.optics = optics;
+    cosines = new double[optics.beams()];
+    sines = new double[optics.beams()];
+    for (int i = 0; i < optics.beams(); i++) {
+      cosines[i] = Math.cos(angleRad(i));
+      sines[i] = Math.sin(angleRad(i));
+    }
     this.view = view;
     this.faults = faults;
     noise = streams.of("laser");
     faulty = streams.of("laser faults");
   }
 
+  private double angleRad(int beam) {
+    return optics.firstRad() + beam * optics.stepRad();
+  }
+
   @Override
   Scan measure(double timeS, long measuredAtMicros) {
-    DoubleUnaryOperator distance = view.get();
+    Sight sight = view.get();
     double[] seen = new double[optics.beams()];
     for (int i = 0; i < seen.length; i++) {
-      seen[i] = distance.applyAsDouble(optics.firstRad() + i * optics.stepRad());
+      seen[i] = sight.distanceM(angleRad(i), cosines[i], sines[i]);
     }
     List<OptionalDouble> ranges = new ArrayList<>(optics.beams());
     for (int i = 0; i < optics.beams(); i++) {

@@ -58,7 +58,8 @@ abstract class PlanarVehicle implements GroundVehicle {
   private final double[] before = new double[FREE]; // the tick before
   private DriveCommand held = DriveCommand.none();
   private boolean resting;
-  private double sinPsi;
+  private final Direction direction = new Direction();
+  private double sinPsi; // at the tick's beginning
   private double cosPsi;
 
   PlanarVehicle(GroundStart start, int size, Chassis chassis, Battery battery) {
@@ -67,8 +68,9 @@ abstract class PlanarVehicle implements GroundVehicle {
     s[NORTH] = start.northM();
     s[PSI] = start.headingRad();
     System.arraycopy(s, 0, before, 0, FREE);
-    sinPsi = StrictMath.sin(s[PSI]);
-    cosPsi = StrictMath.cos(s[PSI]);
+    direction.turn(s[PSI]);
+    sinPsi = direction.sin();
+    cosPsi = direction.cos();
     surface = world.surface();
     rate = new double[size];
     integrator = new RungeKutta(size);
@@ -141,8 +143,9 @@ abstract class PlanarVehicle implements GroundVehicle {
 
   private void tick() {
     System.arraycopy(s, 0, before, 0, FREE);
-    sinPsi = StrictMath.sin(s[PSI]);
-    cosPsi = StrictMath.cos(s[PSI]);
+    direction.turn(s[PSI]);
+    sinPsi = direction.sin();
+    cosPsi = direction.cos();
     if (terrain != Terrain.flat()) {
       meetSlope();
     }
@@ -187,8 +190,9 @@ abstract class PlanarVehicle implements GroundVehicle {
   }
 
   private void derivatives(double[] state, double[] rates) {
-    double sin = StrictMath.sin(state[PSI]);
-    double cos = StrictMath.cos(state[PSI]);
+    direction.turn(state[PSI]);
+    double sin = direction.sin();
+    double cos = direction.cos();
     double east = pushEast + pullEast;
     double north = pushNorth + pullNorth;
     forward = east * sin + north * cos;
@@ -270,8 +274,9 @@ abstract class PlanarVehicle implements GroundVehicle {
 
   @Override
   public final VehicleTruth truth() {
-    double sin = StrictMath.sin(s[PSI]);
-    double cos = StrictMath.cos(s[PSI]);
+    direction.turn(s[PSI]);
+    double sin = direction.sin();
+    double cos = direction.cos();
     Attitude now = attitude(s, sin, cos);
     Attitude then = attitude(before, sinPsi, cosPsi);
     Point velocity = velocity(s, sin, cos);
@@ -297,6 +302,9 @@ abstract class PlanarVehicle implements GroundVehicle {
     double riseNorth = terrain.riseNorth(state[EAST], state[NORTH]);
     double ahead = riseEast * sin + riseNorth * cos;
     double aside = riseEast * cos - riseNorth * sin; // rise to the right: left wing down
+    if (ahead == 0.0 && aside == 0.0) {
+      return new Attitude(-aside, ahead, heading); // level, and the arcs of 0 are 0
+    }
     double pitch = StrictMath.atan(ahead);
     return new Attitude(-StrictMath.atan(aside * StrictMath.cos(pitch)), pitch, heading);
   }

@@ -27,9 +27,11 @@ final class ByteQueue {
     if (size + length > buffer.length) {
       return;
     }
-    for (int i = 0; i < length; i++) {
-      buffer[(first + size++) % buffer.length] = bytes[offset + i];
-    }
+    int end = (first + size) % buffer.length;
+    int beforeWrap = Math.min(length, buffer.length - end);
+    System.arraycopy(bytes, offset, buffer, end, beforeWrap);
+    System.arraycopy(bytes, offset + beforeWrap, buffer, 0, length - beforeWrap);
+    size += length;
   }
 
   /** Adds bytes given as numbers, all or none. */
@@ -44,10 +46,10 @@ final class ByteQueue {
   /** Takes up to so many bytes out; returns how many. */
   int pull(byte[] target, int atMost) {
     int count = Math.min(atMost, size);
-    for (int i = 0; i < count; i++) {
-      target[i] = buffer[first];
-      first = (first + 1) % buffer.length;
-    }
+    int beforeWrap = Math.min(count, buffer.length - first);
+    System.arraycopy(buffer, first, target, 0, beforeWrap);
+    System.arraycopy(buffer, 0, target, beforeWrap, count - beforeWrap);
+    first = (first + count) % buffer.length;
     size -= count;
     return count;
   }

@@ -15,13 +15,15 @@ public final class NoiseStreams {
     this.seed = seed;
   }
 
-  /** A new generator for a sensor; the same name gives the same numbers. */
+  /**
+   * A new generator for a sensor, for one thread at a time; the same name gives the same numbers.
+   */
   public Random of(String sensor) {
     long mixed = seed;
     for (int i = 0; i < sensor.length(); i++) {
       mixed = mix(mixed + GOLDEN + sensor.charAt(i));
     }
-    return new Random(mixed);
+    return new SensorNoise(mixed);
   }
 
   /** Finaliser of SplitMix64 (Steele, Lea and Flood 2014). */

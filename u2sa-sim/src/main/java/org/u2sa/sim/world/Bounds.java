@@ -36,14 +36,18 @@ record Bounds(double x0, double y0, double z0, double x1, double y1, double z1) 
 
   /** A distance along the ray before which it is not inside; infinite if it never is. */
   double enteredM(Ray ray) {
-    double in =
-        Math.max(
-            Math.max(0.0, first(ray.x(), ray.dx(), x0, x1)),
-            Math.max(first(ray.y(), ray.dy(), y0, y1), first(ray.z(), ray.dz(), z0, z1)));
-    double out =
-        Math.min(
-            last(ray.x(), ray.dx(), x0, x1),
-            Math.min(last(ray.y(), ray.dy(), y0, y1), last(ray.z(), ray.dz(), z0, z1)));
+    double in = Math.max(0.0, first(ray.x(), ray.dx(), x0, x1));
+    double out = last(ray.x(), ray.dx(), x0, x1);
+    if (in > out) {
+      return Double.POSITIVE_INFINITY; // beside it, as most are: no need to look further
+    }
+    in = Math.max(in, first(ray.y(), ray.dy(), y0, y1));
+    out = Math.min(out, last(ray.y(), ray.dy(), y0, y1));
+    if (in > out) {
+      return Double.POSITIVE_INFINITY;
+    }
+    in = Math.max(in, first(ray.z(), ray.dz(), z0, z1));
+    out = Math.min(out, last(ray.z(), ray.dz(), z0, z1));
     return in <= out ? in : Double.POSITIVE_INFINITY;
   }
 

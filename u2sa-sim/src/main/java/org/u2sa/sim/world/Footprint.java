@@ -8,10 +8,13 @@ import org.u2sa.messages.frame.Point;
  * vehicle's heading and stays upright when it rolls or pitches.
  */
 public final class Footprint {
+  private static final double ROUNDING = 1e-6; // more than turning makes of a corner's place [m]
+
   private final double[] ahead; // corners, in order
   private final double[] right;
   private final double bottomM;
   private final double topM;
+  private final double reachM; // of the farthest corner, on the map
 
   /**
    * @param corners of the outline in order, x ahead and y to the right of the reference point [m]
@@ -24,6 +27,11 @@ public final class Footprint {
     right = corners.stream().mapToDouble(Point::y).toArray();
     this.bottomM = bottomM;
     this.topM = topM;
+    double farthest = 0.0;
+    for (int i = 0; i < ahead.length; i++) {
+      farthest = Math.max(farthest, Math.hypot(ahead[i], right[i]));
+    }
+    reachM = farthest;
     int turns = 0;
     for (int i = 0; i < ahead.length; i++) {
       int j = (i + 1) % ahead.length;
@@ -62,6 +70,18 @@ public final class Footprint {
             Point.of(-behindM, -half, 0.0)),
         bottomM,
         topM);
+  }
+
+  /** A box around a vehicle at a place [east, north, up], whatever its heading. */
+  Bounds around(Point place) {
+    double reach = reachM + ROUNDING;
+    return new Bounds(
+        place.x() - reach,
+        place.y() - reach,
+        place.z() + bottomM,
+        place.x() + reach,
+        place.y() + reach,
+        place.z() + topM);
   }
 
   /** The prism in the world, for a vehicle at a place [east, north, up] with a heading [rad]. */

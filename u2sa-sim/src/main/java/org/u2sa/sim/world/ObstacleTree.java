@@ -69,6 +69,12 @@ final class ObstacleTree {
   /** What was hit, how far away; the object is null for the ground or nothing. */
   record Nearest(double distanceM, ObjectDescription object) {}
 
+  /** Whether the box around an obstacle reaches into another. */
+  boolean reaches(Bounds around) {
+    return bounds.overlaps(around)
+        && (leaf != null || one.reaches(around) || other.reaches(around));
+  }
+
   /** Gives every obstacle that a footprint touches. */
   void touched(Prism footprint, Bounds around, Consumer<ObjectDescription> found) {
     if (!bounds.overlaps(around)) {

@@ -195,7 +195,7 @@ public final class World {
    */
   public List<ObjectDescription> contacts(Footprint footprint, Point place, double headingRad) {
     List<ObjectDescription> found = new ArrayList<>();
-    if (tree.isPresent()) {
+    if (tree.isPresent() && tree.get().reaches(footprint.around(place))) {
       Prism prism = footprint.at(place, headingRad);
       tree.get().touched(prism, prism.bounds(), found::add);
     }

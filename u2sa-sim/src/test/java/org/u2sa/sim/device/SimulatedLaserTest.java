@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.sim.sensor.NoiseStreams;
@@ -13,8 +12,9 @@ import org.u2sa.sim.sensor.NoiseStreams;
 class SimulatedLaserTest {
   private static final SimulatedLaser.Optics OPTICS =
       new SimulatedLaser.Optics(10.0, -1.0, 0.01, 201, 0.06, 10.0, 0.0);
-  private static final DoubleUnaryOperator SCENE =
-      angle -> angle > 0.5 ? Double.POSITIVE_INFINITY : Math.abs(angle) < 0.1 ? 2.0 : 5.0;
+  private static final SimulatedLaser.Sight SCENE =
+      (angle, cos, sin) ->
+          angle > 0.5 ? Double.POSITIVE_INFINITY : Math.abs(angle) < 0.1 ? 2.0 : 5.0;
 
   private static RangeScan scan(SimulatedLaser.Faults faults, long seed) {
     NoiseStreams streams = new NoiseStreams(seed);

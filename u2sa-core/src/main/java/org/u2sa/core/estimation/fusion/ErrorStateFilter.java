@@ -70,8 +70,7 @@ public final class ErrorStateFilter {
   private void fuse() {
     for (int i = history.fused(); i < history.count(); i++) {
       History.Entry entry = history.at(i);
-      entry.after.copyFrom(history.before(i));
-      fuser.fuse(entry.after, entry.measurement, entry.source);
+      fuser.fuse(history.after(i), entry.measurement, entry.source);
     }
     history.allFused();
   }

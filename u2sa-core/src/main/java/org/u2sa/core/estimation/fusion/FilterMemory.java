@@ -7,16 +7,19 @@ import java.util.function.Function;
 
 /**
  * Writes a filter's state as texts and reads it back, so that another filter of the same version
- * goes on where it was: numbers exactly, as hexadecimal doubles. What sources have shown of
- * themselves is learnt anew.
+ * goes on where it was: numbers exactly, as hexadecimal doubles, and of the covariance, which is
+ * symmetric, one half. What sources have shown of themselves is learnt anew.
  */
 public final class FilterMemory {
   private static final String NOMINAL = "FILTER NOMINAL 3";
-  private static final String COVARIANCE = "FILTER COVARIANCE 3";
+  private static final String COVARIANCE = "FILTER COVARIANCE 4";
   private static final String FLAGS = "FILTER FLAGS 3";
 
   private static final String PERSISTENT = "FILTER PERSISTENT ERRORS OF ";
   private static final String DELAY = "FILTER DELAY OF ";
+
+  private static final int N = FilterState.N;
+  private static final int HALF = N * (N + 1) / 2;
 
   private FilterMemory() {}
 
@@ -27,7 +30,7 @@ public final class FilterMemory {
       return;
     }
     to.accept(NOMINAL, text(s.x));
-    to.accept(COVARIANCE, text(s.p.data));
+    to.accept(COVARIANCE, text(half(s.p.data)));
     StringJoiner flags = new StringJoiner(" ");
     for (boolean flag :
         new boolean[] {s.hasPlace, s.hasAltitude, s.hasLocal, s.hasHeading, s.hasTilt, s.hasFlow}) {
@@ -44,6 +47,28 @@ public final class FilterMemory {
     for (int slot = 0; slot < sources.length; slot++) {
       if (sources[slot] >= 0) {
         to.accept(of + slot, filter.trust().name(sources[slot]));
+      }
+    }
+  }
+
+  /** The rows of a symmetric matrix, each up to the diagonal. */
+  private static double[] half(double[] p) {
+    double[] half = new double[HALF];
+    int at = 0;
+    for (int row = 0; row < N; row++) {
+      System.arraycopy(p, row * N, half, at, row + 1);
+      at += row + 1;
+    }
+    return half;
+  }
+
+  private static void unfold(double[] half, double[] p) {
+    int at = 0;
+    for (int row = 0; row < N; row++) {
+      for (int column = 0; column <= row; column++) {
+        p[row * N + column] = half[at];
+        p[column * N + row] = half[at];
+        at++;
       }
     }
   }
@@ -71,7 +96,9 @@ public final class FilterMemory {
     }
     FilterState s = new FilterState();
     fill(NOMINAL, nominal.get(), s.x);
-    fill(COVARIANCE, covariance.get(), s.p.data);
+    double[] half = new double[HALF];
+    fill(COVARIANCE, covariance.get(), half);
+    unfold(half, s.p.data);
     String[] parts = flags.get().split(" ");
     if (parts.length != 8) {
       throw new IllegalArgumentException(FLAGS + ": " + parts.length + " values, expected 8");

@@ -29,6 +29,8 @@ public final class CostGrid {
   private final float[] cost;
   private final DistanceField distances;
   private final float[] costAt; // of a cell that was seen, by the square of its distance
+  private final int[] changedAt; // by row: the newest revision in which a cost of it may be another
+  private int revision;
 
   /** A grid with nothing in it, all of it seen. */
   public CostGrid(GridFrame frame, Inflation inflation) {
@@ -36,6 +38,7 @@ public final class CostGrid {
     this.inflation = inflation;
     states = new byte[frame.cells()];
     cost = new float[frame.cells()];
+    changedAt = new int[frame.rows()];
     Arrays.fill(cost, 1.0f);
     int reach = (int) Math.ceil(inflation.reachM() / frame.cellM()) + 1;
     distances = new DistanceField(frame.rows(), frame.columns(), reach);
@@ -103,37 +106,56 @@ public final class CostGrid {
   }
 
   /**
-   * The cells whose state has changed. Distances are computed anew only around rows in which
+   * The cells whose state has changed. Distances are computed anew only around those in which
    * something new stands, or no longer does: most changes are cells seen for the first time.
    */
   private final class Changes {
-    private final Span seen = new Span();
+    private final int[] first = new int[frame.rows()]; // column from which costs may have changed
+    private final int[] last = new int[frame.rows()];
     private final Span occupied = new Span();
 
-    void add(int row, int first, int last, boolean stands) {
-      seen.add(row, first, last);
+    Changes() {
+      Arrays.fill(first, frame.columns());
+      Arrays.fill(last, -1);
+    }
+
+    void add(int row, int from, int to, boolean stands) {
+      concern(row, from, to);
       if (stands) {
-        occupied.add(row, first, last);
+        occupied.add(row, from, to);
       }
+    }
+
+    private void concern(int row, int from, int to) {
+      first[row] = Math.min(first[row], from);
+      last[row] = Math.max(last[row], to);
     }
 
     /** Computes costs around them. Returns the cells whose cost may have changed; null if none. */
     Area compute() {
-      if (seen.isEmpty()) {
-        return null;
-      }
       if (!occupied.isEmpty()) {
         int[] near =
             distances.update(states, occupied.top, occupied.left, occupied.bottom, occupied.right);
-        seen.add(near[0], near[1], near[3]);
-        seen.add(near[2], near[1], near[3]);
-      }
-      for (int row = seen.top; row <= seen.bottom; row++) {
-        for (int i = frame.index(row, seen.left); i <= frame.index(row, seen.right); i++) {
-          cost[i] = costAt[distances.square(i)] + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
+        for (int row = near[0]; row <= near[2]; row++) {
+          concern(row, near[1], near[3]);
         }
       }
-      return new Area(seen.top, seen.left, seen.bottom, seen.right);
+      revision++;
+      Span all = new Span();
+      for (int row = 0; row < frame.rows(); row++) {
+        if (first[row] <= last[row]) {
+          all.add(row, first[row], last[row]);
+          compute(row);
+        }
+      }
+      return all.isEmpty() ? null : new Area(all.top, all.left, all.bottom, all.right);
+    }
+
+    private void compute(int row) {
+      changedAt[row] = revision;
+      for (int i = frame.index(row, first[row]); i <= frame.index(row, last[row]); i++) {
+        cost[i] = costAt[distances.square(i)] + (isUnknown(i) ? UNKNOWN_COST : 0.0f);
+      }
     }
   }
 
@@ -176,9 +198,19 @@ public final class CostGrid {
     return cost[index];
   }
 
-  /** Those of a row of cells; to be read only. */
-  FloatBuffer costs(int row) {
-    return FloatBuffer.wrap(cost, frame.index(row, 0), frame.columns());
+  /** Grows with each update. */
+  int revision() {
+    return revision;
+  }
+
+  /** Whether a cost of a row of cells may have changed since a revision. */
+  boolean hasChanged(int row, int since) {
+    return changedAt[row] > since;
+  }
+
+  /** The costs of cells from one on; to be read only. */
+  FloatBuffer costs(int from, int length) {
+    return FloatBuffer.wrap(cost, from, length);
   }
 
   /**

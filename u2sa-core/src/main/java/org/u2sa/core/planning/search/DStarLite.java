@@ -20,6 +20,7 @@ public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final double ROUNDING = 1.0e-6; // sums of floats, taken in different order
+  private static final int BLOCK = 64; // costs compared at a time
   private static final double SAME_GOAL = 0.01; // of a cell: a goal told by the vehicle trembles
 
   private final CostGrid grid;
@@ -33,6 +34,7 @@ public final class DStarLite {
   private final PairHeap open;
   private final BitSet changed = new BitSet(); // cells whose cost has changed since
   private final BitSet taken = new BitSet(); // those and their neighbours
+  private int revision; // of the grid's costs, as of the last search
   private double km;
   private int start = -1;
   private int last = -1;
@@ -100,6 +102,7 @@ public final class DStarLite {
     for (int i = 0; i < cost.length; i++) {
       cost[i] = grid.cost(i);
     }
+    revision = grid.revision();
     if (goal >= 0) {
       seed(goal);
       return;
@@ -154,12 +157,23 @@ public final class DStarLite {
     taken.clear();
   }
 
-  /** Takes costs over; of most rows none has changed, and buffers are compared many at a time. */
+  /** Takes costs over from rows in which some may have changed; most of these are the same. */
   private void findChanges() {
     for (int row = 0; row < frame.rows(); row++) {
-      int begin = frame.index(row, 0);
-      if (!FloatBuffer.wrap(cost, begin, frame.columns()).equals(grid.costs(row))) {
-        for (int i = begin; i < begin + frame.columns(); i++) {
+      if (grid.hasChanged(row, revision)) {
+        findChanges(row);
+      }
+    }
+    revision = grid.revision();
+  }
+
+  /** Many costs are compared at a time, and one by one only where some differ. */
+  private void findChanges(int row) {
+    int end = frame.index(row, frame.columns());
+    for (int from = frame.index(row, 0); from < end; from += BLOCK) {
+      int length = Math.min(BLOCK, end - from);
+      if (!FloatBuffer.wrap(cost, from, length).equals(grid.costs(from, length))) {
+        for (int i = from; i < from + length; i++) {
           if (cost[i] != grid.cost(i)) {
             cost[i] = grid.cost(i);
             changed.set(i);

@@ -14,7 +14,8 @@ final class DistanceField {
   private final int rows;
   private final int columns;
   private final int reach;
-  private final float[] distance; // [cells], at most reach
+  private final int farthest; // square of the reach
+  private final int[] square; // of the distance [cells²], at most that of the reach
   private final int[] below; // rows to the nearest occupied cell of the same column, at most reach
   private final int[] vertex; // of the lower envelope: column of the parabola
   private final float[] boundary; // where the envelope's parabolas meet
@@ -26,22 +27,23 @@ final class DistanceField {
     this.rows = rows;
     this.columns = columns;
     this.reach = reach;
-    distance = new float[rows * columns];
+    farthest = reach * reach;
+    square = new int[rows * columns];
     below = new int[rows * columns];
     vertex = new int[columns + 1];
     boundary = new float[columns + 2];
-    Arrays.fill(distance, reach);
+    Arrays.fill(square, farthest);
     Arrays.fill(below, reach);
   }
 
   /** Distance between centres [cells], at most the reach. */
   float cells(int index) {
-    return distance[index];
+    return root(square[index]);
   }
 
   /** Its square, a whole number. */
   int square(int index) {
-    return Math.round(distance[index] * distance[index]);
+    return square[index];
   }
 
   /** The distance of that square, as {@link #cells} has it. */
@@ -137,7 +139,7 @@ final class DistanceField {
     int k = 0;
     for (int q = left; q <= right; q++) {
       if (count == 0) {
-        distance[base + q] = reach;
+        square[base + q] = farthest;
         continue;
       }
       while (k + 1 < count && boundary[k + 1] < q) {
@@ -145,7 +147,7 @@ final class DistanceField {
       }
       int across = q - vertex[k];
       int h = below[base + vertex[k]];
-      distance[base + q] = (float) Math.min(reach, Math.sqrt(h * h + across * across));
+      square[base + q] = Math.min(farthest, h * h + across * across);
     }
   }
 }

@@ -3,10 +3,12 @@ package org.u2sa.core.planning.search;
 import java.nio.ByteBuffer;
 
 /**
- * Where a row of bytes differs from what it was before. Rows that are the same, as most are, cost
- * next to nothing: buffers are compared many bytes at a time.
+ * Where a row of bytes differs from what it was before. What is the same, as most of it is, costs
+ * next to nothing: many bytes are compared at a time, from both ends.
  */
 public final class RowChange {
+  private static final int BLOCK = 64; // bytes compared at a time
+
   private int first;
   private int last;
 
@@ -18,18 +20,30 @@ public final class RowChange {
    * @return whether there are any
    */
   public boolean find(byte[] before, byte[] after, int begin, int length) {
-    if (ByteBuffer.wrap(before, begin, length).equals(ByteBuffer.wrap(after, begin, length))) {
+    int end = begin + length;
+    if (isSame(before, after, begin, end)) {
       return false;
     }
-    first = 0;
-    while (before[begin + first] == after[begin + first]) {
-      first++;
+    int from = begin;
+    while (end - from > BLOCK && isSame(before, after, from, from + BLOCK)) {
+      from += BLOCK;
     }
-    last = length - 1;
-    while (before[begin + last] == after[begin + last]) {
-      last--;
+    while (before[from] == after[from]) {
+      from++;
     }
+    while (end - from > BLOCK && isSame(before, after, end - BLOCK, end)) {
+      end -= BLOCK;
+    }
+    while (before[end - 1] == after[end - 1]) {
+      end--;
+    }
+    first = from - begin;
+    last = end - 1 - begin;
     return true;
+  }
+
+  private static boolean isSame(byte[] before, byte[] after, int from, int to) {
+    return ByteBuffer.wrap(before, from, to - from).equals(ByteBuffer.wrap(after, from, to - from));
   }
 
   /** The first that differs, counted from the row's begin, if any did. */

@@ -8,13 +8,13 @@ import org.u2sa.messages.OccupancyGrid;
 
 /**
  * What the World Modeler's grid says of the cells of a plan: each is free, occupied or unknown.
- * Immutable.
+ * Belongs to one thread.
  */
 final class GridLayer {
   private static final byte FREE = 0;
 
-  private final OccupancyGrid grid;
-  private final byte[] cells; // the grid's
+  private OccupancyGrid grid;
+  private byte[] cells; // the grid's
   private final GridPlacement placement;
   private final GridFrame frame;
   private final double occupiedAbove;
@@ -32,7 +32,12 @@ final class GridLayer {
     threshold = threshold(occupiedAbove);
   }
 
-  /** The grid as it lies on the plane, drawn anew only where it is not what was drawn before. */
+  /**
+   * The grid as it lies on the plane.
+   *
+   * @param before what was drawn last, which this may replace: drawn anew only where the grid says
+   *     something else
+   */
   static GridLayer of(
       OccupancyGrid grid,
       PlanningPlane plane,
@@ -47,9 +52,8 @@ final class GridLayer {
       return before;
     }
     if (alike && before.placement.isAligned() && before.placement.isOf(grid)) {
-      GridLayer layer = new GridLayer(grid, before.placement, occupiedAbove, before.said.clone());
-      layer.redraw(before.cells);
-      return layer;
+      before.redraw(grid);
+      return before;
     }
     byte[] unknown = new byte[frame.cells()];
     Arrays.fill(unknown, CostGrid.UNKNOWN);
@@ -64,23 +68,45 @@ final class GridLayer {
     return said;
   }
 
+  /** Cells side by side that say the same, as most do, are drawn as one. */
   private void draw() {
-    for (int row = 0, k = 0; row < placement.rows(); row++) {
-      for (int column = 0; column < placement.columns(); column++, k++) {
-        if (cells[k] != OccupancyGrid.UNKNOWN) {
+    for (int row = 0; row < placement.rows(); row++) {
+      int base = row * placement.columns();
+      for (int from = 0, to; from < placement.columns(); from = to + 1) {
+        to = placement.northward().fits(row) ? lastAlike(row, from) : from;
+        if (cells[base + from] != OccupancyGrid.UNKNOWN) {
           fill(
-              placement.firstRow(column, row),
-              placement.lastRow(column, row),
-              placement.firstColumn(column, row),
-              placement.lastColumn(column, row),
-              state(cells[k]));
+              placement.firstRow(from, row),
+              placement.lastRow(from, row),
+              Math.min(placement.firstColumn(from, row), placement.firstColumn(to, row)),
+              Math.max(placement.lastColumn(from, row), placement.lastColumn(to, row)),
+              state(cells[base + from]));
         }
       }
     }
   }
 
+  /** Last column of the cells, from one on, that say the same as it. */
+  private int lastAlike(int row, int from) {
+    int base = row * placement.columns();
+    byte first = cells[base + from];
+    boolean isKnown = first != OccupancyGrid.UNKNOWN;
+    boolean isFull = first >= threshold;
+    int least = isFull ? threshold : isKnown ? OccupancyGrid.UNKNOWN + 1 : OccupancyGrid.UNKNOWN;
+    int most = isFull ? Byte.MAX_VALUE : isKnown ? threshold - 1 : OccupancyGrid.UNKNOWN;
+    int end = base + placement.columns();
+    int k = base + from + 1;
+    while (k < end && cells[k] >= least && cells[k] <= most) {
+      k++;
+    }
+    return k - 1 - base;
+  }
+
   /** Draws anew the plan's cells under those of the grid that say something else than before. */
-  private void redraw(byte[] before) {
+  private void redraw(OccupancyGrid newGrid) {
+    byte[] before = cells;
+    grid = newGrid;
+    cells = newGrid.cells();
     Spans northward = placement.northward();
     Spans eastward = placement.eastward();
     int[] from = new int[frame.rows()]; // by row of the plan: what has changed, in its columns

@@ -44,6 +44,15 @@ class GridLayerTest {
     return cells;
   }
 
+  /** Cells that mostly say the same as the one before. */
+  private static byte[] alike(Random random, int count) {
+    byte[] cells = random(random, count);
+    for (int i = 1; i < count; i++) {
+      cells[i] = random.nextInt(4) > 0 ? cells[i - 1] : cells[i];
+    }
+    return cells;
+  }
+
   /** What is said of each cell of the plan, each cell of the grid placed by itself. */
   private static String expected(OccupancyGrid grid, PlanningPlane plane, GridFrame frame) {
     ReferenceFrame axes = grid.referenceFrame();
@@ -110,6 +119,32 @@ class GridLayerTest {
     GridFrame frame = GridFrame.around(middle.x(), middle.y(), 0.5, 30.0);
 
     assertThat(said(layer(grid, plane, frame), frame)).isEqualTo(expected(grid, plane, frame));
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4})
+  void of_axesOfTheOppositeDirectionAcrossThePole_saysWhatEachCellSays(long seed) {
+    Random random = new Random(seed);
+    Point anchor = Point.of(195.0, 89.99999, 0.0); // 1 m from the pole, and so is the plane
+    OccupancyGrid grid = grid(ReferenceFrame.GLOBAL, anchor, 0.5, 30, alike(random, 30 * 20));
+    PlanningPlane plane = onEarth(15.0, 89.99999);
+    Point middle = plane.ned(ReferenceFrame.GLOBAL, anchor);
+    GridFrame frame = GridFrame.around(middle.x(), middle.y(), 0.4, 12.0);
+
+    assertThat(said(layer(grid, plane, frame), frame)).isEqualTo(expected(grid, plane, frame));
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+  void of_gridThatSaysTheSameOfManyCells_saysWhatEachCellSays(long seed) {
+    Random random = new Random(seed);
+    Point anchor = Point.of(random.nextDouble(), random.nextDouble() - 0.5, 0.0);
+    double resolution = 0.05 + 0.3 * random.nextDouble();
+    OccupancyGrid grid =
+        grid(ReferenceFrame.LOCAL_ENU, anchor, resolution, 17, alike(random, 17 * 13));
+    GridFrame frame = new GridFrame(-1.0, -1.5, 0.1, 19, 23);
+
+    assertThat(said(layer(grid, local, frame), frame)).isEqualTo(expected(grid, local, frame));
   }
 
   @ParameterizedTest
