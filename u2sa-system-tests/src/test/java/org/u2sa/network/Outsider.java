@@ -194,8 +194,10 @@ final class Outsider implements Receiver, AutoCloseable {
     longestGapMicros = 0;
   }
 
+  /** The longest time without one since then; one that lasts counts too. */
   synchronized double longestGapS() {
-    return Clock.seconds(longestGapMicros);
+    long lastsMicros = navigatedMicros > 0 ? clock.micros() - navigatedMicros : 0;
+    return Clock.seconds(Math.max(longestGapMicros, lastsMicros));
   }
 
   /** Restarts that the health monitor has had done, of all services. */
