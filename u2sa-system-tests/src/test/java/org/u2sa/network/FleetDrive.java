@@ -3,40 +3,32 @@ package org.u2sa.network;
 import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
-import org.awaitility.core.ConditionTimeoutException;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.interfaces.time.SystemClock;
 
 /** Rovers under way while their way to the ground suffers, and what was measured on the ground. */
 final class FleetDrive implements AutoCloseable {
-  private static final Duration UP_WITHIN = Duration.ofSeconds(120);
   private static final Duration OVER_WITHIN = Duration.ofSeconds(900);
-  private static final Duration ANSWERED_WITHIN = Duration.ofSeconds(3);
 
   private final Path folder;
-  private final Clock clock = new SystemClock();
-  private final Clock.Waiter waiter = clock.newWaiter("fleet-drive");
+  private final Findings findings;
+  private final Clock clock;
   private final Fleet fleet;
   private final Map<String, Outsider> outsiders = new TreeMap<>(); // by rover
   private final Map<String, Set<String>> services = new TreeMap<>(); // by rover
   private final Map<String, Numbers> numbers = new TreeMap<>(); // by way
-  private final List<String> measured = new ArrayList<>();
-  private final List<String> failures = new ArrayList<>();
 
   /** Starts the brokers and sends the rovers on their way. */
   FleetDrive(Path repository, Path folder, FleetBroker kind, int loops) throws Exception {
     this.folder = folder;
+    findings = new Findings(folder);
+    clock = findings.clock();
     fleet = new Fleet(repository, folder, kind);
     try {
       for (String ground : kind.grounds()) {
@@ -60,19 +52,8 @@ final class FleetDrive implements AutoCloseable {
   }
 
   private void awaitAll(String rover, Outsider outsider) {
-    await("all services of " + rover + " answer the ground")
-        .atMost(UP_WITHIN)
-        .pollInterval(Duration.ofSeconds(1))
-        .until(
-            () -> {
-              boolean all = outsider.answered().size() == Fleet.SERVICES;
-              if (!all) {
-                outsider.ask();
-              }
-              return all;
-            });
-    services.put(rover, new TreeSet<>(outsider.answered()));
-    say(rover + " is up: " + services.get(rover));
+    services.put(rover, outsider.awaitAll(Fleet.SERVICES));
+    findings.say("%s is up: %s", rover, services.get(rover));
   }
 
   Fleet fleet() {
@@ -80,7 +61,7 @@ final class FleetDrive implements AutoCloseable {
   }
 
   List<String> failures() {
-    return failures;
+    return findings.failures();
   }
 
   /** Lets a fault last, mends it, and measures until the ground sees all rovers well again. */
@@ -89,26 +70,27 @@ final class FleetDrive implements AutoCloseable {
     Map<String, Losses> before = losses();
     outsiders.values().forEach(Outsider::measureGap);
     fault.happen();
-    pause(durationS);
+    findings.pause(durationS);
     long mended = clock.micros();
     end.happen();
-    well(name, mended);
+    double afterS =
+        findings.awaitWell(
+            name, mended, () -> outsiders.values().forEach(Outsider::ask), this::wrong);
+    findings.say("%s: well after %.1f s", name, afterS);
     for (String rover : Fleet.ROVERS) {
       if (!fleet.isDriving(rover)) {
-        failures.add(name + ": the drive of " + rover + " ended");
+        findings.fail(name + ": the drive of " + rover + " ended");
       }
-      say(
-          String.format(
-              Locale.ROOT,
-              "%s, %s: %.0f s, longest time without navigation on the ground %.1f s, counted %s",
-              name,
-              rover,
-              durationS,
-              outsiders.get(rover).longestGapS(),
-              outsiders.get(rover).losses().minus(before.get(rover))));
+      findings.say(
+          "%s, %s: %.0f s, longest time without navigation on the ground %.1f s, counted %s",
+          name,
+          rover,
+          durationS,
+          outsiders.get(rover).longestGapS(),
+          outsiders.get(rover).losses().minus(before.get(rover)));
     }
     if (!fleet.allBrokersRun()) {
-      failures.add(name + ": a broker ended");
+      findings.fail(name + ": a broker ended");
     }
   }
 
@@ -116,31 +98,6 @@ final class FleetDrive implements AutoCloseable {
     Map<String, Losses> losses = new TreeMap<>();
     outsiders.forEach((rover, outsider) -> losses.put(rover, outsider.losses()));
     return losses;
-  }
-
-  private void well(String name, long since) {
-    try {
-      await(name)
-          .atMost(NetworkFlight.WELL_WITHIN)
-          .pollDelay(Duration.ZERO)
-          .pollInterval(Duration.ofMillis(500))
-          .until(this::areWell);
-    } catch (ConditionTimeoutException e) {
-      failures.add(name + ": " + wrong().orElse("well only now"));
-    }
-    say(
-        String.format(
-            Locale.ROOT, "%s: well after %.1f s", name, Clock.seconds(clock.micros() - since)));
-  }
-
-  private boolean areWell() throws InterruptedException {
-    outsiders.values().forEach(Outsider::ask);
-    long deadline = clock.micros() + ANSWERED_WITHIN.toNanos() / 1_000;
-    while (wrong().isPresent() && clock.micros() < deadline) {
-      pause(0.1);
-    }
-    pause(0.3); // in which a second answer of the same service would come
-    return wrong().isEmpty();
   }
 
   private Optional<String> wrong() {
@@ -159,9 +116,9 @@ final class FleetDrive implements AutoCloseable {
           .finish()
           .forEach(
               (channel, balance) -> {
-                say(each.getKey() + ", " + channel + ": " + balance);
+                findings.say("%s, %s: %s", each.getKey(), channel, balance);
                 if (!balance.isAccounted()) {
-                  failures.add(each.getKey() + ", " + channel + ": " + balance);
+                  findings.fail(each.getKey() + ", " + channel + ": " + balance);
                 }
               });
     }
@@ -171,36 +128,23 @@ final class FleetDrive implements AutoCloseable {
   void finish() throws IOException {
     for (String rover : Fleet.ROVERS) {
       await(rover + " is there").atMost(OVER_WITHIN).until(() -> !fleet.isDriving(rover));
-      say(rover + ": " + fleet.end(rover) + "; failsafes " + outsiders.get(rover).failsafes());
+      findings.say(
+          "%s: %s; failsafes %s", rover, fleet.end(rover), outsiders.get(rover).failsafes());
       if (!fleet.end(rover).endsWith("given up []")) { // by its own word: truth depends on the load
-        failures.add(rover + " did not complete its mission: see " + folder.resolve(rover));
+        findings.fail(rover + " did not complete its mission: see " + folder.resolve(rover));
       }
       if (outsiders.get(rover).restarts() != 0) {
-        failures.add(rover + ": services were restarted");
+        findings.fail(rover + ": services were restarted");
       }
     }
-    say("links shaped by " + fleet.lan().shaping());
-    failures.forEach(failure -> say("FAILED: " + failure));
-    Files.write(folder.resolve("measured.txt"), measured);
-  }
-
-  private void pause(double seconds) throws InterruptedException {
-    long until = clock.micros() + Clock.micros(seconds);
-    while (clock.micros() < until) {
-      waiter.await(until);
-    }
-  }
-
-  private void say(String line) {
-    measured.add(line);
-    System.out.println(line);
+    findings.say("links shaped by %s", fleet.lan().shaping());
   }
 
   @Override
   public void close() throws IOException {
-    waiter.close();
     numbers.values().forEach(Numbers::close);
     outsiders.values().forEach(Outsider::close);
     fleet.close();
+    findings.close();
   }
 }

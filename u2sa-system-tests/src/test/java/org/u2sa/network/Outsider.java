@@ -1,5 +1,8 @@
 package org.u2sa.network;
 
+import static org.awaitility.Awaitility.await;
+
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -29,6 +32,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** Somebody on the network who asks who is there, and hears how the services are. */
 final class Outsider implements Receiver, AutoCloseable {
+  private static final Duration UP_WITHIN = Duration.ofSeconds(120);
+
   /** Four heartbeats: a service that was silent for longer is not well. */
   private static final long FRESH_MICROS = Clock.micros(1.0);
 
@@ -118,6 +123,22 @@ final class Outsider implements Receiver, AutoCloseable {
     connection.publish(Channels.DISCOVERY, request);
   }
 
+  /** Waits until that many services answer, and returns which; asks anew as long as some do not. */
+  Set<String> awaitAll(int count) {
+    await(count + " services of " + system + " answer")
+        .atMost(UP_WITHIN)
+        .pollInterval(Duration.ofSeconds(1))
+        .until(
+            () -> {
+              boolean all = answered().size() == count;
+              if (!all) {
+                ask();
+              }
+              return all;
+            });
+    return answered();
+  }
+
   /** Who answered the last question. */
   synchronized Set<String> answered() {
     return new TreeSet<>(answers.keySet());
@@ -194,8 +215,10 @@ final class Outsider implements Receiver, AutoCloseable {
     longestGapMicros = 0;
   }
 
+  /** The longest time without one since then; one that lasts counts too. */
   synchronized double longestGapS() {
-    return Clock.seconds(longestGapMicros);
+    long lastsMicros = navigatedMicros > 0 ? clock.micros() - navigatedMicros : 0;
+    return Clock.seconds(Math.max(longestGapMicros, lastsMicros));
   }
 
   /** Restarts that the health monitor has had done, of all services. */

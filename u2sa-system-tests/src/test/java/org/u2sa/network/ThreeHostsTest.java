@@ -64,8 +64,8 @@ class ThreeHostsTest {
 
   private static void slowDown(NetworkFlight flight, String host) throws Exception {
     Lan lan = flight.hosts().lan();
-    String name = host + " 50 ± 20 ms, 5 % loss";
-    flight.suffer(name, () -> lan.shape(host, 50.0, 20.0, 5.0), 20.0, () -> {}, NOBODY);
+    String name = host + " 200 ± 40 ms, 5 % loss";
+    flight.suffer(name, () -> lan.shape(host, 200.0, 40.0, 5.0), 20.0, () -> {}, NOBODY);
     flight.suffer(
         host + " fast again", () -> lan.shape(host, 0.0, 0.0, 0.0), 1.0, () -> {}, NOBODY);
   }

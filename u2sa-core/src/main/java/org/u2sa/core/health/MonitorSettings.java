@@ -37,7 +37,7 @@ final class MonitorSettings {
               unit = "s",
               min = 0,
               max = 3600,
-              ifAbsent = 4,
+              ifAbsent = 6, // an attempt that hangs for 4 s, and a back-off of 2 s
               text =
                   "Time to reconnect before a restart, for a service whose connection broke but whose process is not known to have ended.")
           double reconnectWithin,

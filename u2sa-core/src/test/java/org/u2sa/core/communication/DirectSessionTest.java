@@ -13,6 +13,7 @@ import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.MqttClient;
 
@@ -25,13 +26,14 @@ class DirectSessionTest {
   private static final byte[] CONNACK = {0x20, 2, 0, 0};
 
   private final ServerSocket broker = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+  private final RecordingReceiver inbox = new RecordingReceiver();
   private final CompletableFuture<Connection> opening =
       CompletableFuture.supplyAsync(
           () ->
               TestManager.transport(broker.getLocalPort())
                   .by(MqttClient.DIRECT)
                   .waiting(0.0)
-                  .connect("Early", new RecordingReceiver()));
+                  .connect("Early", inbox));
 
   DirectSessionTest() throws IOException {}
 
@@ -64,6 +66,24 @@ class DirectSessionTest {
 
       Connection connection = opening.get();
       assertThat(read(socket)).isEqualTo(PINGREQ);
+      connection.close();
+    }
+  }
+
+  @Test
+  void publish_brokerHasFallenSilent_findsTheLinkDeadWhileItSends() throws Exception {
+    try (Socket socket = broker.accept()) {
+      socket.getOutputStream().write(CONNACK); // and never a word again
+      Connection connection = opening.get();
+
+      BrokerTraffic.soon()
+          .until(
+              () -> {
+                connection.publish(Channels.ACTUATION, BrokerTraffic.command(1.0));
+                return !inbox.troubles.isEmpty();
+              });
+
+      assertThat(inbox.troubles.get(0)).endsWith("lost: the broker does not answer");
       connection.close();
     }
   }

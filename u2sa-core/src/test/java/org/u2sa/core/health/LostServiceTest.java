@@ -143,6 +143,19 @@ class LostServiceTest extends WatchedWorker {
   }
 
   @Test
+  void connectionLost_linkIsBackAfterAnAttemptThatHung_isNotRestarted() {
+    monitor();
+    live("a", 1.0);
+    say(lost("a"));
+
+    kit.advance(5.5); // it learns of the break 1 s later, and the attempt hangs for 4 s
+    live("a", 1.0);
+
+    assertThat(orders()).isEmpty();
+    assertThat(condition().condition()).isEqualTo(Condition.ALIVE);
+  }
+
+  @Test
   void connectionLost_processHasEnded_isRestartedAtOnce() {
     kit.with("RECONNECT WITHIN", 60.0).with("RESTART DELAY", 0.0);
     monitor();

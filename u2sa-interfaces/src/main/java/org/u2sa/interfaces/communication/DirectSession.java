@@ -308,8 +308,10 @@ final class DirectSession implements MqttSession {
                   : SelectionKey.OP_READ | SelectionKey.OP_WRITE);
         }
         closed.select(connected.isDone() ? link.waitMs(sentMicros) : link.waitMs());
+        // A key that was not selected this time still says what it was ready for the last time.
+        boolean readable = closed.selectedKeys().contains(key) && key.isReadable();
         closed.selectedKeys().clear();
-        if (key.isReadable()) {
+        if (readable) {
           packets.read(closedToo); // once: in a flood, what is read is to be acknowledged, too
           acknowledgements.renew();
           link.heard();
