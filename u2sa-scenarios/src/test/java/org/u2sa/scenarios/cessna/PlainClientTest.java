@@ -16,6 +16,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.testkit.NeedsProgram;
 
 /**
@@ -43,8 +45,9 @@ class PlainClientTest {
     }
   }
 
-  @Test
-  void cessna_throughTheEmbeddedBroker_isWhatThePageSays()
+  @ParameterizedTest
+  @ValueSource(strings = {"names", "labels"})
+  void cessna_throughTheEmbeddedBroker_isWhatThePageSays(String keys)
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();
     int port = ForeignProgram.freePort();
@@ -54,6 +57,8 @@ class PlainClientTest {
             "demo",
             "cessna",
             "--realtime",
+            "--set",
+            "CommunicationManager:FIELD KEYS=" + keys,
             "--port",
             String.valueOf(port),
             "--out",
