@@ -116,12 +116,13 @@ public final class ArcChooser {
   }
 
   private ArcChoice turn(double north, double east, boolean backwards, RouteTrack track) {
+    boolean comesTraffic = forecast.standing().meetsS() < limits.horizonS();
     if (spareM() < 0.0) {
-      return Math.abs(speedMps) > CREEPS_MPS
+      return Math.abs(speedMps) > CREEPS_MPS && !comesTraffic
           ? stand(ArcChoice.Kind.EVADE)
           : backOut(2.0 * body.circleM());
     }
-    if (forecast.standing().meetsS() < limits.horizonS()) {
+    if (comesTraffic) {
       return evade(track);
     }
     return turnsAtOnce()

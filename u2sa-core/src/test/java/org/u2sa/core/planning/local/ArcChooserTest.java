@@ -119,6 +119,20 @@ class ArcChooserTest {
     assertThat(still.northM()).isNegative();
   }
 
+  /** Without room to turn towards its route it would stand before what comes from behind. */
+  @Test
+  void along_noRoomToTurnAndTrafficComes_leavesRatherThanStands() {
+    wall(-1.0, 8.0, 0.35, 0.5);
+    RouteTrack rear = track(-10.0, 0.0, false);
+    Mover behind = mover(-1.6, -0.4, 0.4, 0.0);
+
+    assertThat(arcs(rover(), 0.2).along(rear).speedMps()).isZero();
+    ArcChoice choice = arcs(rover(), 0.2, behind).along(rear);
+
+    assertThat(choice.speedMps()).isGreaterThan(0.4);
+    assertThat(choice.northM()).isPositive();
+  }
+
   @Test
   void along_turnWithRoomAtSpeed_turnsAtOnce() {
     wall(-1.0, 3.0, 0.8, 0.9);
