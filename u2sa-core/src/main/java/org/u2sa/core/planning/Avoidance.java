@@ -80,6 +80,7 @@ final class Avoidance {
   private long overlooksUntil = Long.MIN_VALUE;
   private long lookedMicros = Long.MIN_VALUE; // when it turned to look for a way
   private double lookHeadingRad;
+  private boolean makesRoom; // to turn on the spot
   private boolean begun;
   private SeenWorld.Reading reading; // by these settings
   private AvoidanceSettings readBy;
@@ -236,6 +237,7 @@ final class Avoidance {
         track.map(t -> t.follow(at.x(), at.y(), reachedM(limits), limits.lookAheadM())).orElse(0.0);
     maintain(pose, wanted, limits, now, micros, off);
     ArcChoice choice = choose(pose, vehicle, limits, now, micros);
+    makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
     Optional<String> givenUp = progress(choice, limits, now, micros);
     announce(choice, givenUp, wanted, at);
     return new Step(
@@ -390,7 +392,8 @@ final class Avoidance {
         vehicle.northMps() * Math.cos(pose.headingRad())
             + vehicle.eastMps() * Math.sin(pose.headingRad());
     ArcChooser arcs =
-        new ArcChooser(world.costs(), now.body(), world.movers(), limits, pose, along, micros);
+        new ArcChooser(
+            world.costs(), now.body(), world.movers(), limits, pose, along, micros, makesRoom);
     if (micros < recoversUntil) {
       return arcs.backOut(1.5 * now.body().circleM());
     }

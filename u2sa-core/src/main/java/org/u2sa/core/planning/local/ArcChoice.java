@@ -17,6 +17,8 @@ public record ArcChoice(
     FOLLOW,
     /** Off the route, past something. */
     EVADE,
+    /** Out of a corner that is too narrow to turn in; it goes on until it is not. */
+    MAKE_ROOM,
     /** It stands until traffic has passed, or until there is a way. */
     WAIT,
     /** No motion avoids a collision: it brakes, or turns to where it comes latest. */

@@ -29,10 +29,12 @@ public final class ArcChooser {
   private final double speedMps;
   private final MotionForecast forecast;
   private final Evasion evasion;
+  private final boolean makesRoom;
 
   /**
    * @param speedMps of the vehicle along its heading [m/s]; negative backwards
    * @param nowMicros when it is there [µs]
+   * @param makesRoom whether the choice before was {@link ArcChoice.Kind#MAKE_ROOM}
    */
   public ArcChooser(
       CostGrid costs,
@@ -41,7 +43,9 @@ public final class ArcChooser {
       MotionLimits limits,
       Pose pose,
       double speedMps,
-      long nowMicros) {
+      long nowMicros,
+      boolean makesRoom) {
+    this.makesRoom = makesRoom;
     this.costs = costs;
     this.body = body;
     this.limits = limits;
@@ -116,18 +120,25 @@ public final class ArcChooser {
   }
 
   private ArcChoice turn(double north, double east, boolean backwards, RouteTrack track) {
-    boolean comesTraffic = forecast.standing().meetsS() < limits.horizonS();
     if (spareM() < 0.0) {
-      return Math.abs(speedMps) > CREEPS_MPS && !comesTraffic
-          ? stand(ArcChoice.Kind.EVADE)
-          : backOut(2.0 * body.circleM());
+      return makeRoom(ArcChoice.Kind.EVADE);
     }
-    if (comesTraffic) {
+    if (forecast.standing().meetsS() < limits.horizonS()) {
       return evade(track);
     }
     return turnsAtOnce()
         ? new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.FOLLOW)
         : stand(ArcChoice.Kind.EVADE);
+  }
+
+  /** Out of where there is no room to turn; it stands first if it rolls and nothing comes. */
+  private ArcChoice makeRoom(ArcChoice.Kind standing) {
+    boolean mayStand = forecast.standing().meetsS() >= limits.horizonS();
+    if (Math.abs(speedMps) > CREEPS_MPS && mayStand && !makesRoom) {
+      return stand(standing);
+    }
+    ArcChoice out = backOut(2.0 * body.circleM());
+    return out.kind() == ArcChoice.Kind.EVADE ? out.as(ArcChoice.Kind.MAKE_ROOM) : out;
   }
 
   /**
@@ -184,9 +195,7 @@ public final class ArcChooser {
       return withoutRoute();
     }
     if (spareM() < 0.0) {
-      return Math.abs(speedMps) > CREEPS_MPS
-          ? stand(ArcChoice.Kind.WAIT)
-          : backOut(2.0 * body.circleM());
+      return makeRoom(ArcChoice.Kind.WAIT);
     }
     double off = Math.abs(Pose.wrapped(headingRad - pose.headingRad()));
     return off < LOOKS_RAD || !turnsAtOnce()

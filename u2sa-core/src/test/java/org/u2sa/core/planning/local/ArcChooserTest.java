@@ -55,7 +55,7 @@ class ArcChooserTest {
   }
 
   private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
-    return new ArcChooser(costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L);
+    return new ArcChooser(costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false);
   }
 
   private static RouteTrack north() {
@@ -119,18 +119,28 @@ class ArcChooserTest {
     assertThat(still.northM()).isNegative();
   }
 
-  /** Without room to turn towards its route it would stand before what comes from behind. */
+  /** It would otherwise stand as soon as it rolls, and set off again as soon as it stands. */
   @Test
-  void along_noRoomToTurnAndTrafficComes_leavesRatherThanStands() {
+  void along_noRoomToTurn_standsAndThenGoesOnUntilThereIs() {
     wall(-1.0, 8.0, 0.35, 0.5);
     RouteTrack rear = track(-10.0, 0.0, false);
     Mover behind = mover(-1.6, -0.4, 0.4, 0.0);
 
-    assertThat(arcs(rover(), 0.2).along(rear).speedMps()).isZero();
-    ArcChoice choice = arcs(rover(), 0.2, behind).along(rear);
+    assertThat(arcs(rover(), 0.3).along(rear).speedMps()).isZero();
+    ArcChoice first = arcs(rover(), 0.1).along(rear);
+    ArcChoice goesOn = makingRoom(-0.3).along(rear);
+    ArcChoice leaves = arcs(rover(), 0.3, behind).along(rear);
 
-    assertThat(choice.speedMps()).isGreaterThan(0.4);
-    assertThat(choice.northM()).isPositive();
+    assertThat(first.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(first.backwards()).isTrue();
+    assertThat(goesOn.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(goesOn.speedMps()).isPositive();
+    assertThat(leaves.speedMps()).isPositive();
+    assertThat(leaves.northM()).isPositive();
+  }
+
+  private ArcChooser makingRoom(double speedMps) {
+    return new ArcChooser(costs, BODY, List.of(), rover(), ORIGIN, speedMps, 0L, true);
   }
 
   @Test
