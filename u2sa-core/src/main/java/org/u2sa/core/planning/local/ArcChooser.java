@@ -131,10 +131,9 @@ public final class ArcChooser {
         : stand(ArcChoice.Kind.EVADE);
   }
 
-  /** Out of where there is no room to turn; it stands first if it rolls and nothing comes. */
+  /** Out of where there is no room to turn; on the way to there it stands first. */
   private ArcChoice makeRoom(ArcChoice.Kind standing) {
-    boolean mayStand = forecast.standing().meetsS() >= limits.horizonS();
-    if (Math.abs(speedMps) > CREEPS_MPS && mayStand && !makesRoom) {
+    if (Math.abs(speedMps) > CREEPS_MPS && !makesRoom) {
       return stand(standing);
     }
     ArcChoice out = backOut(2.0 * body.circleM());

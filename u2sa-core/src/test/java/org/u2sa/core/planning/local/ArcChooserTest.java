@@ -129,7 +129,7 @@ class ArcChooserTest {
     assertThat(arcs(rover(), 0.3).along(rear).speedMps()).isZero();
     ArcChoice first = arcs(rover(), 0.1).along(rear);
     ArcChoice goesOn = makingRoom(-0.3).along(rear);
-    ArcChoice leaves = arcs(rover(), 0.3, behind).along(rear);
+    ArcChoice leaves = makingRoom(0.3, behind).along(rear);
 
     assertThat(first.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
     assertThat(first.backwards()).isTrue();
@@ -139,8 +139,8 @@ class ArcChooserTest {
     assertThat(leaves.northM()).isPositive();
   }
 
-  private ArcChooser makingRoom(double speedMps) {
-    return new ArcChooser(costs, BODY, List.of(), rover(), ORIGIN, speedMps, 0L, true);
+  private ArcChooser makingRoom(double speedMps, Mover... movers) {
+    return new ArcChooser(costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true);
   }
 
   @Test
