@@ -21,10 +21,19 @@ final class CborInput {
   private static final int HALF_LARGEST_EXPONENT = 0x1F;
 
   private final byte[] bytes;
+  private final RecentTexts recent;
   private int at;
 
   CborInput(byte[] bytes) {
+    this(bytes, new RecentTexts());
+  }
+
+  /**
+   * @param recent texts that may come again
+   */
+  CborInput(byte[] bytes, RecentTexts recent) {
     this.bytes = bytes;
+    this.recent = recent;
   }
 
   /** Bytes read so far. */
@@ -66,34 +75,37 @@ final class CborInput {
     return at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.UNSIGNED;
   }
 
-  /** Eight bytes so far ahead, big-endian; zeros after the end. They stay there. */
-  long word(int ahead) {
-    int start = at + ahead;
-    if (bytes.length - start >= Long.BYTES) {
-      return view().getLong(start);
-    }
+  /** The next eight bytes, big-endian; zeros after the end. They stay there. */
+  long word() {
+    return bytes.length - at >= Long.BYTES ? view().getLong(at) : lastWord();
+  }
+
+  private long lastWord() {
     long word = 0L;
     for (int i = 0; i < Long.BYTES; i++) {
-      word = word << Byte.SIZE | (start + i < bytes.length ? bytes[start + i] & 0xFF : 0);
+      word = word << Byte.SIZE | (at + i < bytes.length ? bytes[at + i] & 0xFF : 0);
     }
     return word;
   }
 
-  /** Whether the next bytes are these; then they are read. */
-  boolean take(byte[] encoded) {
-    boolean isNext = isNext(encoded, 0);
+  /** Whether that key is next; then it is read. */
+  boolean take(FieldKey key) {
+    boolean isNext = isNext(key);
     if (isNext) {
-      at += encoded.length;
+      at += key.length();
     }
     return isNext;
   }
 
-  /** Whether the next bytes are these, of which the first ones are known to be. They stay there. */
-  boolean isNext(byte[] encoded, int known) {
-    if (bytes.length - at < encoded.length) {
-      return false;
-    }
-    for (int i = known; i < encoded.length; i++) {
+  /** Whether that key is next, written as short as can be; it stays there. */
+  boolean isNext(FieldKey key) {
+    return key.length() <= bytes.length - at
+        && key.opens(word())
+        && (key.length() <= Long.BYTES || isRestNext(key.bytes()));
+  }
+
+  private boolean isRestNext(byte[] encoded) {
+    for (int i = Long.BYTES; i < encoded.length; i++) {
       if (bytes[at + i] != encoded[i]) {
         return false;
       }
@@ -169,6 +181,15 @@ final class CborInput {
   }
 
   long count() {
+    int left = bytes.length - at;
+    if (left > Long.BYTES && bytes[at] == Cbor.EIGHT_BYTES && bytes[at + 1] >= 0) {
+      at += 1 + Long.BYTES; // as timestamps are: microseconds since 1970
+      return view().getLong(at - Long.BYTES);
+    }
+    return anyCount();
+  }
+
+  private long anyCount() {
     int major = next() & Cbor.MAJOR;
     if (major > Cbor.NEGATIVE) {
       throw unexpected("an integer of 64 bits");
@@ -197,19 +218,14 @@ final class CborInput {
   /** A text as most are: short, of ASCII, its length in its first byte. Else null: not read. */
   private String shortText() {
     int length = at < bytes.length ? (bytes[at] & 0xFF) - Cbor.TEXT : -1;
-    if (length < 0 || length >= Cbor.ONE_BYTE || length >= bytes.length - at) {
+    if (length < 0 || length > RecentTexts.LONGEST || length >= bytes.length - at) {
       return null;
     }
-    int start = at + 1;
-    int signs = 0;
-    for (int i = start; i < start + length; i++) {
-      signs |= bytes[i];
+    String text = recent.text(bytes, at + 1, length);
+    if (text != null) {
+      at += 1 + length;
     }
-    if (signs < 0) {
-      return null;
-    }
-    at = start + length;
-    return new String(bytes, start, length, StandardCharsets.ISO_8859_1); // the same in ASCII
+    return text;
   }
 
   private String anyText() {

@@ -34,11 +34,8 @@ final class CborOutput {
     return form;
   }
 
-  /** How many bytes open an item with that argument, which is unsigned. */
-  static int headBytes(long argument) {
-    if (argument >= 0 && argument < Cbor.ONE_BYTE) {
-      return 1;
-    }
+  /** How many bytes open an item with that argument, which is unsigned and no part of the first. */
+  private static int headBytes(long argument) {
     if (argument >>> Byte.SIZE == 0L) {
       return 1 + Byte.BYTES;
     }
@@ -48,14 +45,9 @@ final class CborOutput {
     return argument >>> Integer.SIZE == 0L ? 1 + Integer.BYTES : LONGEST_HEAD;
   }
 
-  /** How many bytes a whole number takes. */
-  static int countBytes(long value) {
-    return headBytes(value < 0 ? ~value : value);
-  }
-
-  /** How many bytes a text takes if it is of ASCII; more if it is not. */
-  static int textBytes(String value) {
-    return headBytes(value.length()) + value.length();
+  /** Bytes written so far. */
+  int length() {
+    return length;
   }
 
   /** All that was written; the last call. */
@@ -70,12 +62,14 @@ final class CborOutput {
     length += LONGEST_HEAD;
   }
 
-  /** Keys and values of the numbers of those slots, a bit each. */
-  void numbers(NumberKeys keys, FieldStorage storage, long slots) {
-    if (slots != 0L) {
-      reserve(keys.bytes(slots));
-      length = keys.put(bytes, length, storage, slots);
-    }
+  /**
+   * Keys and values of those numbers.
+   *
+   * @param numbers the values, of which those of the pattern begin at {@code first}
+   */
+  void numbers(NumberPattern pattern, double[] numbers, int first) {
+    reserve(pattern.length());
+    length = pattern.put(bytes, length, numbers, first);
   }
 
   /** An array of numbers. */
@@ -113,16 +107,19 @@ final class CborOutput {
   }
 
   void text(String value) {
-    if (value.length() >= Cbor.ONE_BYTE || !shortAscii(value)) {
+    if (!shortAscii(value)) {
       byte[] utf8 = value.getBytes(StandardCharsets.UTF_8);
       head(Cbor.TEXT, utf8.length);
       item(utf8);
     }
   }
 
-  /** Writes a text as most are: its length fits into its first byte. False: not of ASCII. */
+  /** Writes a text as most are: of ASCII, its length in its first byte. False: it is not. */
   private boolean shortAscii(String value) {
     int chars = value.length();
+    if (chars >= Cbor.ONE_BYTE) {
+      return false;
+    }
     reserve(1 + chars);
     byte[] into = bytes;
     int at = length;
@@ -173,6 +170,15 @@ final class CborOutput {
   }
 
   private void head(int major, long argument) {
+    if (argument >= 0 && argument < Cbor.ONE_BYTE) {
+      reserve(1);
+      bytes[length++] = (byte) (major | (int) argument);
+    } else {
+      longHead(major, argument);
+    }
+  }
+
+  private void longHead(int major, long argument) {
     int size = headBytes(argument);
     reserve(size);
     byte[] into = bytes;
@@ -180,7 +186,6 @@ final class CborOutput {
     length = at + size;
     ByteBuffer view = ByteBuffer.wrap(into);
     switch (size) {
-      case 1 -> into[at] = (byte) (major | (int) argument);
       case 1 + Byte.BYTES -> {
         into[at] = (byte) (major | Cbor.ONE_BYTE);
         into[at + 1] = (byte) argument;

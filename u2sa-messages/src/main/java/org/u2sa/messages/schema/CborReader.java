@@ -12,9 +12,13 @@ import org.u2sa.messages.frame.Point;
  * MalformedMessageException}.
  */
 final class CborReader {
-  private static final byte[] TYPE_NAME = KeyForm.NAMES.key(Schema.TYPE_KEY).bytes();
-  private static final byte[] TYPE_LABEL = KeyForm.LABELS.key(Schema.TYPE_KEY).bytes();
+  private static final FieldKey TYPE_NAME = KeyForm.NAMES.key(Schema.TYPE_KEY);
+  private static final FieldKey TYPE_LABEL = KeyForm.LABELS.key(Schema.TYPE_KEY);
+  private static final FieldKey ORIGIN_NAME = KeyForm.NAMES.key(Origin.KEY);
+  private static final FieldKey ORIGIN_LABEL = KeyForm.LABELS.key(Origin.KEY);
   private static final int COORDINATES = 3;
+  private static final int BETWEEN = -1; // fields
+  private static final int OTHER = -2; // than fields with an index
   private static final int SOME = 16; // elements, to begin with, of a list that does not say
 
   /** Reads the next element of a list. */
@@ -24,28 +28,32 @@ final class CborReader {
 
   private final MessageTypes types;
   private final CborInput in;
-  private String path; // type and fields around what is being read, for errors
-  private String key; // the field being read; null between fields
+  private final List<String> chain; // of the whole message
+  private String path; // type and fields around what is being read; null: the whole message's type
+  private FieldTable<?> table; // of the message being read
+  private int index =
+      BETWEEN; // of the field being read: no reference, which garbage collectors watch
+  private String other; // the key being read that has no index
   private int depth; // arrays and maps around what is being read
   private Origin origin; // as the outermost map says; else null
 
-  private CborReader(MessageTypes types, byte[] bytes, String path) {
+  private CborReader(MessageTypes types, List<String> chain, CborInput in) {
     this.types = types;
-    in = new CborInput(bytes);
-    this.path = path;
+    this.chain = chain;
+    this.in = in;
   }
 
-  static U2SAData message(MessageTypes types, List<String> chain, byte[] bytes)
+  static U2SAData message(MessageTypes types, List<String> chain, CborInput in)
       throws MalformedMessageException {
-    MessageType<?> nearest = types.nearest(chain);
-    return new CborReader(types, bytes, chain.get(chain.size() - 1)).whole(nearest, chain);
+    return new CborReader(types, chain, in).whole(types.nearest(chain));
   }
 
-  private U2SAData whole(MessageType<?> nearest, List<String> chain)
-      throws MalformedMessageException {
+  private U2SAData whole(MessageType<?> nearest) throws MalformedMessageException {
     try {
       U2SAData message = message(nearest, chain, in.map(), 0);
-      message.cameFrom(origin);
+      if (origin != null) {
+        message.cameFrom(origin);
+      }
       if (!in.isAtEnd()) {
         throw malformed("expected the end of the message, not more bytes");
       }
@@ -56,32 +64,44 @@ final class CborReader {
   }
 
   /** The rest of the map that was opened, as a message of the given type. */
-  private U2SAData message(MessageType<?> type, List<String> chain, long pairs, long read)
+  private <M extends U2SAData> M message(
+      MessageType<M> type, List<String> itsChain, long pairs, long read)
       throws MalformedMessageException {
-    U2SAData message = type.newCarrier();
-    boolean isKnown = type.chain().equals(chain);
-    Map<String, Object> unknown = isKnown ? null : new LinkedHashMap<>();
-    String outerPath = path;
-    String outerKey = key;
-    path = where();
-    key = null;
+    M message = type.newCarrier();
+    FieldTable<M> fields = type.table(in.isLabelNext() ? KeyForm.LABELS : KeyForm.NAMES);
+    table = fields;
     deeper();
-    new FieldsReader(this, in, message, unknown, pairs, read).readAll();
-    if (unknown != null) {
-      message.keepUnknown(
-          new U2SAData.UnknownPart(List.copyOf(chain), Collections.unmodifiableMap(unknown)));
+    boolean isKnown = type.chain() == itsChain || type.chain().equals(itsChain);
+    Map<String, Object> unknown = isKnown ? null : new LinkedHashMap<>();
+    long done = fields.readInOrder(this, in, message, pairs, read);
+    if (done == pairs - 1 && depth == 1 && (in.take(ORIGIN_NAME) || in.take(ORIGIN_LABEL))) {
+      reading(Origin.KEY);
+      origin = origin();
+    } else if (done != pairs) {
+      new FieldsReader<>(this, in, message, type, fields, unknown).readRest(pairs, done);
     }
-    key = null;
-    requireComplete(message);
+    if (!isKnown) {
+      message.keepUnknown(
+          new U2SAData.UnknownPart(List.copyOf(itsChain), Collections.unmodifiableMap(unknown)));
+    }
+    index = BETWEEN;
+    MessageField<M> missing = fields.missing(message);
+    if (missing != null) {
+      throw malformed(missing.path() + " is required and missing");
+    }
     depth--;
-    path = outerPath;
-    key = outerKey;
     return message;
   }
 
-  /** Says which field is being read, for errors. */
-  void reading(String name) {
-    key = name;
+  /** Says which field of the message's table is being read, for errors. */
+  void reading(int field) {
+    index = field;
+  }
+
+  /** Says the key of what is being read, for errors. */
+  void reading(String key) {
+    other = key;
+    index = OTHER;
   }
 
   /** The value after a key that is no field's. */
@@ -109,13 +129,6 @@ final class CborReader {
     return new Origin(sender, sequence);
   }
 
-  private void requireComplete(U2SAData message) throws MalformedMessageException {
-    MessageField<U2SAData> missing = message.ownType().table().missing(message);
-    if (missing != null) {
-      throw malformed(missing.path() + " is required and missing");
-    }
-  }
-
   /** The next element of a list: a map that opens with its type chain. */
   <M extends U2SAData> M nested(MessageType<M> expected) throws MalformedMessageException {
     long pairs = in.map();
@@ -125,12 +138,21 @@ final class CborReader {
     if (!opensWithType) {
       throw malformed("expected \"type\" as the first key of a message in a list");
     }
-    List<String> chain = list(in::text);
-    MessageType<?> type = types.nearest(chain, in.offset());
+    List<String> itsChain = list(in::text);
+    MessageType<?> type = types.nearest(itsChain, in.offset());
     if (!expected.messageClass().isAssignableFrom(type.messageClass())) {
-      throw malformed("expected a kind of " + expected.name() + ", not " + chain);
+      throw malformed("expected a kind of " + expected.name() + ", not " + itsChain);
     }
-    return expected.messageClass().cast(message(type, chain, pairs, 1));
+    String outerPath = path;
+    FieldTable<?> outerTable = table;
+    int outerIndex = index;
+    path = where();
+    index = BETWEEN;
+    M message = expected.messageClass().cast(message(type, itsChain, pairs, 1));
+    path = outerPath;
+    table = outerTable;
+    index = outerIndex;
+    return message;
   }
 
   /** The name of the pair that comes next, by whichever form of key. */
@@ -257,6 +279,11 @@ final class CborReader {
 
   /** "GoalList.goals.uid". */
   private String where() {
-    return key == null ? path : path + "." + key;
+    String around = path == null ? chain.get(chain.size() - 1) : path;
+    return switch (index) {
+      case BETWEEN -> around;
+      case OTHER -> around + "." + other;
+      default -> around + "." + table.at(index).name();
+    };
   }
 }

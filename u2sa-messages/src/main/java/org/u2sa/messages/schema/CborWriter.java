@@ -8,7 +8,6 @@ import org.u2sa.messages.frame.Point;
 /** Writes one message as CBOR: fields in the schema's order. */
 final class CborWriter {
   private static final int COORDINATES = 3;
-  private static final int ORIGIN_BYTES = 48; // with a sender of 32 characters
 
   private static final FieldKey[] TYPE_KEYS = keys(Schema.TYPE_KEY); // by form
   private static final FieldKey[] ORIGIN_KEYS = keys(Origin.KEY);
@@ -23,15 +22,10 @@ final class CborWriter {
   static byte[] bytes(U2SAData message, Origin origin, KeyForm form) {
     message.requireComplete();
     FieldTable<U2SAData> table = message.ownType().table(form);
-    FieldTable.Written written = table.written(message);
-    CborOutput out =
-        new CborOutput(
-            form,
-            CborOutput.headBytes(written.fields())
-                + written.bytes()
-                + (origin == null ? 0 : ORIGIN_BYTES));
-    message(out, message, table, written.fields(), origin, false);
+    CborOutput out = new CborOutput(form, table.typicalBytes());
+    message(out, message, table, origin, false);
     byte[] bytes = out.toBytes();
+    table.typicalBytes(bytes.length);
     if (bytes.length > Limits.PAYLOAD_BYTES) {
       throw new IllegalStateException(
           String.format(
@@ -45,12 +39,11 @@ final class CborWriter {
       CborOutput out,
       U2SAData message,
       FieldTable<U2SAData> table,
-      int fields,
       Origin origin,
       boolean withType) {
     KeyForm form = out.form();
     Map<String, Object> unknown = message.unknownFields();
-    out.map(fields + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
+    out.map(table.count(message) + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
     if (withType) {
       out.key(TYPE_KEYS[form.ordinal()]);
       List<String> chain = message.typeChain();
@@ -74,8 +67,7 @@ final class CborWriter {
   }
 
   static void nested(CborOutput out, U2SAData message) {
-    FieldTable<U2SAData> table = message.ownType().table(out.form());
-    message(out, message, table, table.written(message).fields(), null, true);
+    message(out, message, message.ownType().table(out.form()), null, true);
   }
 
   static void point(CborOutput out, Point value) {

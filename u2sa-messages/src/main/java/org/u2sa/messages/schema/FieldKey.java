@@ -10,6 +10,7 @@ final class FieldKey {
   private final long[] words; // the bytes, big-endian; the last word is filled up with zeros
   private final long first; // of them: most names are that short
   private final long second; // 0 if there is none
+  private final long firstMask; // which bits of the first word are the key's
 
   private FieldKey(CborOutput encoded) {
     bytes = encoded.toBytes();
@@ -17,6 +18,7 @@ final class FieldKey {
     words = words(bytes, (length + Long.BYTES - 1) / Long.BYTES);
     first = words[0];
     second = words.length > 1 ? words[1] : 0L;
+    firstMask = mask(length);
   }
 
   static FieldKey ofName(String name) {
@@ -50,6 +52,11 @@ final class FieldKey {
   /** The key as a CBOR data item; nobody changes it. */
   byte[] bytes() {
     return bytes;
+  }
+
+  /** Whether a key begins that opens with those eight bytes, big-endian. */
+  boolean opens(long word) {
+    return (word & firstMask) == first;
   }
 
   int length() {

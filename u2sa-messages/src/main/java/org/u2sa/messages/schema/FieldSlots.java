@@ -22,7 +22,7 @@ final class FieldSlots {
   }
 
   int value() {
-    return values++;
+    return within(values++);
   }
 
   int bit() {
@@ -32,7 +32,8 @@ final class FieldSlots {
   private static int within(int taken) {
     if (taken >= MAX) {
       throw new IllegalArgumentException(
-          "a message has at most " + MAX + " numbers and " + MAX + " fields with a presence bit");
+          String.format(
+              "a message has at most %1$s numbers, %1$s other values and %1$s presence bits", MAX));
     }
     return taken;
   }

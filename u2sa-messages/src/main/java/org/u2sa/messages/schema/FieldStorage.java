@@ -19,6 +19,7 @@ final class FieldStorage {
   private double[] numbers = NO_NUMBERS;
   private Object[] values;
   private long present; // bit n: the number of slot n is set
+  private long valuesPresent; // likewise: the value
   private long timestampMicros;
   private boolean timed; // the timestamp is set
   private boolean frozen;
@@ -27,9 +28,14 @@ final class FieldStorage {
     values = new Object[sizes.values()];
   }
 
-  /** Which numbers are set or among those that are always written, a bit each, by slot. */
-  long numbersWritten(long always) {
-    return present | always;
+  /** Which numbers are set, a bit each, by slot. */
+  long numbersSet() {
+    return present;
+  }
+
+  /** Which values are set, a bit each, by slot; the timestamp is none of them. */
+  long valuesSet() {
+    return valuesPresent;
   }
 
   /** The numbers that are set, in the order of their slots; nobody changes them. */
@@ -55,7 +61,7 @@ final class FieldStorage {
   }
 
   /** Where the number of a slot stands or would stand: after all those of lower slots. */
-  private int indexOf(int slot) {
+  int indexOf(int slot) {
     return Long.bitCount(present & (1L << slot) - 1);
   }
 
@@ -83,22 +89,25 @@ final class FieldStorage {
   }
 
   /**
-   * Keeps a number, as readers come by them: one after the other.
+   * Keeps numbers as readers come by them, one after the other.
    *
-   * @param atMost how many may come, this one included
-   * @return false if that number or one of a higher slot is set, or the message is frozen: then
-   *     nothing is kept
+   * @param slots of the numbers, a bit each
+   * @param more the numbers in the order of their slots; nobody else changes them any more
+   * @return false if a number of the first of these slots or of a higher one is set, or the message
+   *     is frozen: then nothing is kept
    */
-  boolean append(int slot, double value, int atMost) {
-    if (present >>> slot != 0L || frozen) {
+  boolean append(long slots, double[] more) {
+    if (present >>> Long.numberOfTrailingZeros(slots) != 0L || frozen) {
       return false;
     }
     int count = Long.bitCount(present);
-    if (count == numbers.length) {
-      numbers = Arrays.copyOf(numbers, count + atMost);
+    if (count == 0) {
+      numbers = more;
+    } else {
+      numbers = Arrays.copyOf(numbers, count + more.length);
+      System.arraycopy(more, 0, numbers, count, more.length);
     }
-    numbers[count] = value;
-    present |= 1L << slot;
+    present |= slots;
     return true;
   }
 
@@ -116,6 +125,7 @@ final class FieldStorage {
   <V> void put(ValueField<?, V> field, V value) {
     requireThawed(field);
     values[field.slot] = value;
+    valuesPresent |= 1L << field.slot;
   }
 
   void timestamp(TimestampField field, long micros) {
@@ -133,6 +143,7 @@ final class FieldStorage {
     present = other.present;
     numbers = Arrays.copyOf(other.numbers, Long.bitCount(present));
     values = other.values.clone();
+    valuesPresent = other.valuesPresent;
     timestampMicros = other.timestampMicros;
     timed = other.timed;
     for (int slot : messageLists) {

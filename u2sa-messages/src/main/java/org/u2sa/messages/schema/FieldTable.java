@@ -5,81 +5,83 @@ import java.util.List;
 
 /**
  * The fields of a type in the order of the wire with their keys of one form, laid out so that
- * writers and readers pass over them without asking each for what never changes. Immutable.
+ * writers and readers pass over them without asking each for what never changes. Safe for all
+ * threads.
  *
  * @param <T> the message class
  */
 final class FieldTable<T extends U2SAData> {
-  private static final int WORD = Long.BYTES;
+  private static final int LEAST_BYTES = 32;
+  private static final int MOST_BYTES =
+      4096; // a single large message must not make all others dear
 
   private final MessageField<T>[] fields;
   private final FieldKey[] keys; // of them
-  private final List<MessageField<T>> required = new ArrayList<>();
-  private final long[] words; // by index: the first eight bytes of the key, …
-  private final long[] masks; // … which bits of them count; at the end one that any word matches
-  private final long[] secondWords; // likewise: the next eight, if there are
-  private final long[] secondMasks;
-  private final NumberKeys numberKeys;
-  private final int[] numberIndexes; // by slot: which of the fields it is
-  private final long alwaysWritten; // numbers that have a default: bit n is that of slot n
+  private final NumberRun[] runs; // by index: that of a number; null for other kinds
+  private final long defaultedNumbers; // bit n: the number of slot n has a default
   private final long requiredNumbers; // likewise
   private final ValueField<T, ?>[] values; // of the fields
   private final FieldKey[] valueKeys; // of them
-  private final long[] numbersBefore; // by index in values: numbers since the value before
-  private final long numbersBehind; // those after the last value
-  private final ValueField<T, ?>[] requiredValues;
+  private final int[] valueIndexes; // which of the fields they are
+  private final NumberRun[] runsBefore; // by index in values, and behind the last; null: none
+  private final long defaultedValues; // bit n: the value of slot n has a default
+  private final long requiredValues; // likewise
+  private int typicalBytes = LEAST_BYTES; // of the last message written: a guess, so no lock
 
-  FieldTable(List<MessageField<T>> all, int numbers, KeyForm form) {
+  FieldTable(List<MessageField<T>> all, KeyForm form) {
     fields = fieldArray(all);
     keys = all.stream().map(field -> form.key(field.name())).toArray(FieldKey[]::new);
-    words = new long[fields.length + 1];
-    masks = new long[fields.length + 1];
-    secondWords = new long[fields.length];
-    secondMasks = new long[fields.length];
-    numberIndexes = new int[numbers];
-    NumberField<?>[] bySlot = new NumberField<?>[numbers];
-    FieldKey[] keyBySlot = new FieldKey[numbers];
+    runs = new NumberRun[fields.length];
     List<ValueField<T, ?>> valueList = new ArrayList<>();
     List<FieldKey> valueKeyList = new ArrayList<>();
-    long[] before = new long[fields.length];
-    long since = 0L;
-    long defaulted = 0L;
+    int[] indexes = new int[fields.length];
+    List<NumberRun> before = new ArrayList<>();
     long needed = 0L;
+    long neededValues = 0L;
+    long defaulted = 0L;
+    long defaultedValue = 0L;
+    int runStart = 0;
     for (int index = 0; index < fields.length; index++) {
       MessageField<T> field = fields[index];
-      FieldKey key = keys[index];
-      long[] bytes = FieldKey.words(key.bytes(), Math.max(2, key.room() / WORD));
-      words[index] = bytes[0];
-      masks[index] = FieldKey.mask(key.length());
-      secondWords[index] = bytes[1];
-      secondMasks[index] = FieldKey.mask(key.length() - WORD);
-      if (field.isRequired()) {
-        required.add(field);
-      }
+      long bit = 1L << field.slot;
       if (field instanceof NumberField<T> number) {
-        long bit = 1L << number.slot;
-        bySlot[number.slot] = number;
-        keyBySlot[number.slot] = key;
-        numberIndexes[number.slot] = index;
-        since |= bit;
         defaulted |= Double.isNaN(number.ifUnset) ? 0L : bit;
         needed |= number.isRequired() ? bit : 0L;
       } else if (field instanceof ValueField<T, ?> value) {
-        before[valueList.size()] = since;
-        since = 0L;
-        valueKeyList.add(key);
+        before.add(run(runStart, index));
+        runStart = index + 1;
+        indexes[valueList.size()] = index;
         valueList.add(value);
+        valueKeyList.add(keys[index]);
+        defaultedValue |= value.ifUnset == null ? 0L : bit;
+        neededValues |= value.isRequired() ? bit : 0L;
       }
     }
-    numberKeys = new NumberKeys(bySlot, keyBySlot);
-    alwaysWritten = defaulted;
+    before.add(run(runStart, fields.length));
+    runsBefore = before.toArray(new NumberRun[0]);
+    defaultedNumbers = defaulted;
     requiredNumbers = needed;
     values = valueArray(valueList);
+    valueIndexes = indexes;
     valueKeys = valueKeyList.toArray(new FieldKey[0]);
-    numbersBefore = before;
-    numbersBehind = since;
-    valueList.removeIf(value -> !value.isRequired());
-    requiredValues = valueArray(valueList);
+    defaultedValues = defaultedValue;
+    requiredValues = neededValues;
+  }
+
+  /** The numbers from one index to before another; null if there are none. */
+  private NumberRun run(int start, int end) {
+    if (start == end) {
+      return null;
+    }
+    List<NumberField<?>> numbers = new ArrayList<>();
+    for (int index = start; index < end; index++) {
+      numbers.add((NumberField<?>) fields[index]);
+    }
+    NumberRun run = new NumberRun(start, numbers, List.of(keys).subList(start, end));
+    for (int index = start; index < end; index++) {
+      runs[index] = run;
+    }
+    return run;
   }
 
   @SuppressWarnings({"unchecked", "rawtypes"}) // there are no arrays of generic types
@@ -94,45 +96,88 @@ final class FieldTable<T extends U2SAData> {
 
   /** A required field that the message does not have; null if it has all. */
   MessageField<T> missing(T message) {
+    FieldStorage storage = message.storage();
     boolean isComplete =
-        (message.storage().numbersWritten(0L) & requiredNumbers) == requiredNumbers;
-    for (ValueField<T, ?> value : requiredValues) {
-      isComplete &= value.isSet(message);
-    }
+        (storage.numbersSet() & requiredNumbers) == requiredNumbers
+            && (storage.valuesSet() & requiredValues) == requiredValues;
     return isComplete ? null : firstMissing(message);
   }
 
   private MessageField<T> firstMissing(T message) {
-    for (MessageField<T> field : required) {
-      if (!field.isSet(message)) {
+    for (MessageField<T> field : fields) {
+      if (field.isRequired() && !field.isSet(message)) {
         return field;
       }
     }
     return null;
   }
 
-  /** What of a message is on the wire. */
-  Written written(T message) {
-    long numbers = message.storage().numbersWritten(alwaysWritten);
-    int count = Long.bitCount(numbers);
-    int bytes = numberKeys.bytes(numbers);
-    for (int i = 0; i < values.length; i++) {
-      int more = values[i].expectedBytes(message);
-      bytes += more == 0 ? 0 : valueKeys[i].length() + more;
-      count += more == 0 ? 0 : 1;
-    }
-    return new Written(count, bytes);
+  /** How many fields of a message are on the wire. */
+  int count(T message) {
+    FieldStorage storage = message.storage();
+    return Long.bitCount(storage.numbersSet() | defaultedNumbers)
+        + Long.bitCount(storage.valuesSet() | defaultedValues)
+        + (storage.hasTimestamp() ? 1 : 0);
+  }
+
+  /** About as many bytes as the last message took. */
+  int typicalBytes() {
+    return typicalBytes;
+  }
+
+  /** Remembers how many bytes a message took. */
+  void typicalBytes(int bytes) {
+    typicalBytes = Math.max(LEAST_BYTES, Math.min(bytes, MOST_BYTES));
   }
 
   /** Writes all fields of a message that are to be written, in their order. */
   void write(CborOutput out, T message) {
     FieldStorage storage = message.storage();
-    long written = storage.numbersWritten(alwaysWritten);
     for (int i = 0; i < values.length; i++) {
-      out.numbers(numberKeys, storage, written & numbersBefore[i]);
+      if (runsBefore[i] != null) {
+        runsBefore[i].write(out, storage);
+      }
       values[i].write(out, valueKeys[i], message);
     }
-    out.numbers(numberKeys, storage, written & numbersBehind);
+    if (runsBefore[values.length] != null) {
+      runsBefore[values.length].write(out, storage);
+    }
+  }
+
+  /**
+   * Reads pairs of a map as long as they come as our writers put them: each key in its shortest
+   * form and in the order of the fields, numbers as {@link NumberRun} expects them.
+   *
+   * @param pairs of the map
+   * @param read how many of them were read before
+   * @return how many have been read then
+   */
+  long readInOrder(CborReader reader, CborInput in, T message, long pairs, long read)
+      throws MalformedMessageException {
+    FieldStorage storage = message.storage();
+    long done = read;
+    for (int i = 0; done < pairs; i++) {
+      NumberRun run = runsBefore[i];
+      NumberPattern numbers = run == null ? null : run.read(in, storage, pairs, pairs - done);
+      if (numbers != null) {
+        done += numbers.count();
+        reader.reading(run.start() + numbers.last()); // where errors of what follows are
+      }
+      if (i == values.length) {
+        return done;
+      }
+      if (done < pairs && in.isNext(valueKeys[i])) {
+        int start = in.offset();
+        in.passTo(start + valueKeys[i].length());
+        reader.reading(valueIndexes[i]);
+        if (!values[i].read(reader, message)) {
+          in.passTo(start); // for who remembers the keys that have no value
+          return done;
+        }
+        done++;
+      }
+    }
+    return done;
   }
 
   /**
@@ -143,39 +188,16 @@ final class FieldTable<T extends U2SAData> {
    * @return the field's index; {@link #size()} if it is none of those, or is before that one
    */
   int find(CborInput in, int from) {
-    long word = in.word(0);
     int index = from;
-    while ((word & masks[index]) != words[index] || !isRestNext(in, index)) {
+    while (index < keys.length && !in.isNext(keys[index])) {
       index++;
     }
-    boolean isCutOff =
-        in.left() < WORD // what is beyond the end looks like zeros
-            && index < fields.length
-            && keys[index].length() > in.left();
-    return isCutOff ? fields.length : index;
+    return index;
   }
 
-  private boolean isRestNext(CborInput in, int index) {
-    if (masks[index] != -1L) { // all of it is in the first word, or this is the end
-      return true;
-    }
-    FieldKey key = keys[index];
-    return (in.word(WORD) & secondMasks[index]) == secondWords[index]
-        && (key.length() <= 2 * WORD || in.isNext(key.bytes(), 2 * WORD));
-  }
-
-  /**
-   * Reads that number and those that follow it, as {@link NumberKeys#read} does.
-   *
-   * @return the slots of what was read, a bit each
-   */
-  long readNumbers(CborInput in, FieldStorage storage, NumberField<T> first, long atMost) {
-    return numberKeys.read(in, storage, first.slot, atMost);
-  }
-
-  /** The index of the last of those numbers. */
-  int indexOfLast(long slots) {
-    return numberIndexes[Long.SIZE - 1 - Long.numberOfLeadingZeros(slots)];
+  /** The numbers that the field at that index is one of; null if it is of another kind. */
+  NumberRun runAt(int index) {
+    return runs[index];
   }
 
   /** How many bytes the key of a field takes. */
@@ -190,11 +212,4 @@ final class FieldTable<T extends U2SAData> {
   int size() {
     return fields.length;
   }
-
-  /**
-   * @param fields how many there are
-   * @param bytes how many they take, keys included; exact for texts of ASCII and lists of numbers,
-   *     about for what is longer
-   */
-  record Written(int fields, int bytes) {}
 }

@@ -5,76 +5,76 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Reads the pairs of one map into a message: fast as long as they come as our writers put them,
- * right in any order and form that CBOR allows.
+ * Reads the pairs of one map into a message in whatever order and form CBOR allows; those that are
+ * written as our writers do were read before by {@link FieldTable#readInOrder}.
+ *
+ * @param <T> the message's class
  */
-final class FieldsReader {
+final class FieldsReader<T extends U2SAData> {
   private final CborReader reader;
   private final CborInput in;
-  private final U2SAData message;
-  private final FieldTable<U2SAData> table;
+  private final T message;
+  private final MessageType<T> type;
+  private final FieldTable<T> table;
   private final Map<String, Object> unknown; // null: what the message cannot hold is skipped
-  private final long pairs;
-  private long read; // pairs
   private int next; // index of the field after the one before
-  private boolean isInOrder = true; // so far, and so no field can be there twice
+  private NumberRun run; // whose numbers are being read; null: none
+  private long opening; // how the map opened where they began
   private Set<String> others; // keys without a value in the message; null: none
 
-  /**
-   * @param read pairs of the map that were read before
-   */
   FieldsReader(
       CborReader reader,
       CborInput in,
-      U2SAData message,
-      Map<String, Object> unknown,
-      long pairs,
-      long read) {
+      T message,
+      MessageType<T> type,
+      FieldTable<T> table,
+      Map<String, Object> unknown) {
     this.reader = reader;
     this.in = in;
     this.message = message;
+    this.type = type;
+    this.table = table;
     this.unknown = unknown;
-    this.pairs = pairs;
-    this.read = read;
-    table = message.ownType().table(in.isLabelNext() ? KeyForm.LABELS : KeyForm.NAMES);
   }
 
-  void readAll() throws MalformedMessageException {
-    while (!in.isDone(pairs, read)) {
+  /**
+   * @param pairs of the map
+   * @param read how many of them were read before
+   */
+  void readRest(long pairs, long read) throws MalformedMessageException {
+    for (long done = read; !in.isDone(pairs, done); done++) {
       int index = table.find(in, next);
+      enter(index == table.size() ? null : table.runAt(index), pairs);
       if (index == table.size()) {
-        isInOrder = false;
         String name = reader.key();
-        field(message.ownType().fieldOrNull(name), name);
-        read++;
-      } else if (!(table.at(index) instanceof NumberField<U2SAData> number && numbers(number))) {
-        MessageField<U2SAData> field = table.at(index);
+        reader.reading(name);
+        field(type.fieldOrNull(name), name);
+      } else {
+        MessageField<T> field = table.at(index);
         in.passTo(in.offset() + table.keyBytes(index));
         next = index + 1;
+        reader.reading(index);
         field(field, field.name());
-        read++;
       }
     }
+    enter(null, pairs);
   }
 
-  /** Reads that number and those that follow; false if it is not as writers write it. */
-  private boolean numbers(NumberField<U2SAData> first) {
-    long left = pairs == CborInput.UNTIL_BREAK ? Long.SIZE : pairs - read;
-    long slots = table.readNumbers(in, message.storage(), first, left);
-    if (slots == 0L) {
-      return false;
+  /** Lets a run of numbers remember at its end which it had: it did not expect them. */
+  private void enter(NumberRun following, long pairs) {
+    if (following == run) {
+      return;
     }
-    read += Long.bitCount(slots);
-    int last = table.indexOfLast(slots);
-    next = last + 1;
-    reader.reading(table.at(last).name()); // where errors of what follows are
-    return true;
+    if (run != null) {
+      run.expect(opening, message.storage());
+    }
+    run = following;
+    opening = NumberRun.opening(in, pairs);
   }
 
   /** Reads the value after a key. */
-  private void field(MessageField<U2SAData> field, String name) throws MalformedMessageException {
-    reader.reading(name);
-    boolean isKnownTwice = !isInOrder && field != null && field.isSet(message);
+  private void field(MessageField<T> field, String name) throws MalformedMessageException {
+    boolean isKnownTwice = field != null && field.isSet(message);
     if (isKnownTwice || others != null && others.contains(name)) {
       throw reader.malformed("the key comes twice");
     }

@@ -142,11 +142,6 @@ final class ListKinds {
     }
 
     @Override
-    public int expectedBytes(List<Double> values) {
-      return CborOutput.headBytes(values.size()) + values.size() * (1 + Double.BYTES);
-    }
-
-    @Override
     public void write(CborOutput out, List<Double> values) {
       out.numbers(Numbers.of(values));
     }
@@ -176,11 +171,6 @@ final class ListKinds {
     @Override
     public List<Boolean> parsed(List<String> texts) {
       return split(texts, ",", part -> ScalarKinds.FLAG.parsed(List.of(part)));
-    }
-
-    @Override
-    public int expectedBytes(List<Boolean> values) {
-      return CborOutput.headBytes(values.size()) + values.size();
     }
 
     @Override

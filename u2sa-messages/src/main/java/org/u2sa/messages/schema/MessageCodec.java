@@ -9,6 +9,7 @@ import java.util.List;
 public final class MessageCodec {
   private final MessageTypes types;
   private final KeyForm keys;
+  private final RecentTexts texts = new RecentTexts();
 
   /** A codec that knows the given types and writes fields with their names. */
   public MessageCodec(MessageTypes types) {
@@ -63,6 +64,6 @@ public final class MessageCodec {
           Limits.PAYLOAD_BYTES,
           "expected at most " + Limits.PAYLOAD_BYTES + " bytes, not " + bytes.length);
     }
-    return CborReader.message(types, typeChain, bytes);
+    return CborReader.message(types, typeChain, new CborInput(bytes, texts));
   }
 }

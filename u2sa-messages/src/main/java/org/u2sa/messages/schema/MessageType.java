@@ -49,7 +49,7 @@ public final class MessageType<T extends U2SAData> {
     this.aliases = aliases;
     this.frameField = frameField;
     this.sizes = sizes;
-    names = new FieldTable<>(fields, sizes.numbers(), KeyForm.NAMES);
+    names = new FieldTable<>(fields, KeyForm.NAMES);
     for (MessageField<T> field : fields) {
       byName.put(field.name(), field);
     }
@@ -160,7 +160,7 @@ public final class MessageType<T extends U2SAData> {
     }
     FieldTable<T> made = labels;
     if (made == null) { // by two threads, maybe: what either makes is the same
-      made = new FieldTable<>(fields, sizes.numbers(), KeyForm.LABELS);
+      made = new FieldTable<>(fields, KeyForm.LABELS);
       labels = made;
     }
     return made;

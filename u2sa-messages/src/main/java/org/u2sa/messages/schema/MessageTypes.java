@@ -6,16 +6,15 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceLoader;
 
 /** The message types that a reader knows. Immutable. */
 public final class MessageTypes {
-  private final Map<String, MessageType<?>> byName;
+  private final LinkedHashMap<String, MessageType<?>> byName; // nobody changes it
 
-  private MessageTypes(Map<String, MessageType<?>> byName) {
-    this.byName = Collections.unmodifiableMap(byName);
+  private MessageTypes(LinkedHashMap<String, MessageType<?>> byName) {
+    this.byName = byName;
   }
 
   /**
@@ -42,7 +41,7 @@ public final class MessageTypes {
    * @throws IllegalArgumentException if two types have the same name
    */
   public MessageTypes with(Collection<? extends MessageType<?>> more) {
-    Map<String, MessageType<?>> all = new LinkedHashMap<>(byName);
+    LinkedHashMap<String, MessageType<?>> all = new LinkedHashMap<>(byName);
     for (MessageType<?> type : more) {
       MessageType<?> other = all.put(type.name(), type);
       if (other != null && other != type) {
@@ -57,7 +56,7 @@ public final class MessageTypes {
 
   /** All, in order of registration. */
   public Collection<MessageType<?>> all() {
-    return byName.values();
+    return Collections.unmodifiableCollection(byName.values());
   }
 
   /** A type by its exact name. */
@@ -92,17 +91,23 @@ public final class MessageTypes {
   }
 
   MessageType<?> nearest(List<String> chain, long offset) throws MalformedMessageException {
-    if (chain.isEmpty() || chain.size() > Limits.DEPTH) {
+    int size = chain.size();
+    if (size == 0 || size > Limits.DEPTH) {
       throw new MalformedMessageException(
-          "type chain", offset, "expected 1…" + Limits.DEPTH + " type names, not " + chain.size());
+          "type chain", offset, "expected 1…" + Limits.DEPTH + " type names, not " + size);
     }
-    for (int i = chain.size() - 1; i >= 0; i--) {
-      MessageType<?> known = byName.get(chain.get(i));
+    MessageType<?> known = byName.get(chain.get(size - 1));
+    return known != null && known.chain() == chain // as all have that this process made
+        ? known
+        : nearest(chain, size, offset);
+  }
+
+  private MessageType<?> nearest(List<String> chain, int size, long offset)
+      throws MalformedMessageException {
+    for (int length = size; length > 0; length--) {
+      MessageType<?> known = byName.get(chain.get(length - 1));
       if (known != null) {
-        if (known.chain() == chain) { // as all have that this process made
-          return known;
-        }
-        List<String> claimed = chain.subList(0, i + 1);
+        List<String> claimed = chain.subList(0, length);
         if (!claimed.equals(known.chain())) {
           throw new MalformedMessageException(
               "type chain", offset, "expected " + known + ", not " + String.join("/", claimed));

@@ -36,6 +36,16 @@ public final class NumberField<T extends U2SAData> extends MessageField<T> {
     return value >= least && value <= most;
   }
 
+  /** Smallest value taken, as a finite number. */
+  double least() {
+    return least;
+  }
+
+  /** Largest value taken, as a finite number. */
+  double most() {
+    return most;
+  }
+
   /** Smallest value taken; -∞ if unbounded. */
   public double min() {
     return min;

@@ -22,11 +22,6 @@ final class TimestampField extends ValueField<U2SAData, Long> {
   }
 
   @Override
-  int expectedBytes(U2SAData message) {
-    return isSet(message) ? CborOutput.countBytes(message.storage().timestamp()) : 0;
-  }
-
-  @Override
   void write(CborOutput out, FieldKey key, U2SAData message) {
     if (isSet(message)) {
       out.key(key);

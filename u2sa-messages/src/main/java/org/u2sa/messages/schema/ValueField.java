@@ -84,21 +84,6 @@ public class ValueField<T extends U2SAData, V> extends MessageField<T> {
     set(message, value);
   }
 
-  /** How many bytes the value takes, about; 0 if nothing is written. */
-  int expectedBytes(T message) {
-    V value = valueIn(message);
-    if (value == null) {
-      return 0;
-    } else if (value instanceof String text) { // most are
-      return CborOutput.textBytes(text);
-    } else if (value instanceof ReferenceFrame frame) {
-      return CborOutput.textBytes(frame.name());
-    } else if (value instanceof Boolean) {
-      return 1;
-    }
-    return values.expectedBytes(value);
-  }
-
   /** Writes key and value if the field {@link #isWritten}. */
   void write(CborOutput out, FieldKey key, T message) {
     V value = valueIn(message);

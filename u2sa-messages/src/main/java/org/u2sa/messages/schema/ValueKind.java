@@ -7,9 +7,6 @@ import java.util.List;
  * say what was expected.
  */
 interface ValueKind<V> {
-  /** Bytes that most values take that are neither texts nor lists. */
-  int A_FEW = 10;
-
   Kind kind();
 
   /** The value as it is kept: immutable and within bounds. */
@@ -18,11 +15,6 @@ interface ValueKind<V> {
   V parsed(List<String> texts);
 
   void write(CborOutput out, V value);
-
-  /** How many bytes {@link #write} writes, about. */
-  default int expectedBytes(V value) {
-    return A_FEW;
-  }
 
   V read(CborReader in) throws MalformedMessageException;
 

@@ -59,16 +59,16 @@ class FieldKeyTest {
   void take_otherOrCutOffBytes_readsNothing() {
     CborInput in = input("thetaDoubleDot");
 
-    assertThat(in.take(bytes("thetaDoubleDop"))).isFalse();
-    assertThat(in.take(bytes("thetaDoubleDotSigma"))).isFalse();
+    assertThat(in.take(FieldKey.ofName("thetaDoubleDop"))).isFalse();
+    assertThat(in.take(FieldKey.ofName("thetaDoubleDotSigma"))).isFalse();
     assertThat(in.offset()).isZero();
-    assertThat(in.take(bytes("thetaDoubleDot"))).isTrue();
+    assertThat(in.take(FieldKey.ofName("thetaDoubleDot"))).isTrue();
     assertThat(in.isAtEnd()).isTrue();
   }
 
   @Test
   void word_fewerThanEightBytesLeft_isFilledUpWithZeros() {
-    assertThat(new CborInput(new byte[] {1, 2}).word(0)).isEqualTo(0x0102_0000_0000_0000L);
+    assertThat(new CborInput(new byte[] {1, 2}).word()).isEqualTo(0x0102_0000_0000_0000L);
   }
 
   @Test

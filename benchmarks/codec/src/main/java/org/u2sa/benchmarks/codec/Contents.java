@@ -20,7 +20,7 @@ enum Contents {
     U2SAData ours() {
       PercentageCommand command = PercentageCommand.of("Left motor", 37.5);
       command.systemId("ugv");
-      command.timestamp(1_234_567_890L);
+      command.timestamp(TIMESTAMP);
       return command;
     }
 
@@ -28,7 +28,7 @@ enum Contents {
     Object bean() {
       CommandBean bean = new CommandBean();
       bean.systemId = "ugv";
-      bean.timestamp = 1_234_567_890L;
+      bean.timestamp = TIMESTAMP;
       bean.actuatorName = "Left motor";
       bean.percentage = 37.5;
       return bean;
@@ -38,7 +38,7 @@ enum Contents {
     com.google.protobuf.Message protobuf() {
       return Percentage.newBuilder()
           .setSystemId("ugv")
-          .setTimestamp(1_234_567_890L)
+          .setTimestamp(TIMESTAMP)
           .setServiceName("Left motor")
           .setPercentage(37.5)
           .build();
@@ -59,7 +59,7 @@ enum Contents {
               .phiDot(value(16)).thetaDot(value(17)).psiDot(value(18))
               .phiSigma(value(19)).thetaSigma(value(20)).psiSigma(value(21));
       state.systemId("ugv");
-      state.timestamp(1_234_567_890L);
+      state.timestamp(TIMESTAMP);
       return state;
     }
 
@@ -67,7 +67,7 @@ enum Contents {
     Object bean() {
       StateBean bean = new StateBean();
       bean.systemId = "ugv";
-      bean.timestamp = 1_234_567_890L;
+      bean.timestamp = TIMESTAMP;
       bean.sensorName = "State Estimator";
       bean.referenceFrame = "GLOBAL";
       bean.x = value(1); bean.y = value(2); bean.z = value(3);
@@ -84,7 +84,7 @@ enum Contents {
     com.google.protobuf.Message protobuf() {
       return State.newBuilder()
           .setSystemId("ugv")
-          .setTimestamp(1_234_567_890L)
+          .setTimestamp(TIMESTAMP)
           .setSensorName("State Estimator")
           .setReferenceFrame(1)
           .setX(value(1)).setY(value(2)).setZ(value(3))
@@ -111,7 +111,7 @@ enum Contents {
               .maxRange(30.0)
               .beams(-Math.PI, Math.toRadians(1.0), ranges);
       scan.systemId("ugv");
-      scan.timestamp(1_234_567_890L);
+      scan.timestamp(TIMESTAMP);
       return scan;
     }
 
@@ -119,7 +119,7 @@ enum Contents {
     Object bean() {
       ScanBean bean = new ScanBean();
       bean.systemId = "ugv";
-      bean.timestamp = 1_234_567_890L;
+      bean.timestamp = TIMESTAMP;
       bean.sensorName = "Laser";
       bean.minRange = 0.1;
       bean.maxRange = 30.0;
@@ -139,7 +139,7 @@ enum Contents {
       Scan.Builder scan =
           Scan.newBuilder()
               .setSystemId("ugv")
-              .setTimestamp(1_234_567_890L)
+              .setTimestamp(TIMESTAMP)
               .setSensorName("Laser")
               .setMinRange(0.1)
               .setMaxRange(30.0)
@@ -153,6 +153,7 @@ enum Contents {
   };
 
   private static final int BEAMS = 360;
+  private static final long TIMESTAMP = 1_790_000_000_123_456L; // microseconds since 1970
 
   abstract U2SAData ours();
 

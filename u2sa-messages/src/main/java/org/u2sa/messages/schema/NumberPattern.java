@@ -1,0 +1,159 @@
+package org.u2sa.messages.schema;
+
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+
+/**
+ * Which numbers of a {@link NumberRun} a message has: the bytes of all of them but for the values,
+ * and where the values go. Immutable.
+ *
+ * <p>The loops wrap the array in a {@link ByteBuffer} of their own: it does not escape, so the
+ * just-in-time compiler removes it.
+ */
+final class NumberPattern {
+  private static final int WORD = Long.BYTES;
+
+  private final long set;
+  private final boolean isWhole; // nothing is written that is not set
+  private final int last;
+  private final byte[] bytes;
+  private final int[] places; // of the values within the bytes, in slot order
+  private final double[] bounds; // least and most of each value
+  private final int[] keyPlaces; // eight bytes each, which together cover all keys
+  private final long[] keyWords; // word, and the bits of it that belong to a key, of each place
+
+  /**
+   * @param fields all numbers of the run
+   * @param keys of them
+   * @param set numbers that the message has, a bit each, by slot
+   * @param written likewise: those and the ones that are written with their defaults
+   */
+  NumberPattern(NumberField<?>[] fields, FieldKey[] keys, long set, long written) {
+    this.set = set;
+    isWhole = set == written;
+    int count = Long.bitCount(set);
+    places = new int[count];
+    bounds = new double[2 * count];
+    CborOutput out = new CborOutput();
+    WordList words = new WordList();
+    int values = 0;
+    int lastSet = 0;
+    for (int i = 0; i < fields.length; i++) {
+      long bit = 1L << fields[i].slot;
+      if ((written & bit) == 0L) {
+        continue;
+      }
+      int start = out.length();
+      out.item(keys[i].bytes());
+      out.number((set & bit) == 0L ? fields[i].ifUnset : 0.0);
+      int place = out.length() - WORD;
+      words.cover(start, place);
+      if ((set & bit) != 0L) {
+        lastSet = i;
+        places[values] = place;
+        bounds[2 * values] = fields[i].least();
+        bounds[2 * values++ + 1] = fields[i].most();
+      }
+    }
+    last = lastSet;
+    bytes = out.toBytes();
+    keyPlaces = words.places();
+    keyWords = words.of(bytes);
+  }
+
+  /** The numbers that the message has, a bit each, by slot. */
+  long set() {
+    return set;
+  }
+
+  /** How many those are. */
+  int count() {
+    return places.length;
+  }
+
+  /** Which field of the run the last of them is. */
+  int last() {
+    return last;
+  }
+
+  /** Bytes on the wire. */
+  int length() {
+    return bytes.length;
+  }
+
+  /**
+   * Writes keys and values.
+   *
+   * @param numbers the values, of which those of this run begin at {@code first}
+   * @return where they end
+   */
+  int put(byte[] into, int at, double[] numbers, int first) {
+    System.arraycopy(bytes, 0, into, at, bytes.length);
+    ByteBuffer view = ByteBuffer.wrap(into);
+    for (int i = 0; i < places.length; i++) {
+      view.putDouble(at + places[i], numbers[first + i]);
+    }
+    return at + bytes.length;
+  }
+
+  /**
+   * The values, if those bytes are these keys with a float64 within its field's bounds behind each;
+   * else null.
+   */
+  double[] read(byte[] from, int at) {
+    if (!isWhole || from.length - at < bytes.length || !hasKeysAt(from, at)) {
+      return null;
+    }
+    ByteBuffer view = ByteBuffer.wrap(from);
+    double[] values = new double[places.length];
+    boolean isWithin = true;
+    for (int i = 0; i < values.length; i++) {
+      double value = view.getDouble(at + places[i]);
+      isWithin &= value >= bounds[2 * i] & value <= bounds[2 * i + 1]; // NaN is not
+      values[i] = value;
+    }
+    return isWithin ? values : null;
+  }
+
+  private boolean hasKeysAt(byte[] from, int at) {
+    ByteBuffer view = ByteBuffer.wrap(from);
+    long differing = 0L;
+    for (int i = 0; i < keyPlaces.length; i++) {
+      differing |= (view.getLong(at + keyPlaces[i]) ^ keyWords[2 * i]) & keyWords[2 * i + 1];
+    }
+    return differing == 0L;
+  }
+
+  /** Words that cover keys, the first byte of a float64 included. */
+  private static final class WordList {
+    private int[] places = new int[Long.SIZE];
+    private long[] masks = new long[Long.SIZE];
+    private int count;
+
+    void cover(int start, int end) {
+      for (int place = start; place < end; place += WORD) {
+        if (count == places.length) {
+          places = Arrays.copyOf(places, 2 * count);
+          masks = Arrays.copyOf(masks, 2 * count);
+        }
+        places[count] = place;
+        masks[count++] = FieldKey.mask(end - place);
+      }
+    }
+
+    int[] places() {
+      return Arrays.copyOf(places, count);
+    }
+
+    /** Each word, and behind it its mask. */
+    long[] of(byte[] bytes) {
+      ByteBuffer view = ByteBuffer.wrap(bytes);
+      long[] words = new long[2 * count];
+      for (int i = 0; i < count; i++) {
+        words[2 * i] = view.getLong(places[i]); // a value of eight bytes is behind each key
+        words[2 * i + 1] = masks[i];
+      }
+      return words;
+    }
+  }
+}
