@@ -14,6 +14,7 @@ class Zmq:
         self._context = zmq.Context()
         if arrived is None:
             self._socket = self._context.socket(zmq.PUB)
+            self._socket.setsockopt(zmq.SNDHWM, 0)  # unlimited: it learns late what has left, and with 1000 drops messages while 200 are on the way
             self._socket.connect(f"tcp://127.0.0.1:{port}")
             self.send = self._socket.send
         else:
