@@ -1,4 +1,5 @@
 """One half of a peer's way, as a process: half.py listen|send WAY PORT BYTES PROGRESS. Obeys lines of standard input, and answers each with a line of JSON.
+The first line says that it has started. An answer {"error": why} says what failed.
 
     begin                       the listener forgets what came
     report                      the listener says how many came, the times that they took [ns], and its processor time [s]
@@ -111,7 +112,11 @@ def main():
     def make(arrived):
         return ways.ALL[way](int(port), int(size), arrived)
 
-    half = Listening(make, progress) if role == "listen" else Sending(make, int(size), progress)
+    try:
+        half = Listening(make, progress) if role == "listen" else Sending(make, int(size), progress)
+    except ImportError as e:
+        print(json.dumps({"error": str(e)}), flush=True)
+        return
     print("{}", flush=True)
     for line in sys.stdin:
         order, *words = line.split()
