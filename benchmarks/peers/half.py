@@ -25,7 +25,7 @@ class Listening:
         self._progress = progress
         self._took = []
         self._cpu = 0.0
-        self._way = make(self._arrived)  # kept: some close with their last reference
+        self.way = make(self._arrived)  # kept: some close with their last reference
 
     def _arrived(self, contents):
         self._took.append(time.monotonic_ns() - struct.unpack_from(">q", contents)[0])
@@ -47,8 +47,8 @@ class Sending:
     def __init__(self, make, size, progress):
         self._filling = bytes(size - 8)
         self._progress = progress
-        self._way = make(None)  # kept: some close with their last reference
-        self._send = self._way.send
+        self.way = make(None)  # kept: some close with their last reference
+        self._send = self.way.send
 
     def _one(self):
         self._send(struct.pack(">q", time.monotonic_ns()) + self._filling)
@@ -118,9 +118,12 @@ def main():
         print(json.dumps({"error": str(e)}), flush=True)
         return
     print("{}", flush=True)
-    for line in sys.stdin:
-        order, *words = line.split()
-        print(json.dumps(getattr(half, order)(*words)), flush=True)
+    try:
+        for line in sys.stdin:
+            order, *words = line.split()
+            print(json.dumps(getattr(half, order)(*words)), flush=True)
+    finally:
+        getattr(half.way, "close", lambda: None)()
     os._exit(0)  # some peers' threads do not end by themselves
 
 
