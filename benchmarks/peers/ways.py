@@ -4,6 +4,7 @@ What would outlive the process has close().
 """
 import ctypes
 import os
+import tempfile
 import threading
 from dataclasses import dataclass
 
@@ -168,4 +169,31 @@ class Iceoryx2:
         self.__dict__.clear()
 
 
-ALL = {"pyzmq": Zmq, "zenoh": Zenoh, "cyclonedds": Dds, "nt4": Nt4, "lcm": Lcm, "iceoryx2": Iceoryx2}
+class Ros1:
+    """ROS 1's rospy over TCP, from the system's packages; the listener is the master too."""
+
+    def __init__(self, port, _size, arrived):
+        try:
+            import rospy
+            from rosmaster.master import Master
+            from std_msgs.msg import UInt8MultiArray
+        except ImportError as e:
+            raise ImportError(f"{e}: apt-get install --no-install-recommends python3-rosmaster python3-rospy python3-std-msgs") from e
+        self._logs = tempfile.TemporaryDirectory()
+        os.environ.pop("ROS_HOSTNAME", None)  # takes precedence over ROS_IP
+        os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_IP="127.0.0.1", ROS_LOG_DIR=self._logs.name)
+        if arrived is not None:
+            self._master = Master(port)
+            self._master.start()
+        rospy.init_node("sender" if arrived is None else "listener", log_level=rospy.WARN, disable_rosout=True, disable_signals=True)
+        if arrived is None:
+            publisher = rospy.Publisher(TOPIC, UInt8MultiArray, tcp_nodelay=True, queue_size=1000)
+            self.send = lambda contents: publisher.publish(UInt8MultiArray(data=contents))
+        else:
+            self._subscriber = rospy.Subscriber(TOPIC, UInt8MultiArray, lambda message: arrived(message.data), tcp_nodelay=True)
+
+    def close(self):
+        self._logs.cleanup()
+
+
+ALL = {"pyzmq": Zmq, "zenoh": Zenoh, "cyclonedds": Dds, "nt4": Nt4, "lcm": Lcm, "iceoryx2": Iceoryx2, "ros1": Ros1}
