@@ -1,4 +1,5 @@
 """One half of a peer's way, as a process: half.py listen|send WAY PORT BYTES PROGRESS. Obeys lines of standard input, and answers each with a line of JSON.
+The first line says that it has started. An answer {"error": why} says what failed.
 
     begin                       the listener forgets what came
     report                      the listener says how many came, the times that they took [ns], and its processor time [s]
@@ -24,7 +25,7 @@ class Listening:
         self._progress = progress
         self._took = []
         self._cpu = 0.0
-        self._way = make(self._arrived)  # kept: some close with their last reference
+        self.way = make(self._arrived)  # kept: some close with their last reference
 
     def _arrived(self, contents):
         self._took.append(time.monotonic_ns() - struct.unpack_from(">q", contents)[0])
@@ -46,8 +47,8 @@ class Sending:
     def __init__(self, make, size, progress):
         self._filling = bytes(size - 8)
         self._progress = progress
-        self._way = make(None)  # kept: some close with their last reference
-        self._send = self._way.send
+        self.way = make(None)  # kept: some close with their last reference
+        self._send = self.way.send
 
     def _one(self):
         self._send(struct.pack(">q", time.monotonic_ns()) + self._filling)
@@ -111,11 +112,18 @@ def main():
     def make(arrived):
         return ways.ALL[way](int(port), int(size), arrived)
 
-    half = Listening(make, progress) if role == "listen" else Sending(make, int(size), progress)
+    try:
+        half = Listening(make, progress) if role == "listen" else Sending(make, int(size), progress)
+    except ImportError as e:
+        print(json.dumps({"error": str(e)}), flush=True)
+        return
     print("{}", flush=True)
-    for line in sys.stdin:
-        order, *words = line.split()
-        print(json.dumps(getattr(half, order)(*words)), flush=True)
+    try:
+        for line in sys.stdin:
+            order, *words = line.split()
+            print(json.dumps(getattr(half, order)(*words)), flush=True)
+    finally:
+        getattr(half.way, "close", lambda: None)()
     os._exit(0)  # some peers' threads do not end by themselves
 
 

@@ -1,5 +1,10 @@
-"""The peers: how each sends bytes from one process to another on this machine. A listener calls arrived(bytes); a sender has send(bytes)."""
+"""The peers: how each sends bytes from one process to another on this machine. A listener calls arrived(bytes); a sender has send(bytes).
+
+What would outlive the process has close().
+"""
+import ctypes
 import os
+import tempfile
 import threading
 from dataclasses import dataclass
 
@@ -14,6 +19,7 @@ class Zmq:
         self._context = zmq.Context()
         if arrived is None:
             self._socket = self._context.socket(zmq.PUB)
+            self._socket.setsockopt(zmq.SNDHWM, 0)  # unlimited: it learns late what has left, and with 1000 drops messages while 200 are on the way
             self._socket.connect(f"tcp://127.0.0.1:{port}")
             self.send = self._socket.send
         else:
@@ -120,4 +126,74 @@ class Lcm:
             self._lcm.handle()
 
 
-ALL = {"pyzmq": Zmq, "zenoh": Zenoh, "cyclonedds": Dds, "nt4": Nt4, "lcm": Lcm}
+class Iceoryx2:
+    """iceoryx2 through shared memory; an event wakes the listener after each message. The oldest of 1000 unread ones gives way."""
+
+    def __init__(self, port, size, arrived):
+        import iceoryx2
+        iceoryx2.set_log_level(iceoryx2.LogLevel.Error)
+        node = iceoryx2.NodeBuilder.new().create(iceoryx2.ServiceType.Ipc)
+        name = iceoryx2.ServiceName.new(f"{TOPIC}/{port}")
+        messages = node.service_builder(name).publish_subscribe(iceoryx2.Slice[ctypes.c_uint8]).max_subscribers(1).subscriber_max_buffer_size(1000).open_or_create()
+        events = node.service_builder(name).event().open_or_create()
+        self._thread = None
+        if arrived is None:
+            self._publisher = messages.publisher_builder().initial_max_slice_len(size).create()
+            self._notifier = events.notifier_builder().create()
+            self.send = self._send
+        else:
+            self._subscriber = messages.subscriber_builder().create()
+            self._listener = events.listener_builder().create()
+            self._at_most = iceoryx2.Duration.from_millis(100)  # an event ends the wait at once
+            self._open = True
+            self._thread = threading.Thread(target=self._read, args=(arrived,), daemon=True)
+            self._thread.start()
+
+    def _send(self, contents):
+        loan = self._publisher.loan_slice_uninit(len(contents))
+        ctypes.memmove(loan.payload_ptr, contents, len(contents))
+        loan.assume_init().send()
+        self._notifier.notify()
+
+    def _read(self, arrived):
+        while self._open:
+            self._listener.timed_wait(self._at_most)
+            while (sample := self._subscriber.receive()) is not None:
+                arrived(bytes(sample.payload().as_memory_view()))
+
+    def close(self):
+        """Removes its shared memory, which goes with the last references."""
+        if self._thread:
+            self._open = False
+            self._thread.join()
+        self.__dict__.clear()
+
+
+class Ros1:
+    """ROS 1's rospy over TCP, from the system's packages; the listener is the master too."""
+
+    def __init__(self, port, _size, arrived):
+        try:
+            import rospy
+            from rosmaster.master import Master
+            from std_msgs.msg import UInt8MultiArray
+        except ImportError as e:
+            raise ImportError(f"{e}: apt-get install --no-install-recommends python3-rosmaster python3-rospy python3-std-msgs") from e
+        self._logs = tempfile.TemporaryDirectory()
+        os.environ.pop("ROS_HOSTNAME", None)  # takes precedence over ROS_IP
+        os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_IP="127.0.0.1", ROS_LOG_DIR=self._logs.name)
+        if arrived is not None:
+            self._master = Master(port)
+            self._master.start()
+        rospy.init_node("sender" if arrived is None else "listener", log_level=rospy.WARN, disable_rosout=True, disable_signals=True)
+        if arrived is None:
+            publisher = rospy.Publisher(TOPIC, UInt8MultiArray, tcp_nodelay=True, queue_size=1000)
+            self.send = lambda contents: publisher.publish(UInt8MultiArray(data=contents))
+        else:
+            self._subscriber = rospy.Subscriber(TOPIC, UInt8MultiArray, lambda message: arrived(message.data), tcp_nodelay=True)
+
+    def close(self):
+        self._logs.cleanup()
+
+
+ALL = {"pyzmq": Zmq, "zenoh": Zenoh, "cyclonedds": Dds, "nt4": Nt4, "lcm": Lcm, "iceoryx2": Iceoryx2, "ros1": Ros1}
