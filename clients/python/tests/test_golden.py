@@ -85,6 +85,13 @@ class HostileBytesTest(unittest.TestCase):
             with self.subTest(hexadecimal):
                 self.refused("StateInformation", hexadecimal, expected)
 
+    def test_tags_within_tags_are_skipped_and_bounded(self):
+        self.assertEqual(decode(["StateInformation"], bytes.fromhex("a2 6171" + "d856" * 8 + "00 6178 01"))["x"], 1.0)
+        for tags in (9, 500, 100_000):
+            self.refused("StateInformation", "a2 6171" + "d856" * tags + "00 6178 01", "byte 3: more than 8 tags of one item")
+        self.refused("StateInformation", "a1 6171 d856 ff", "break")
+        self.refused("StateInformation", "a1 6171 d856", "cut short")
+
     def test_a_required_field_that_is_missing_is_named(self):
         self.refused("GoalCommand", "a0", "GoalCommand.uid is required")
 
