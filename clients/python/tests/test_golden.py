@@ -81,7 +81,9 @@ class HostileBytesTest(unittest.TestCase):
                 ("a2617100 7f6171ff00", "comes twice"), ("a161718181818181818181818181818181", "levels"),
                 ("a16a73656e736f724e616d657b00000001ffffffff", "at most"), ("bbffffffffffffffff", "cut short"),
                 ("a16a73656e736f724e616d6563edb9bb", "CBOR"), ("a120f6", "text key"),
-                ("a16974696d657374616d70c249ffffffffffffffffff", "64 bits")):
+                ("a16974696d657374616d70c249ffffffffffffffffff", "64 bits"),
+                ("a16178c2588101" + "00" * 128, "x: expected a number that float64 can hold"),
+                ("a16171d81e00", "no CBOR"), ("a16171d82400", "no CBOR"), ("a16171d82381d85640", "no CBOR")):
             with self.subTest(hexadecimal):
                 self.refused("StateInformation", hexadecimal, expected)
 

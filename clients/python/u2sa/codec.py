@@ -63,7 +63,7 @@ def decode(chain: Sequence[str], payload: bytes, schema: Schema = STANDARD) -> M
     check(payload)
     try:
         pairs = cbor2.loads(payload)
-    except (cbor2.CBORDecodeError, ValueError, OverflowError) as e:
+    except Exception as e:  # before 6, cbor2 passes on what reading a tag's value raises: TypeError, SystemError
         raise Malformed(f"{chain[-1]}: no CBOR: {e}") from e
     named = _named(pairs, chain[-1])
     origin = named.pop(_ORIGIN, None)
