@@ -13,6 +13,7 @@ import base64
 import json
 import math
 import pathlib
+import struct
 import sys
 
 try:
@@ -22,6 +23,9 @@ except ImportError:
 
 WIRE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs" / "wire"
 GOLDEN = WIRE / "golden"
+# Tags of arrays (RFC 8746): of floats, which stand for lists of numbers, and of two dimensions, which stand for lists of points.
+FLOATS = {80: ">e", 81: ">f", 82: ">d", 84: "<e", 85: "<f", 86: "<d"}
+ROW_MAJOR = 40
 LABELS = {int(label): name for label, name in map(str.split, (WIRE / "labels.txt").read_text(encoding="utf-8").splitlines())}
 
 
@@ -37,15 +41,41 @@ def decode(payload):
         raise ValueError(f"{len(payload) - stream.tell() + 1} bytes after the message")
     if not isinstance(message, dict) or not all(isinstance(key, (str, int)) for key in message):
         raise ValueError("expected a map with text keys or labels")
+    message = named(message)
     check_numbers(message, "message")
-    return named(message)
+    return message
 
 
-def named(value):
-    """The value with names for labels, its own and those of the messages in it."""
+def floats(tag):
+    """The numbers of a typed array; ValueError if it has none."""
+    try:
+        return [item for item, in struct.iter_unpack(FLOATS[tag.tag], tag.value)]
+    except (KeyError, TypeError, struct.error) as e:
+        raise ValueError(f"tag {tag.tag}: expected a typed array of floats: {e}") from e
+
+
+def as_list(tag):
+    """The list that an array of floats or of two dimensions stands for; any other tag as it is."""
+    if tag.tag != ROW_MAJOR:
+        return floats(tag) if tag.tag in FLOATS else tag
+    try:
+        (rows, columns), data = tag.value
+        flat = floats(data) if isinstance(data, cbor2.CBORTag) else list(data)
+        if rows < 0 or columns < 1 or len(flat) != rows * columns:
+            raise ValueError(f"{rows} times {columns} are not {len(flat)}")
+        return [flat[begin:begin + columns] for begin in range(0, len(flat), columns)]
+    except (TypeError, ValueError) as e:
+        raise ValueError(f"tag {tag.tag}: expected two dimensions and as many numbers: {e}") from e
+
+
+def named(value, untagged=as_list):
+    """The value with names for labels, its own and those of the messages in it, and with what `untagged` makes of tags."""
     if isinstance(value, dict):
-        return {LABELS.get(key, f"#{key}") if isinstance(key, int) else key: named(item) for key, item in value.items()}
-    return [named(item) for item in value] if isinstance(value, list) else value
+        return {LABELS.get(key, f"#{key}") if isinstance(key, int) else key: named(item, untagged)
+                for key, item in value.items()}
+    if isinstance(value, cbor2.CBORTag):
+        return untagged(value)
+    return [named(item, untagged) for item in value] if isinstance(value, list) else value
 
 
 def check_numbers(value, where):

@@ -10,7 +10,7 @@ import cbor2
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(REPOSITORY / "clients" / "python" / "tools"))
 import tables  # noqa: E402  (reads the schema)
-from decode import named  # noqa: E402
+from decode import ROW_MAJOR, as_list, named  # noqa: E402
 
 _SCHEMA = tables.schema()
 CHANNELS = {row["name"]: tables.channel(row)[1:] for row in _SCHEMA["channels"]}
@@ -19,6 +19,7 @@ CARRIED = {row["name"]: row["types"] for row in _SCHEMA["channels"]}
 STANDARD = tuple(tuple(row["name"] for row in tables.standard(_SCHEMA[part])) for part in ("channels", "messages"))
 CHECKED = set()  # classes of which a message was held to its table
 WILL = "ConnectionLost"
+_FLOAT64 = 86  # typed array, little endian: the only one that writers write
 _SYSTEM_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]{0,63}")
 _FRAME = re.compile(r"GLOBAL|LOCAL_ENU|LOCAL_NED|BODY|BODY_FRD|BODY_FLU|UTM ([1-9]|[1-5][0-9]|60)[NS]")
 
@@ -67,14 +68,42 @@ def check(topic, qos, payload, now_s):
     return message, origin
 
 
+class Typed(list):
+    """A list that was written as a typed array, as only lists of this kind are."""
+
+    def __init__(self, tag, kind):
+        super().__init__(as_list(tag))
+        self.kind = kind
+
+
+def typed(tag):
+    """The list that a writer wrote as this tag; that its lengths are in their shortest form is known."""
+    if tag.tag == _FLOAT64:
+        _floats(tag, 1)
+        return Typed(tag, "numbers")
+    require(tag.tag == ROW_MAJOR, f"tag {tag.tag} is none that writers write")
+    require(isinstance(tag.value, (list, tuple)) and len(tag.value) == 2, "points are not dimensions and numbers")
+    dimensions, numbers = tag.value
+    expected = [_floats(numbers, 3), 3]
+    require(cbor2.dumps(dimensions) == cbor2.dumps(expected), f"dimensions {dimensions}, expected {expected}")
+    return Typed(tag, "points")
+
+
+def _floats(value, together):
+    """How many times so many float64 there are together."""
+    require(isinstance(value, cbor2.CBORTag) and value.tag == _FLOAT64 and isinstance(value.value, bytes)
+            and len(value.value) % (8 * together) == 0, f"no tag {_FLOAT64} on a byte string of float64, {together} together")
+    return len(value.value) // (8 * together)
+
+
 def parts(payload):
-    """The message's pairs and its origin."""
+    """The message's pairs and its origin. Lists that were written as typed arrays are Typed."""
     stream = io.BytesIO(payload)
     message = cbor2.CBORDecoder(stream).decode()
     require(stream.read() == b"", "bytes after the message")
     require(isinstance(message, dict), "payload is no map")
     require(cbor2.dumps(message) == payload, "not as writers write: definite lengths, shortest integers, float64")
-    message = named(message)
+    message = named(message, typed)
     if "origin" not in message:
         return message, None
     require(list(message)[-1] == "origin", "origin is not behind all other pairs")
@@ -138,7 +167,8 @@ def value_of(kind, value, least, most, choices, where):
     elif kind == "point":
         require(type(value) is list and len(value) == 3 and all(map(is_number, value)), f"{where}{value!r} is no point")
     else:
-        require(type(value) is list and len(value) <= 100_000, f"{where}{value!r} is no array")
+        require(type(value) is list or type(value) is Typed and value.kind == kind, f"{where}{value!r} is no array of {kind}")
+        require(len(value) <= 100_000, f"{where}{len(value)} elements are too many")
         for index, item in enumerate(value):
             element(kind, item, f"{where[:-2]}[{index}]: ")
 

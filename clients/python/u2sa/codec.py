@@ -6,6 +6,7 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple
 import cbor2
 
 from . import message as values
+from . import typed
 from .message import Message, UnknownConstant
 from .schema import STANDARD, TYPE_KEY, Malformed, Schema, name_of
 from .wellformed import check
@@ -62,7 +63,7 @@ def decode(chain: Sequence[str], payload: bytes, schema: Schema = STANDARD) -> M
     check(payload)
     try:
         pairs = cbor2.loads(payload)
-    except (cbor2.CBORDecodeError, ValueError, OverflowError) as e:
+    except Exception as e:  # before 6, cbor2 passes on what reading a tag's value raises: TypeError, SystemError
         raise Malformed(f"{chain[-1]}: no CBOR: {e}") from e
     named = _named(pairs, chain[-1])
     origin = named.pop(_ORIGIN, None)
@@ -113,6 +114,10 @@ def _message(chain: Sequence[str], pairs: Dict[str, Any], schema: Schema, where:
             continue
         if field.kind.startswith("messages:"):
             value = _nested(value, schema, f"{where}.{key}")
+        elif field.kind == "numbers":
+            value = typed.numbers(value, f"{where}.{key}")
+        elif field.kind == "points":
+            value = typed.points(value, f"{where}.{key}")
         try:
             message[key] = value
         except UnknownConstant:
@@ -140,6 +145,8 @@ def _nested(value: Any, schema: Schema, where: str) -> List[Message]:
 
 def _plain(value: Any, where: str) -> Any:
     """A value of a field that no table has: numbers, texts, byte strings, flags, arrays and maps of such."""
+    if isinstance(value, cbor2.CBORTag):
+        value = typed.plain(value, where)
     if isinstance(value, dict):
         return {values.text(key, where): _plain(item, where) for key, item in _named(value, where).items()}
     if isinstance(value, list):

@@ -160,7 +160,10 @@ def number(value: Any, where: str, least: Optional[float] = None, most: Optional
     """A finite float within its range."""
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise Malformed(f"{where}: expected a number, not {value!r}")
-    as_float = float(value)
+    try:
+        as_float = float(value)
+    except OverflowError:
+        raise Malformed(f"{where}: expected a number that float64 can hold, not a larger one") from None
     if not math.isfinite(as_float):
         raise Malformed(f"{where}: expected a finite number, not {value!r}")
     if (least is not None and as_float < least) or (most is not None and as_float > most):

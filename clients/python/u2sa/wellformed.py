@@ -30,14 +30,18 @@ class _Scan:
         """Steps over one item."""
         begin = self.at
         major, info, length = self._head()
+        tags = 0
+        while major == _TAG:  # a remark; whether its item is one that a field takes shows later
+            tags += 1
+            if tags > DEPTH:
+                raise Malformed(f"byte {begin}: more than {DEPTH} tags of one item")
+            major, info, length = self._head()
         if major in _MOST_BYTES:
             self._string(major, info, length)
         elif major == _ARRAY or major == _MAP:
             if depth == DEPTH:
                 raise Malformed(f"byte {begin}: more than {DEPTH} levels")
             self._container(major, info, length, depth + 1)
-        elif major == _TAG:
-            self.item(depth)  # a tag is a remark; whether its item is one that a field takes shows later
         elif major == _SIMPLE and info == _INDEFINITE:
             raise Malformed(f"byte {begin}: a break where an item was expected")
 
