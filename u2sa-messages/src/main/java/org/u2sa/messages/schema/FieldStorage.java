@@ -89,17 +89,13 @@ final class FieldStorage {
   }
 
   /**
-   * Keeps numbers as readers come by them, one after the other.
+   * Keeps numbers as readers come by them: behind all that are set, in a message that is not
+   * frozen.
    *
    * @param slots of the numbers, a bit each
    * @param more the numbers in the order of their slots; nobody else changes them any more
-   * @return false if a number of the first of these slots or of a higher one is set, or the message
-   *     is frozen: then nothing is kept
    */
-  boolean append(long slots, double[] more) {
-    if (present >>> Long.numberOfTrailingZeros(slots) != 0L || frozen) {
-      return false;
-    }
+  void append(long slots, double[] more) {
     int count = Long.bitCount(present);
     if (count == 0) {
       numbers = more;
@@ -108,7 +104,6 @@ final class FieldStorage {
       System.arraycopy(more, 0, numbers, count, more.length);
     }
     present |= slots;
-    return true;
   }
 
   private void makeRoomAt(int index) {

@@ -72,6 +72,7 @@ final class NumberRun {
    * Reads the numbers that the last map had that opened alike, if they are there. Else reads
    * nothing; whoever then reads them one by one calls {@link #expect}.
    *
+   * @param storage of a message that has none of them yet, nor any behind them
    * @param pairs of the map
    * @param atMost how many numbers there can be
    * @return which were read; null if none
@@ -82,9 +83,10 @@ final class NumberRun {
       return null;
     }
     double[] values = pattern.read(in.bytes(), in.offset());
-    if (values == null || !storage.append(pattern.set(), values)) {
+    if (values == null) {
       return null;
     }
+    storage.append(pattern.set(), values);
     in.passTo(in.offset() + pattern.length());
     return pattern;
   }

@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.HexFormat;
 import java.util.List;
@@ -11,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.GoalList;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.Waypoint;
 import org.u2sa.messages.contract.StopCommand;
 import org.u2sa.messages.registry.StandardTypes;
@@ -131,5 +134,46 @@ class CodecEdgesTest {
     byte[] more = new byte[Limits.PAYLOAD_BYTES + 1];
     assertThatThrownBy(() -> codec.decode(UNKNOWN, more))
         .hasMessageContaining("at most " + Limits.PAYLOAD_BYTES + " bytes");
+  }
+
+  /**
+   * A constant of later versions in an optional field is as if the field were absent; its key may
+   * still not come twice, whether what follows is in order or not.
+   */
+  @Test
+  void decode_constantUnknown_isAbsentAndItsKeyCannotComeAgain() throws MalformedMessageException {
+    ObjectDescription object = new ObjectDescription().uid("o").level(ObjectLevel.AVOID_ALWAYS);
+    object.x(1.0).y(2.0).confidence(0.5);
+    byte[] bytes = object.serialize();
+    String hex = HexFormat.of().formatHex(bytes);
+    String known = text("AVOID_ALWAYS");
+    assertThat(hex).contains(known);
+    String later = hex.replace(known, text("AVOID_NEVERS"));
+
+    ObjectDescription read =
+        (ObjectDescription) codec.decode(object.typeChain(), HexFormat.of().parseHex(later));
+    assertThat(read.level()).isEmpty();
+    assertThat(read.confidence()).hasValue(0.5);
+
+    int pairs = bytes[0] & Cbor.INFO;
+    for (String value : List.of("AVOID_NEVERS", "AVOID_ALWAYS")) {
+      byte[] twice =
+          HexFormat.of()
+              .parseHex(withPairs(pairs + 1) + later.substring(2) + text("level") + text(value));
+      assertThatThrownBy(() -> codec.decode(object.typeChain(), twice))
+          .isInstanceOf(MalformedMessageException.class)
+          .hasMessageContaining("ObjectDescription.level")
+          .hasMessageContaining("the key comes twice");
+    }
+  }
+
+  private static String withPairs(int pairs) {
+    return HexFormat.of().toHexDigits((byte) (Cbor.MAP | pairs));
+  }
+
+  private static String text(String ascii) {
+    byte[] bytes = ascii.getBytes(StandardCharsets.US_ASCII);
+    return HexFormat.of().toHexDigits((byte) (Cbor.TEXT | bytes.length))
+        + HexFormat.of().formatHex(bytes);
   }
 }

@@ -163,4 +163,58 @@ class NumberRunTest {
     assertThat(second.x()).hasValue(1.0);
     assertThat(position(1.0).serialize()).isEqualTo(bytes);
   }
+
+  /** More numbers are there than the map says: whichever number of pairs hashes alike. */
+  @Test
+  void decode_moreNumbersExpectedThanThereAre_endsWithTheMap() throws MalformedMessageException {
+    MessageCodec named = new MessageCodec(MessageTypes.of(List.of(Named.TYPE)));
+    for (int first = 1; first < 40; first++) {
+      for (int last = first + 1; last <= Math.min(40, first + 22); last++) {
+        Named message = new Named();
+        for (int length = first; length <= last; length++) {
+          Named.TYPE.field("n".repeat(length)).orElseThrow().set(message, 1.0);
+        }
+        byte[] bytes = message.serialize();
+        named.decode(Named.TYPE.chain(), bytes);
+        bytes[0] = (byte) (Cbor.MAP | 1);
+
+        assertThatThrownBy(() -> named.decode(Named.TYPE.chain(), bytes))
+            .hasMessageContaining("expected the end of the message");
+      }
+    }
+  }
+
+  /** A text, a number, and one that has a default. */
+  private static final class Defaulted extends U2SAData {
+    private static final Schema<Defaulted> SCHEMA =
+        Schema.of(Defaulted.class, Defaulted::new, U2SAData.TYPE);
+    private static final ValueField<Defaulted, String> TEXT = SCHEMA.optionalText("t");
+    private static final NumberField<Defaulted> NUMBER = SCHEMA.optionalNumber("a", "m");
+    private static final NumberField<Defaulted> WITH_DEFAULT = SCHEMA.number("b", "m", 1.0);
+    private static final MessageType<Defaulted> TYPE = SCHEMA.build();
+
+    @Override
+    public MessageType<Defaulted> type() {
+      return TYPE;
+    }
+  }
+
+  /** {t, a} of a writer that leaves the default out, then {a, b}: as many pairs, a comes first. */
+  @Test
+  void decode_defaultLeftOutBefore_isReadWhereItIsThere() throws MalformedMessageException {
+    MessageCodec reader = new MessageCodec(MessageTypes.of(List.of(Defaulted.TYPE)));
+    byte[] without = HexFormat.of().parseHex("a2" + "61746161" + "6161fb4000000000000000");
+    byte[] with =
+        HexFormat.of().parseHex("a2" + "6161fb4000000000000000" + "6162fb4014000000000000");
+
+    U2SAData old = reader.decode(Defaulted.TYPE.chain(), without);
+    assertThat(old.get(Defaulted.WITH_DEFAULT)).hasValue(1.0);
+    for (int time = 1; time <= 2; time++) {
+      U2SAData message = reader.decode(Defaulted.TYPE.chain(), with);
+      assertThat(message.get(Defaulted.NUMBER)).hasValue(2.0);
+      assertThat(message.get(Defaulted.WITH_DEFAULT)).hasValue(5.0);
+      assertThat(message.get(Defaulted.TEXT)).isNull();
+    }
+    assertThat(reader.decode(Defaulted.TYPE.chain(), without)).isEqualTo(old);
+  }
 }

@@ -51,6 +51,20 @@ class RecentTextsTest {
     assertThat(read("abcdefghijklmnopqrstö", 0, 0)).isNull();
   }
 
+  /**
+   * As names of a fleet are: alike but for a few letters, at the beginning, in the middle or end.
+   */
+  @Test
+  void text_alikeButForALetter_isToldApart() {
+    for (int place = 0; place < RecentTexts.LONGEST; place++) {
+      for (char letter = '!'; letter <= '~'; letter++) {
+        StringBuilder name = new StringBuilder("a".repeat(RecentTexts.LONGEST));
+        name.setCharAt(place, letter);
+        assertThat(read(name.toString(), 0, 0)).isEqualTo(name.toString());
+      }
+    }
+  }
+
   @Property(tries = 200)
   void text_manyInAnyOrder_areAlwaysThoseOfTheBytes(
       @ForAll @Size(min = 1, max = 40) List<@StringLength(max = 23) String> some) {
