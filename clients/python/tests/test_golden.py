@@ -39,7 +39,7 @@ class GoldenTest(unittest.TestCase):
 
 
 class LabelsTest(unittest.TestCase):
-    """Fields named by numbers, as FIELD KEYS = labels has them written."""
+    """Fields named by numbers, as WIRE FORM = compact has them written."""
 
     LABELS = {name: label for label, name in enumerate(tables.LABELS)}
 

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.KeyForm;
+import org.u2sa.messages.schema.WireForm;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageType;
@@ -22,7 +22,7 @@ public final class CodecTarget {
   private static final List<MessageType<?>> TYPES = List.copyOf(StandardTypes.registry().all());
   private static final MessageCodec CODEC = new MessageCodec(StandardTypes.registry());
   private static final MessageCodec LABELS =
-      new MessageCodec(StandardTypes.registry(), KeyForm.LABELS);
+      new MessageCodec(StandardTypes.registry(), WireForm.COMPACT);
 
   private CodecTarget() {}
 

@@ -76,7 +76,7 @@ public final class CommunicationManager implements AutoCloseable {
     BrokerSecurity.Settings settings = configuration.settings(BrokerSecurity.Settings.class).get();
     BrokerAccess.Login login = configuration.settings(BrokerAccess.Login.class).get();
     Supplier<BrokerAccess> access = () -> access(login, settings.securityDirectory());
-    MessageCodec codec = new MessageCodec(types, manager.keyForm());
+    MessageCodec codec = new MessageCodec(types, manager.form());
     if (manager.broker().equals("external")) {
       BrokerAccess as = access.get();
       InetSocketAddress broker =

@@ -1,7 +1,7 @@
 package org.u2sa.core.communication;
 
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.messages.schema.KeyForm;
+import org.u2sa.messages.schema.WireForm;
 
 /** The variables of the {@link CommunicationManager}, its limits and security aside. */
 public record ManagerSettings(
@@ -38,25 +38,25 @@ public record ManagerSettings(
                 "Whether the embedded broker announces itself by mDNS; auto: if it listens on a network.")
         String announce,
     @Variable(
-            oneOf = {NAMES, LABELS},
-            ifAbsentText = NAMES,
+            oneOf = {READABLE, COMPACT},
+            ifAbsentText = READABLE,
             text =
-                "What this process's messages name their fields by. names: readable without anything; labels: numbers instead, about half of the bytes of small messages, for readers of format 3 and later.")
-        String fieldKeys) {
+                "How this process writes messages. readable: fields by name, for any CBOR tool; compact: fields by number and lists as typed arrays, about half of the bytes of small messages, for readers of format 3 and later.")
+        String wireForm) {
   /** Name of the variable {@link #broker}. */
   public static final String BROKER = "BROKER";
 
   /** Name of the variable {@link #communicationManagerPort}. */
   public static final String PORT = "COMMUNICATION MANAGER PORT";
 
-  /** Constant for {@link #fieldKeys}. */
-  static final String NAMES = "names";
+  /** Constant for {@link #wireForm}. */
+  static final String READABLE = "readable";
 
-  /** Constant for {@link #fieldKeys}. */
-  static final String LABELS = "labels";
+  /** Constant for {@link #wireForm}. */
+  static final String COMPACT = "compact";
 
-  KeyForm keyForm() {
-    return fieldKeys.equals(LABELS) ? KeyForm.LABELS : KeyForm.NAMES;
+  WireForm form() {
+    return wireForm.equals(COMPACT) ? WireForm.COMPACT : WireForm.READABLE;
   }
 
   boolean announces() {

@@ -12,6 +12,10 @@ final class AnyValue {
   private AnyValue() {}
 
   static Object read(CborReader in) throws MalformedMessageException {
+    List<?> typed = in.typedArray();
+    if (typed != null) {
+      return typed;
+    }
     int first = in.next();
     switch (first & Cbor.MAJOR) {
       case Cbor.UNSIGNED, Cbor.NEGATIVE:

@@ -70,6 +70,12 @@ final class CborInput {
     return bytes[at] & 0xFF;
   }
 
+  /** The number of the tag that is next, which is read; -1 if there is none. */
+  long tag() {
+    boolean isTag = at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.TAG;
+    return isTag ? argument() : -1L;
+  }
+
   /** Whether the next item is a number that is not negative, as labels are; it stays there. */
   boolean isLabelNext() {
     return at < bytes.length && (bytes[at] & Cbor.MAJOR) == Cbor.UNSIGNED;
@@ -166,7 +172,7 @@ final class CborInput {
   }
 
   /** RFC 8949, appendix D. */
-  private static double half(short bits) {
+  static double half(short bits) {
     int exponent = bits >> HALF_EXPONENT & HALF_LARGEST_EXPONENT;
     int fraction = bits & HALF_FRACTION;
     double size;
@@ -273,6 +279,18 @@ final class CborInput {
       throw new IllegalArgumentException(
           "expected text in UTF-8; half a surrogate pair is none", e);
     }
+  }
+
+  /** A byte string, without a copy of it if it is whole; nobody writes to it. */
+  ByteBuffer bytesInPlace() {
+    if ((next() & Cbor.MAJOR) != Cbor.BYTES || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
+      return ByteBuffer.wrap(byteString().shared());
+    }
+    long length = argument();
+    if (length < 0 || length > bytes.length - at) {
+      throw new IllegalArgumentException("expected a byte string that fits into the message");
+    }
+    return ByteBuffer.wrap(bytes, skipBytes((int) length), (int) length);
   }
 
   /** A byte string, whole or in pieces. */

@@ -1,6 +1,7 @@
 package org.u2sa.messages.schema;
 
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
@@ -13,24 +14,24 @@ final class CborOutput {
   private static final int LONGEST_HEAD = 9;
   private static final int ASCII_LAST = 0x7F;
 
-  private final KeyForm form;
+  private final WireForm form;
   private byte[] bytes;
   private int length;
 
   CborOutput() {
-    this(KeyForm.NAMES, TYPICAL_BYTES);
+    this(WireForm.READABLE, TYPICAL_BYTES);
   }
 
   /**
    * @param form of the keys of all maps
    * @param expected bytes, about; takes more as well
    */
-  CborOutput(KeyForm form, int expected) {
+  CborOutput(WireForm form, int expected) {
     this.form = form;
     bytes = new byte[expected];
   }
 
-  KeyForm form() {
+  WireForm form() {
     return form;
   }
 
@@ -135,6 +136,18 @@ final class CborOutput {
     }
     length = at + chars;
     return true;
+  }
+
+  void tag(int number) {
+    head(Cbor.TAG, number);
+  }
+
+  /** Opens a byte string of so many bytes; returns a little-endian buffer to fill with them. */
+  ByteBuffer byteString(int size) {
+    head(Cbor.BYTES, size);
+    reserve(size);
+    length += size;
+    return ByteBuffer.wrap(bytes, length - size, size).order(ByteOrder.LITTLE_ENDIAN);
   }
 
   void byteString(ByteString value) {

@@ -12,10 +12,10 @@ import org.u2sa.messages.frame.Point;
  * MalformedMessageException}.
  */
 final class CborReader {
-  private static final FieldKey TYPE_NAME = KeyForm.NAMES.key(Schema.TYPE_KEY);
-  private static final FieldKey TYPE_LABEL = KeyForm.LABELS.key(Schema.TYPE_KEY);
-  private static final FieldKey ORIGIN_NAME = KeyForm.NAMES.key(Origin.KEY);
-  private static final FieldKey ORIGIN_LABEL = KeyForm.LABELS.key(Origin.KEY);
+  private static final FieldKey TYPE_NAME = WireForm.READABLE.key(Schema.TYPE_KEY);
+  private static final FieldKey TYPE_LABEL = WireForm.COMPACT.key(Schema.TYPE_KEY);
+  private static final FieldKey ORIGIN_NAME = WireForm.READABLE.key(Origin.KEY);
+  private static final FieldKey ORIGIN_LABEL = WireForm.COMPACT.key(Origin.KEY);
   private static final int COORDINATES = 3;
   private static final int BETWEEN = -1; // fields
   private static final int OTHER = -2; // than fields with an index
@@ -68,7 +68,7 @@ final class CborReader {
       MessageType<M> type, List<String> itsChain, long pairs, long read)
       throws MalformedMessageException {
     M message = type.newCarrier();
-    FieldTable<M> fields = type.table(in.isLabelNext() ? KeyForm.LABELS : KeyForm.NAMES);
+    FieldTable<M> fields = type.table(in.isLabelNext() ? WireForm.COMPACT : WireForm.READABLE);
     table = fields;
     deeper();
     boolean isKnown = type.chain() == itsChain || type.chain().equals(itsChain);
@@ -194,8 +194,13 @@ final class CborReader {
     return Point.of(x, y, z);
   }
 
-  /** The next item, as a list of numbers without objects for them. */
+  /** The next item, as a list of numbers without objects for them, be it a typed array. */
   List<Double> numbers() throws MalformedMessageException {
+    List<Double> typed = typedNumbers();
+    if (typed != null) {
+      requireRoom(typed.size());
+      return typed;
+    }
     long length = in.array();
     if (length == CborInput.UNTIL_BREAK) {
       return elements(length, in::number);
@@ -206,6 +211,86 @@ final class CborReader {
     in.numbers(numbers);
     depth--;
     return Numbers.owning(numbers);
+  }
+
+  /** The next item, if it is a typed array of floats; else null, and no more than tags is read. */
+  private List<Double> typedNumbers() {
+    for (long tag = in.tag(); tag >= 0; tag = in.tag()) { // other tags are remarks
+      if (TypedArrays.isOfFloats(tag)) {
+        return Numbers.owning(TypedArrays.read(in, tag));
+      }
+    }
+    return null;
+  }
+
+  /** The next item, as a list of points, be it a two-dimensional array with three columns. */
+  List<Point> points() throws MalformedMessageException {
+    for (long tag = in.tag(); tag >= 0; tag = in.tag()) {
+      if (tag == TypedArrays.ROW_MAJOR) {
+        return rows(
+            COORDINATES, (row, at, end) -> Point.of(row.get(at), row.get(at + 1), row.get(at + 2)));
+      }
+    }
+    return list(this::point);
+  }
+
+  /** Makes an element of a row of numbers, from one index to before another. */
+  private interface Row<V> {
+    V of(List<Double> numbers, int at, int end);
+  }
+
+  /**
+   * The rest of a two-dimensional array, row by row.
+   *
+   * @param width how many columns there must be; 0: any number
+   */
+  private <V> List<V> rows(int width, Row<V> row) throws MalformedMessageException {
+    long parts = in.array();
+    deeper();
+    long dimensions = in.array();
+    deeper();
+    long count = in.count();
+    long columns = in.count();
+    boolean isSquare = in.isDone(dimensions, 2);
+    depth--;
+    requireRoom(count);
+    requireRoom(columns);
+    if (!isSquare || count < 0 || columns < 1 || width != 0 && columns != width) {
+      throw malformed("expected the dimensions [n, " + (width == 0 ? "m" : width) + "]");
+    }
+    List<Double> numbers = typedNumbers();
+    if (numbers == null) {
+      numbers = numbers();
+    }
+    if (numbers.size() != count * columns || !in.isDone(parts, 2)) {
+      throw malformed(
+          String.format(
+              "expected %s times %s numbers and the end, not %s", count, columns, numbers.size()));
+    }
+    depth--;
+    List<V> rows = new ArrayList<>((int) count);
+    for (int at = 0; at < numbers.size(); at += (int) columns) {
+      rows.add(row.of(numbers, at, at + (int) columns));
+    }
+    return rows;
+  }
+
+  /**
+   * The next item as a list if it is an array of floats of one or two dimensions, as a message of
+   * an unknown class may have it; else null.
+   */
+  List<?> typedArray() throws MalformedMessageException {
+    for (long tag = in.tag(); tag >= 0; tag = in.tag()) {
+      if (TypedArrays.isOfFloats(tag)) {
+        List<Double> numbers = Numbers.owning(TypedArrays.read(in, tag));
+        requireRoom(numbers.size());
+        return Collections.unmodifiableList(numbers);
+      }
+      if (tag == TypedArrays.ROW_MAJOR) {
+        return rows(0, (row, at, end) -> List.copyOf(row.subList(at, end)));
+      }
+    }
+    return null;
   }
 
   /** The next item, as a list of true and false without a place for each. */

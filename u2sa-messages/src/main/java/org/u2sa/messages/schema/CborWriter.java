@@ -15,11 +15,11 @@ final class CborWriter {
   private CborWriter() {}
 
   private static FieldKey[] keys(String name) {
-    return Stream.of(KeyForm.values()).map(form -> form.key(name)).toArray(FieldKey[]::new);
+    return Stream.of(WireForm.values()).map(form -> form.key(name)).toArray(FieldKey[]::new);
   }
 
   /** The message, and who sends it unless that is null. */
-  static byte[] bytes(U2SAData message, Origin origin, KeyForm form) {
+  static byte[] bytes(U2SAData message, Origin origin, WireForm form) {
     message.requireComplete();
     FieldTable<U2SAData> table = message.ownType().table(form);
     CborOutput out = new CborOutput(form, table.typicalBytes());
@@ -41,7 +41,7 @@ final class CborWriter {
       FieldTable<U2SAData> table,
       Origin origin,
       boolean withType) {
-    KeyForm form = out.form();
+    WireForm form = out.form();
     Map<String, Object> unknown = message.unknownFields();
     out.map(table.count(message) + unknown.size() + (withType ? 1 : 0) + (origin == null ? 0 : 1));
     if (withType) {

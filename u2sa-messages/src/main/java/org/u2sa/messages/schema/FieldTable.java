@@ -28,7 +28,7 @@ final class FieldTable<T extends U2SAData> {
   private final long requiredValues; // likewise
   private int typicalBytes = LEAST_BYTES; // of the last message written: a guess, so no lock
 
-  FieldTable(List<MessageField<T>> all, KeyForm form) {
+  FieldTable(List<MessageField<T>> all, WireForm form) {
     fields = fieldArray(all);
     keys = all.stream().map(field -> form.key(field.name())).toArray(FieldKey[]::new);
     runs = new NumberRun[fields.length];

@@ -11,7 +11,7 @@ final class ListKinds {
   static final ValueKind<List<String>> TEXTS =
       new TextList(new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", ScalarKinds.TEXT));
   static final ValueKind<List<Point>> POINTS =
-      new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT);
+      new PointList(new ListKind<>(Kind.POINT_LIST, Point.class, "points", ";", ScalarKinds.POINT));
   static final ValueKind<List<Double>> NUMBERS = new NumberList();
   static final ValueKind<List<Boolean>> FLAGS = new FlagList();
 
@@ -120,6 +120,38 @@ final class ListKinds {
     }
   }
 
+  /** May be a two-dimensional array on the wire. */
+  private record PointList(ValueKind<List<Point>> made) implements ValueKind<List<Point>> {
+    @Override
+    public Kind kind() {
+      return made.kind();
+    }
+
+    @Override
+    public List<Point> checked(Object value) {
+      return made.checked(value);
+    }
+
+    @Override
+    public List<Point> parsed(List<String> texts) {
+      return made.parsed(texts);
+    }
+
+    @Override
+    public void write(CborOutput out, List<Point> values) {
+      if (out.form() == WireForm.COMPACT) {
+        TypedArrays.writePoints(out, values);
+      } else {
+        made.write(out, values);
+      }
+    }
+
+    @Override
+    public List<Point> read(CborReader in) throws MalformedMessageException {
+      return in.points();
+    }
+  }
+
   /** Kept as {@link Numbers}. */
   private record NumberList() implements ValueKind<List<Double>> {
     @Override
@@ -143,7 +175,11 @@ final class ListKinds {
 
     @Override
     public void write(CborOutput out, List<Double> values) {
-      out.numbers(Numbers.of(values));
+      if (out.form() == WireForm.COMPACT) {
+        TypedArrays.write(out, Numbers.of(values));
+      } else {
+        out.numbers(Numbers.of(values));
+      }
     }
 
     @Override

@@ -8,19 +8,19 @@ import java.util.List;
  */
 public final class MessageCodec {
   private final MessageTypes types;
-  private final KeyForm keys;
+  private final WireForm keys;
   private final RecentTexts texts = new RecentTexts();
 
   /** A codec that knows the given types and writes fields with their names. */
   public MessageCodec(MessageTypes types) {
-    this(types, KeyForm.NAMES);
+    this(types, WireForm.READABLE);
   }
 
   /**
    * @param types that it reads; it writes any
    * @param keys how it names the fields of what it writes; it reads either form
    */
-  public MessageCodec(MessageTypes types, KeyForm keys) {
+  public MessageCodec(MessageTypes types, WireForm keys) {
     this.types = types;
     this.keys = keys;
   }

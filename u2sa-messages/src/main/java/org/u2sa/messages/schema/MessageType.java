@@ -49,7 +49,7 @@ public final class MessageType<T extends U2SAData> {
     this.aliases = aliases;
     this.frameField = frameField;
     this.sizes = sizes;
-    names = new FieldTable<>(fields, KeyForm.NAMES);
+    names = new FieldTable<>(fields, WireForm.READABLE);
     for (MessageField<T> field : fields) {
       byName.put(field.name(), field);
     }
@@ -154,13 +154,13 @@ public final class MessageType<T extends U2SAData> {
   }
 
   /** The fields as writers and readers pass over them, with keys of that form. */
-  FieldTable<T> table(KeyForm form) {
-    if (form == KeyForm.NAMES) {
+  FieldTable<T> table(WireForm form) {
+    if (form == WireForm.READABLE) {
       return names;
     }
     FieldTable<T> made = labels;
     if (made == null) { // by two threads, maybe: what either makes is the same
-      made = new FieldTable<>(fields, KeyForm.LABELS);
+      made = new FieldTable<>(fields, WireForm.COMPACT);
       labels = made;
     }
     return made;

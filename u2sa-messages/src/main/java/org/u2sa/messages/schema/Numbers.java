@@ -63,6 +63,11 @@ final class Numbers extends AbstractList<Double> implements RandomAccess {
     return at;
   }
 
+  /** Writes them one behind the other in the order of bytes that the buffer has. */
+  void put(ByteBuffer into) {
+    into.asDoubleBuffer().put(values);
+  }
+
   @Override
   public Double get(int index) {
     return values[index];

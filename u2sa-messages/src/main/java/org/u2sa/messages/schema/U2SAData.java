@@ -87,7 +87,7 @@ public abstract class U2SAData {
    * @throws IllegalStateException if a required field is missing or the bytes exceed 1 MiB
    */
   public final byte[] serialize() {
-    return CborWriter.bytes(this, null, KeyForm.NAMES);
+    return CborWriter.bytes(this, null, WireForm.READABLE);
   }
 
   /** Who sent the bytes that this was read from; empty if they did not say, or there were none. */

@@ -14,7 +14,7 @@ import org.u2sa.messages.registry.StandardTypes;
 
 /** What must hold for every registered message with any values, and for any bytes. */
 class CodecProperties {
-  private static MessageCodec codec(KeyForm keys) {
+  private static MessageCodec codec(WireForm keys) {
     return new MessageCodec(StandardTypes.registry(), keys);
   }
 
@@ -25,7 +25,8 @@ class CodecProperties {
 
   @Property(seed = "2014")
   void decode_whatWasEncoded_isEqualAndGivesTheSameBytes(
-      @ForAll("messages") U2SAData message, @ForAll KeyForm keys) throws MalformedMessageException {
+      @ForAll("messages") U2SAData message, @ForAll WireForm keys)
+      throws MalformedMessageException {
     MessageCodec codec = codec(keys);
     byte[] bytes = codec.encode(message);
 
@@ -41,7 +42,7 @@ class CodecProperties {
 
   @Property(tries = 200, seed = "2014")
   void decode_bytesFlipped_messageOrOneException(
-      @ForAll("messages") U2SAData message, @ForAll KeyForm keys, @ForAll Random random) {
+      @ForAll("messages") U2SAData message, @ForAll WireForm keys, @ForAll Random random) {
     byte[] bytes = codec(keys).encode(message);
     for (int flips = 1 + random.nextInt(4); flips > 0; flips--) {
       bytes[random.nextInt(bytes.length)] ^= (byte) (1 << random.nextInt(8));
@@ -50,7 +51,7 @@ class CodecProperties {
   }
 
   @Property(tries = 200, seed = "2014")
-  void decode_bytesCut_oneException(@ForAll("messages") U2SAData message, @ForAll KeyForm keys) {
+  void decode_bytesCut_oneException(@ForAll("messages") U2SAData message, @ForAll WireForm keys) {
     byte[] bytes = codec(keys).encode(message);
     for (int length = 0; length < bytes.length; length += 1 + bytes.length / 300) {
       assertThat(decodes(message.typeChain(), Arrays.copyOf(bytes, length)))
@@ -69,7 +70,7 @@ class CodecProperties {
   /** False if refused as it should be; any other exception fails the test. */
   private boolean decodes(List<String> chain, byte[] bytes) {
     try {
-      assertThat(codec(KeyForm.NAMES).decode(chain, bytes)).isNotNull();
+      assertThat(codec(WireForm.READABLE).decode(chain, bytes)).isNotNull();
       return true;
     } catch (MalformedMessageException e) {
       assertThat(e.getMessage()).isNotBlank();

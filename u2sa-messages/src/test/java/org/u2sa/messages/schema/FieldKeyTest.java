@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A field's name, written eight bytes at a time; and flags, a byte each. */
 class FieldKeyTest {
   private static byte[] bytes(String name) {
-    CborOutput out = new CborOutput(KeyForm.NAMES, 1);
+    CborOutput out = new CborOutput(WireForm.READABLE, 1);
     out.key(FieldKey.ofName(name));
     return out.toBytes();
   }
@@ -46,7 +46,7 @@ class FieldKeyTest {
   @Test
   void key_atTheEndOfTheBuffer_isWholeToo() {
     for (int room = 0; room < 24; room++) {
-      CborOutput out = new CborOutput(KeyForm.NAMES, room);
+      CborOutput out = new CborOutput(WireForm.READABLE, room);
       out.flag(true);
       out.key(FieldKey.ofName("thetaDoubleDot"));
       out.flag(false);

@@ -22,7 +22,7 @@ import org.u2sa.messages.registry.StandardTypes;
 class FieldLabelsTest {
   private static final String UNKNOWN = "1903e8"; // 1000
   private final MessageCodec names = new MessageCodec(StandardTypes.registry());
-  private final MessageCodec labels = new MessageCodec(StandardTypes.registry(), KeyForm.LABELS);
+  private final MessageCodec labels = new MessageCodec(StandardTypes.registry(), WireForm.COMPACT);
 
   private U2SAData decoded(String chain, String hex) throws MalformedMessageException {
     return names.decode(List.of(chain.split("/")), HexFormat.of().parseHex(hex.replace(" ", "")));

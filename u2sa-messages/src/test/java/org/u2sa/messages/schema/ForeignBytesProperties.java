@@ -67,7 +67,7 @@ class ForeignBytesProperties {
   private static List<Pair> inEitherForm(U2SAData message, Random random) {
     List<Pair> pairs = pairs(message.serialize());
     List<Pair> labelled =
-        pairs(new MessageCodec(StandardTypes.registry(), KeyForm.LABELS).encode(message));
+        pairs(new MessageCodec(StandardTypes.registry(), WireForm.COMPACT).encode(message));
     for (int i = 0; i < pairs.size(); i++) {
       if (random.nextBoolean()) {
         pairs.set(i, labelled.get(i));

@@ -70,8 +70,8 @@ class NumberRunTest {
 
   /** Sensors of one type take turns: each message differs from what the reader expects. */
   @ParameterizedTest
-  @EnumSource(KeyForm.class)
-  void decode_otherNumbersInEachMessage_areReadAsWritten(KeyForm form)
+  @EnumSource(WireForm.class)
+  void decode_otherNumbersInEachMessage_areReadAsWritten(WireForm form)
       throws MalformedMessageException {
     MessageCodec formed = new MessageCodec(StandardTypes.registry(), form);
     Random random = new Random(7);

@@ -46,8 +46,8 @@ class PlainClientTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"names", "labels"})
-  void cessna_throughTheEmbeddedBroker_isWhatThePageSays(String keys)
+  @ValueSource(strings = {"readable", "compact"})
+  void cessna_throughTheEmbeddedBroker_isWhatThePageSays(String form)
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();
     int port = ForeignProgram.freePort();
@@ -58,7 +58,7 @@ class PlainClientTest {
             "cessna",
             "--realtime",
             "--set",
-            "CommunicationManager:FIELD KEYS=" + keys,
+            "CommunicationManager:WIRE FORM=" + form,
             "--port",
             String.valueOf(port),
             "--out",

@@ -27,7 +27,7 @@ public class CodecBenchmark {
   @Param({"COMMAND", "STATE", "SCAN"})
   String contents;
 
-  @Param({"OURS", "OURS_WITH_LABELS", "JACKSON_JSON", "MESSAGE_PACK", "PROTOBUF", "JAVA"})
+  @Param({"OURS", "OURS_COMPACT", "JACKSON_JSON", "MESSAGE_PACK", "PROTOBUF", "JAVA"})
   String peer;
 
   private Peer.Codec codec;

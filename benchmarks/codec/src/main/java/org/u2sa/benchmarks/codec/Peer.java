@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.msgpack.jackson.dataformat.MessagePackFactory;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.KeyForm;
+import org.u2sa.messages.schema.WireForm;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -19,13 +19,13 @@ enum Peer {
   OURS {
     @Override
     Codec with(Contents contents) {
-      return ours(contents, KeyForm.NAMES);
+      return ours(contents, WireForm.READABLE);
     }
   },
-  OURS_WITH_LABELS {
+  OURS_COMPACT {
     @Override
     Codec with(Contents contents) {
-      return ours(contents, KeyForm.LABELS);
+      return ours(contents, WireForm.COMPACT);
     }
   },
   JACKSON_JSON {
@@ -89,7 +89,7 @@ enum Peer {
 
   abstract Codec with(Contents contents);
 
-  private static Codec ours(Contents contents, KeyForm form) {
+  private static Codec ours(Contents contents, WireForm form) {
     MessageCodec codec = new MessageCodec(StandardTypes.registry(), form);
     List<String> chain = contents.ours().typeChain();
     return new Codec(() -> encoder(codec, contents.ours()), bytes -> codec.decode(chain, bytes));

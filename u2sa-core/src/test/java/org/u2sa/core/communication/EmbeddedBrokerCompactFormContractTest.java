@@ -16,18 +16,18 @@ import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.messages.GoalList;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.KeyForm;
+import org.u2sa.messages.schema.WireForm;
 import org.u2sa.messages.schema.MessageCodec;
 
 /** MQTT through the embedded broker, all fields named by their labels. */
-class EmbeddedBrokerLabelsContractTest extends TransportContract {
+class EmbeddedBrokerCompactFormContractTest extends TransportContract {
   private static final String SYSTEM_ID = "0066636573736e61"; // 0: "cessna"
 
-  private final TestManager broker = new TestManager(Map.of("FIELD KEYS", "labels"));
+  private final TestManager broker = new TestManager(Map.of("WIRE FORM", "compact"));
 
   @Override
   Transport transport() {
-    MessageCodec codec = new MessageCodec(StandardTypes.registry(), KeyForm.LABELS);
+    MessageCodec codec = new MessageCodec(StandardTypes.registry(), WireForm.COMPACT);
     return new MqttTransport("127.0.0.1", broker.port, "cessna", codec)
         .waiting(TestManager.PATIENCE_S);
   }

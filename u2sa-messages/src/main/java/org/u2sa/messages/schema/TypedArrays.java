@@ -1,0 +1,79 @@
+package org.u2sa.messages.schema;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Lists of numbers and points as typed arrays (RFC 8746): a tag says how the numbers are written
+ * that stand without gaps in a byte string. Points are the rows of a two-dimensional array.
+ */
+final class TypedArrays {
+  /** Tag of an array of several dimensions, row by row (3.1.1): [dimensions, elements]. */
+  static final int ROW_MAJOR = 40;
+
+  /** Tag of float64, little-endian as processors have it (2.1): the one that is written. */
+  static final int FLOAT_64_LITTLE_ENDIAN = 86;
+
+  private static final int FIRST_FLOAT = 80;
+  private static final int FIRST_LITTLE_ENDIAN = 84;
+  private static final int LENGTH = 3; // bits of a tag: 0 float16, 1 float32, 2 float64, 3 float128
+  private static final int COORDINATES = 3;
+  private static final int POINT_BYTES = COORDINATES * Double.BYTES;
+
+  private TypedArrays() {}
+
+  /** Whether the tag is one of numbers that are read: floats of 16, 32 or 64 bits, in any order. */
+  static boolean isOfFloats(long tag) {
+    return tag >= FIRST_FLOAT && tag <= FLOAT_64_LITTLE_ENDIAN && (tag & LENGTH) != LENGTH;
+  }
+
+  /** The numbers of a typed array whose tag was read. */
+  static double[] read(CborInput in, long tag) {
+    ByteBuffer data = in.bytesInPlace();
+    data.order(tag < FIRST_LITTLE_ENDIAN ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
+    int size = Short.BYTES << (tag & LENGTH);
+    int count = data.remaining() / size;
+    if (count * size != data.remaining()) {
+      throw ScalarKinds.expected(
+          String.format(
+              "a byte string of whole float%s, not %s bytes", size * Byte.SIZE, data.remaining()));
+    }
+    double[] values = new double[count];
+    switch (size) {
+      case Double.BYTES -> data.asDoubleBuffer().get(values);
+      case Float.BYTES -> {
+        for (int i = 0; i < count; i++) {
+          values[i] = data.getFloat();
+        }
+      }
+      default -> {
+        for (int i = 0; i < count; i++) {
+          values[i] = CborInput.half(data.getShort());
+        }
+      }
+    }
+    return values;
+  }
+
+  static void write(CborOutput out, Numbers values) {
+    out.tag(FLOAT_64_LITTLE_ENDIAN);
+    values.put(out.byteString(values.size() * Double.BYTES));
+  }
+
+  static void writePoints(CborOutput out, List<Point> points) {
+    out.tag(ROW_MAJOR);
+    out.array(2);
+    out.array(2);
+    out.count(points.size());
+    out.count(COORDINATES);
+    out.tag(FLOAT_64_LITTLE_ENDIAN);
+    ByteBuffer data = out.byteString(points.size() * POINT_BYTES);
+    for (Point point : points) {
+      data.putDouble(point.x());
+      data.putDouble(point.y());
+      data.putDouble(point.z());
+    }
+  }
+}
