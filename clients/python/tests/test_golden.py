@@ -82,15 +82,14 @@ class HostileBytesTest(unittest.TestCase):
                 ("a16a73656e736f724e616d657b00000001ffffffff", "at most"), ("bbffffffffffffffff", "cut short"),
                 ("a16a73656e736f724e616d6563edb9bb", "CBOR"), ("a120f6", "text key"),
                 ("a16974696d657374616d70c249ffffffffffffffffff", "64 bits"),
-                ("a16178c2588101" + "00" * 128, "x: expected a number that float64 can hold"),
-                ("a16171d81e00", "no CBOR"), ("a16171d82400", "no CBOR"), ("a16171d82381d85640", "no CBOR")):
+                ("a16178c2588101" + "00" * 128, "x: expected a number, not b'")):
             with self.subTest(hexadecimal):
                 self.refused("StateInformation", hexadecimal, expected)
 
-    def test_tags_within_tags_are_skipped_and_bounded(self):
+    def test_array_tags_within_each_other_are_skipped_and_bounded(self):
         self.assertEqual(decode(["StateInformation"], bytes.fromhex("a2 6171" + "d856" * 8 + "00 6178 01"))["x"], 1.0)
         for tags in (9, 500, 100_000):
-            self.refused("StateInformation", "a2 6171" + "d856" * tags + "00 6178 01", "byte 3: more than 8 tags of one item")
+            self.refused("StateInformation", "a2 6171" + "d856" * tags + "00 6178 01", "byte 3: more than 8 array tags of one item")
         self.refused("StateInformation", "a1 6171 d856 ff", "break")
         self.refused("StateInformation", "a1 6171 d856", "cut short")
 

@@ -143,7 +143,7 @@ class RefusedTest(unittest.TestCase):
             self.refused(finished, "d856" + value, "MissionReport.finished: expected a byte string of whole " + name)
 
     def test_other_typed_arrays_and_tags(self):
-        for tag in ("d840", "d841", "d844", "d848", "d84e", "d84f", "d853", "d857", "d818", "d829"):
+        for tag in ("d840", "d841", "d844", "d848", "d84e", "d84f", "d853", "d857", "d90410"):
             number = int(tag[2:], 16)
             of_floats = f": expected an array, or a typed array of float16, 32 or 64, not tag {number}"
             self.refused(finished, tag + "50" + "00" * 16, "MissionReport.finished" + of_floats)

@@ -9,7 +9,7 @@ from . import message as values
 from . import typed
 from .message import Message, UnknownConstant
 from .schema import STANDARD, TYPE_KEY, Malformed, Schema, name_of
-from .wellformed import check
+from .wellformed import untagged
 
 PAYLOAD_BYTES = 1 << 20
 CHAIN_NAMES = 8
@@ -60,10 +60,10 @@ def decode(chain: Sequence[str], payload: bytes, schema: Schema = STANDARD) -> M
     _check_chain(chain)
     if len(payload) > PAYLOAD_BYTES:
         raise Malformed(f"expected at most {PAYLOAD_BYTES} bytes, not {len(payload)}")
-    check(payload)
+    items = untagged(payload)
     try:
-        pairs = cbor2.loads(payload)
-    except Exception as e:  # before 6, cbor2 passes on what reading a tag's value raises: TypeError, SystemError
+        pairs = cbor2.loads(items)
+    except Exception as e:  # what cbor2 raises differs by its version
         raise Malformed(f"{chain[-1]}: no CBOR: {e}") from e
     named = _named(pairs, chain[-1])
     origin = named.pop(_ORIGIN, None)

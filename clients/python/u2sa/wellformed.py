@@ -1,4 +1,5 @@
-"""Looks CBOR through before memory is taken for it: lengths, depth, and keys that come twice, which cbor2 lets pass."""
+"""Looks CBOR through before memory is taken for it: lengths, depth, keys that come twice, which cbor2 lets pass, and
+tags, of which it obeys some, in each version others."""
 from __future__ import annotations
 
 from typing import Set, Union
@@ -7,34 +8,49 @@ from .schema import Malformed
 
 DEPTH = 8
 _UNSIGNED, _BYTES, _TEXT, _ARRAY, _MAP, _TAG, _SIMPLE = 0, 2, 3, 4, 5, 6, 7
+_ARRAY_TAGS = frozenset((40, 1040, *range(64, 88)))  # RFC 8746, but 41, whose arrays are like any; cbor2 obeys none
 _INDEFINITE = 31
 _BREAK = 0xFF
 _LIST_ELEMENTS = 100_000
 _MOST_BYTES = {_BYTES: 1 << 20, _TEXT: 1 << 16}  # of a byte string that a field takes: message.BYTE_STRING_BYTES
 
 
-def check(payload: bytes) -> None:
-    """:raises Malformed: unless the bytes are one well-formed item of at most 8 levels and nothing after it"""
+def untagged(payload: bytes) -> bytes:
+    """The item without its tags, but for those of arrays: a reader skips a tag and reads the item behind it.
+
+    :raises Malformed: unless the bytes are one well-formed item of at most 8 levels and nothing after it
+    """
     scan = _Scan(payload)
     scan.item(0)
     if scan.at != len(payload):
         raise Malformed(f"byte {scan.at}: expected the end of the message, not more bytes")
+    return scan.untagged()
 
 
 class _Scan:
     def __init__(self, payload: bytes) -> None:
         self.bytes = payload
         self.at = 0
+        self._kept = bytearray()  # what is before _passed, but for the tags that are skipped
+        self._passed = 0
+
+    def untagged(self) -> bytes:
+        """The bytes without the tags that were skipped so far."""
+        return bytes(self._kept + self.bytes[self._passed:]) if self._passed else self.bytes
 
     def item(self, depth: int) -> None:
         """Steps over one item."""
-        begin = self.at
+        begin = head = self.at
         major, info, length = self._head()
         tags = 0
-        while major == _TAG:  # a remark; whether its item is one that a field takes shows later
-            tags += 1
-            if tags > DEPTH:
-                raise Malformed(f"byte {begin}: more than {DEPTH} tags of one item")
+        while major == _TAG:
+            if length not in _ARRAY_TAGS:
+                self._skip_tag(head)
+            else:  # whether its item is one that a field takes shows later
+                tags += 1
+                if tags > DEPTH:
+                    raise Malformed(f"byte {begin}: more than {DEPTH} array tags of one item")
+            head = self.at
             major, info, length = self._head()
         if major in _MOST_BYTES:
             self._string(major, info, length)
@@ -44,6 +60,10 @@ class _Scan:
             self._container(major, info, length, depth + 1)
         elif major == _SIMPLE and info == _INDEFINITE:
             raise Malformed(f"byte {begin}: a break where an item was expected")
+
+    def _skip_tag(self, begin: int) -> None:
+        self._kept += self.bytes[self._passed:begin]
+        self._passed = self.at
 
     def _head(self) -> "tuple[int, int, int]":
         first = self._take(1)[0]
