@@ -124,6 +124,6 @@ final class ServiceConfiguration {
               max = 10_000,
               ifAbsent = 0,
               text =
-                  "Time that the service looks out for the next message, or for its next step, before it sleeps: it reacts sooner and takes as much of a core. Real time only; 0: it sleeps at once.")
+                  "Time that the service spins (busy-waits) for the next message, or for its next step, before it sleeps: it reacts sooner and takes as much of a core. Real time only; 0: it sleeps at once.")
           double spin) {}
 }

@@ -3,10 +3,14 @@ package org.u2sa.device;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
@@ -16,9 +20,18 @@ import org.u2sa.testkit.ServiceKit;
 class DevicesTest {
   private final ServiceKit kit = new ServiceKit();
 
+  @TempDir private Path folder;
+  private RegisteredProviders providers;
+
+  @BeforeEach
+  void register() throws IOException {
+    providers = new RegisteredProviders(folder, IioCompass.Provider.class, One.class, Other.class);
+  }
+
   @AfterEach
-  void end() {
+  void end() throws IOException {
     kit.close();
+    providers.close();
   }
 
   /** Two that offer the same name. */

@@ -23,8 +23,10 @@ class IioCompassTest extends DeviceContract<Heading> {
   }
 
   @Test
-  void configuration_namesIt_headingsArePublished() throws IOException {
-    try (ServiceKit kit = new ServiceKit()) {
+  @SuppressWarnings("try") // the registration is there to be closed, not called
+  void configuration_namesIt_headingsArePublished(@TempDir Path list) throws IOException {
+    try (ServiceKit kit = new ServiceKit();
+        RegisteredProviders registered = new RegisteredProviders(list, IioCompass.Provider.class)) {
       kit.with("COMPASS", "IIO").with("CONNECTION", file().toString()).with("NORTH", "FIXED");
       Files.writeString(file(), "90.0\n");
       kit.start(CompassSensor::new);

@@ -5,11 +5,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.messages.schema.WireForm;
 import org.u2sa.messages.schema.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.WireForm;
 
 /**
  * The CBOR codec. The first byte chooses the type: its place among the standard types, with {@value

@@ -1,13 +1,10 @@
 package org.u2sa.gcs.command;
 
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.interfaces.xml.NearestNames;
 
 /**
  * A variable set on the command line.
@@ -17,7 +14,6 @@ import org.u2sa.interfaces.xml.NearestNames;
  * @param value Boolean, Integer, Double or String, as it looks
  */
 public record Setting(String service, String variable, Object value) {
-  private static final String MANAGER = "CommunicationManager";
   private static final Pattern FORM = Pattern.compile("([^:=]+):([^=]+)=(.*)", Pattern.DOTALL);
 
   /**
@@ -56,25 +52,17 @@ public record Setting(String service, String variable, Object value) {
   /**
    * Refuses a setting of a service that is not there: nobody would see that it has no effect.
    *
-   * @param system whole, as in its file
+   * @param system as in its file, or a part of it
    * @throws IllegalArgumentException naming the services there are, and the nearest
    */
   public void requireServiceOf(SystemFile system) {
-    Set<String> known = new LinkedHashSet<>();
-    system.services().forEach(entry -> known.add(entry.simpleName()));
-    known.add(MANAGER);
-    if (!known.contains(service)) {
-      throw new IllegalArgumentException(
-          String.format(
-              "\"%s:%s=%s\": %s lists no service of class \"%s\"; expected one of %s%s",
-              service,
-              variable,
-              value,
-              system.file(),
-              service,
-              String.join(", ", known),
-              NearestNames.didYouMean(service, known)));
-    }
+    system
+        .whyNotConfigured(service)
+        .ifPresent(
+            why -> {
+              throw new IllegalArgumentException(
+                  String.format("\"%s:%s=%s\": %s", service, variable, value, why));
+            });
   }
 
   private static Object value(String text) {
