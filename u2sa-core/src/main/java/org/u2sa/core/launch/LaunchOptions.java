@@ -11,7 +11,6 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
@@ -72,8 +71,7 @@ public final class LaunchOptions {
   /**
    * Sets a variable for this run, whatever the file says, without writing it there.
    *
-   * @param service the simple name of the service's class, or {@code CommunicationManager}; a
-   *     system whose file lists no such service does not start
+   * @param service the simple name of the service's class, or {@code CommunicationManager}
    */
   public LaunchOptions override(String service, String variable, Object value) {
     overrides.computeIfAbsent(service, name -> new LinkedHashMap<>()).put(variable, value);
@@ -116,7 +114,7 @@ public final class LaunchOptions {
   /**
    * Refuses a class of which no service can be made, such as one that a swap is to start later.
    *
-   * @throws BadInputException naming the class
+   * @throws org.u2sa.interfaces.BadInputException naming the class
    */
   public void requireServiceClass(String className) {
     if (makerOf(className).isEmpty()) {
@@ -170,22 +168,6 @@ public final class LaunchOptions {
 
   boolean supervised() {
     return supervised;
-  }
-
-  /**
-   * Refuses overrides that would have no effect.
-   *
-   * @throws BadInputException if one is for a service that the system file does not list
-   */
-  void requireServicesOf(SystemFile file) {
-    overrides.forEach(
-        (service, variables) ->
-            file.whyNotConfigured(service)
-                .ifPresent(
-                    why -> {
-                      String names = String.join(", ", variables.keySet());
-                      throw new BadInputException("setting " + service + ":" + names + ": " + why);
-                    }));
   }
 
   Map<String, Object> overridesOf(String service) {

@@ -44,8 +44,7 @@ public final class RunningSystem implements AutoCloseable {
    * Starts the Communication Manager, makes all services, checks all that can be checked, and only
    * then starts the first thread. A system that cannot start leaves nothing behind.
    *
-   * @throws org.u2sa.interfaces.BadInputException if a file is wrong, or an override is for a
-   *     service that the system file does not list
+   * @throws org.u2sa.interfaces.BadInputException if a file is wrong
    * @throws org.u2sa.interfaces.communication.CommunicationException if the Communication Manager
    *     cannot be started or reached
    */
@@ -68,7 +67,6 @@ public final class RunningSystem implements AutoCloseable {
 
   private void prepare() {
     requireFolder(options.logDirectory());
-    options.requireServicesOf(file);
     file.services().stream()
         .filter(entry -> options.makerOf(entry.className()).isEmpty())
         .forEach(ServiceFactory::constructor);

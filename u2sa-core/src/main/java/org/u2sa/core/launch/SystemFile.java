@@ -4,9 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Collections;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -15,7 +13,6 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Topic;
-import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
@@ -41,8 +38,6 @@ import org.u2sa.interfaces.xml.XmlReader;
  * @param communicationHost the host that runs the Communication Manager; empty: any
  * @param autonomy what the file states of the vehicle's autonomy (thesis 2.3); empty if nothing
  * @param services in the order in which they are started
- * @param listed simple names of the classes of all services in the file, of which {@code services}
- *     may be a part
  */
 public record SystemFile(
     Path file,
@@ -51,11 +46,7 @@ public record SystemFile(
     Delivery delivery,
     String communicationHost,
     Optional<AutonomyLevels> autonomy,
-    List<Entry> services,
-    Set<String> listed) {
-  /** Simple name of the class that is configured by the file's communication element. */
-  private static final String MANAGER = "CommunicationManager";
-
+    List<Entry> services) {
   /**
    * One service.
    *
@@ -75,7 +66,6 @@ public record SystemFile(
 
   public SystemFile {
     services = List.copyOf(services);
-    listed = Collections.unmodifiableSet(new LinkedHashSet<>(listed)); // in the file's order
   }
 
   /**
@@ -119,9 +109,7 @@ public record SystemFile(
         communication.isEmpty() ? Delivery.DIRECT : Delivery.of(communication.get(0));
     String host = communication.isEmpty() ? "" : host(communication.get(0));
     Optional<AutonomyLevels> autonomy = root.child("autonomy").map(AutonomyLevels::read);
-    Set<String> listed = new LinkedHashSet<>();
-    services.forEach(entry -> listed.add(entry.simpleName()));
-    return new SystemFile(file, id, manager, delivery, host, autonomy, services, listed);
+    return new SystemFile(file, id, manager, delivery, host, autonomy, services);
   }
 
   /** The configuration files of the Communication Manager and of the services. */
@@ -130,28 +118,6 @@ public record SystemFile(
     communication.ifPresent(all::add);
     services.forEach(entry -> entry.configuration().ifPresent(all::add));
     return all;
-  }
-
-  /**
-   * Why no variable can be set of a service: neither is it the Communication Manager nor does the
-   * file list one of that class, whether it runs here or elsewhere. Names those that there are, and
-   * the nearest.
-   *
-   * @param simpleName of the service's class
-   * @return empty if there is one
-   */
-  public Optional<String> whyNotConfigured(String simpleName) {
-    Set<String> known = new LinkedHashSet<>(listed);
-    known.add(MANAGER);
-    return known.contains(simpleName)
-        ? Optional.empty()
-        : Optional.of(
-            String.format(
-                "%s lists no service of class \"%s\"; expected one of %s%s",
-                file,
-                simpleName,
-                String.join(", ", known),
-                NearestNames.didYouMean(simpleName, known)));
   }
 
   private static String host(XmlElement element) {
@@ -234,7 +200,7 @@ public record SystemFile(
   private SystemFile with(Predicate<Entry> wanted) {
     List<Entry> some = services.stream().filter(wanted).collect(Collectors.toList());
     return new SystemFile(
-        file, systemId, communication, delivery, communicationHost, autonomy, some, listed);
+        file, systemId, communication, delivery, communicationHost, autonomy, some);
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

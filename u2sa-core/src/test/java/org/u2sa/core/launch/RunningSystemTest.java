@@ -149,36 +149,6 @@ class RunningSystemTest {
   }
 
   @Test
-  void start_overrideForAServiceThatTheFileLacks_startsNothingAndNamesTheNearest()
-      throws IOException {
-    file("Quiet.xml", configuration());
-    SystemFile file = system(service(Quiet.class, "Quiet.xml"));
-    LaunchOptions options = options().override("Quiett", "GAIN", 0.75);
-    List<String> before = threads();
-
-    assertThatThrownBy(() -> RunningSystem.start(file, options))
-        .isInstanceOf(BadInputException.class)
-        .hasMessage(
-            "setting Quiett:GAIN: "
-                + file.file()
-                + " lists no service of class \"Quiett\"; expected one of Quiet,"
-                + " CommunicationManager; did you mean \"Quiet\"?");
-    assertThat(threads()).isEqualTo(before);
-  }
-
-  @Test
-  void start_overrideForAServiceThatRunsElsewhere_isNoConcernOfThisProcess() throws IOException {
-    file("Quiet.xml", configuration());
-    SystemFile whole =
-        system(service(Quiet.class, "Quiet.xml"), service(AlsoQuiet.class, "Quiet.xml"));
-    LaunchOptions options = options().override("AlsoQuiet", "GAIN", 0.75);
-
-    try (RunningSystem system = RunningSystem.start(whole.only("Quiet"), options)) {
-      assertThat(system.isRunning()).isTrue();
-    }
-  }
-
-  @Test
   void start_secondServicesConfigurationWrong_startsNothingAndNamesFileLineVariable()
       throws IOException {
     file("Quiet.xml", configuration());

@@ -1,10 +1,13 @@
 package org.u2sa.gcs.command;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.xml.NearestNames;
 
 /**
  * A variable set on the command line.
@@ -14,6 +17,7 @@ import org.u2sa.core.launch.SystemFile;
  * @param value Boolean, Integer, Double or String, as it looks
  */
 public record Setting(String service, String variable, Object value) {
+  private static final String MANAGER = "CommunicationManager";
   private static final Pattern FORM = Pattern.compile("([^:=]+):([^=]+)=(.*)", Pattern.DOTALL);
 
   /**
@@ -52,17 +56,25 @@ public record Setting(String service, String variable, Object value) {
   /**
    * Refuses a setting of a service that is not there: nobody would see that it has no effect.
    *
-   * @param system as in its file, or a part of it
+   * @param system whole, as in its file
    * @throws IllegalArgumentException naming the services there are, and the nearest
    */
   public void requireServiceOf(SystemFile system) {
-    system
-        .whyNotConfigured(service)
-        .ifPresent(
-            why -> {
-              throw new IllegalArgumentException(
-                  String.format("\"%s:%s=%s\": %s", service, variable, value, why));
-            });
+    Set<String> known = new LinkedHashSet<>();
+    system.services().forEach(entry -> known.add(entry.simpleName()));
+    known.add(MANAGER);
+    if (!known.contains(service)) {
+      throw new IllegalArgumentException(
+          String.format(
+              "\"%s:%s=%s\": %s lists no service of class \"%s\"; expected one of %s%s",
+              service,
+              variable,
+              value,
+              system.file(),
+              service,
+              String.join(", ", known),
+              NearestNames.didYouMean(service, known)));
+    }
   }
 
   private static Object value(String text) {

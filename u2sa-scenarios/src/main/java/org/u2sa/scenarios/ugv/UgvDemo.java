@@ -233,12 +233,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
 
   /** The filter's positions do not leap, whatever the receiver's do. */
   private double leastThresholdM() {
-    return fuses() ? 0.0 : receiver.leastThresholdM();
-  }
-
-  /** Whether the system file of the variant lists the fusing estimator. */
-  private boolean fuses() {
-    return estimator == EstimatorKind.FUSING && control == ControlKind.PURSUIT;
+    boolean leaps = estimator == EstimatorKind.PASS_THROUGH || control == ControlKind.PROPORTIONAL;
+    return leaps ? receiver.leastThresholdM() : 0.0;
   }
 
   private List<ObjectDescription> obstacles() {
@@ -246,20 +242,19 @@ final class UgvDemo implements Callable<Integer>, Demo {
   }
 
   private void configure(LaunchOptions launch, RunPlan.Start start) {
-    launch.override("SafetyManager", "ARM AT START", true); // the demo is its own operator
-    if (!fuses()) {
-      launch.override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS());
-      return;
-    }
     if (isStartKnown) {
       launch
           .override(FUSING, "START X", start.longitudeDeg())
           .override(FUSING, "START Y", start.latitudeDeg())
           .override(FUSING, "START SIGMA", START_SIGMA_M);
     }
+    if (estimator == EstimatorKind.FUSING && control != ControlKind.PROPORTIONAL) {
+      launch.override("IoioService", "GPS DELAY", receiver.delayS());
+    }
     launch
-        .override("IoioService", "GPS DELAY", receiver.delayS())
-        .override(FUSING, "POSITION CORRELATION", receiver.correlationS());
+        .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
+        .override(FUSING, "POSITION CORRELATION", receiver.correlationS())
+        .override("SafetyManager", "ARM AT START", true); // the demo is its own operator
   }
 
   private String simulator(DriveConditions conditions) {
