@@ -212,17 +212,21 @@ final class UgvDemo implements Callable<Integer>, Demo {
         },
         launch -> {
           launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
-          if (worldFile != null) {
-            launch.making(
-                LidarSensor.class, context -> new LidarSensor(context, world.laser(seed)));
-          }
+          mountLaser(launch, world, seed);
           return new Simulation.Within(simulator, "vehicle");
         },
         launch -> {
           BoardServer server = new BoardServer(world.board(), simulator);
           launch.override("IoioService", "CONNECTION", server.address());
+          mountLaser(launch, world, seed);
           return server;
         });
+  }
+
+  private void mountLaser(LaunchOptions launch, UgvWorld world, long seed) {
+    if (worldFile != null) {
+      launch.making(LidarSensor.class, context -> new LidarSensor(context, world.laser(seed)));
+    }
   }
 
   /** {@inheritDoc} Contacts are the simulation's to count: its vehicle has corners. */
