@@ -16,7 +16,7 @@ CHANNELS = {
     'goal-commands': (1, False, ''),
     'mission': (1, False, ''),
     'navigation': (0, False, ''),
-    'plans': (1, True, ''),
+    'plans': (1, True, 'subsystem'),
     'actuation': (0, False, ''),
     'actuators': (1, True, 'actuatorName'),
     'discovery': (1, False, ''),

@@ -113,7 +113,7 @@ public final class Channels {
 
   /** The ways that the planner means to take; to screens. */
   public static final Channel<PlannedPath> PLANS =
-      Channel.latest("plans", PlannedPath.TYPE, PlannedPath::subsystem).retained();
+      Channel.latest("plans", PlannedPath.TYPE, PlannedPath::subsystem).retainedBySource();
 
   /** Commands to actuators, each addressed by name. */
   public static final Channel<ActuatorCommand> ACTUATION =
