@@ -22,6 +22,13 @@ record BrokerLimits(
                 "Payload bytes per second that the embedded broker reads from one client; the client has to wait with more. A tenth while a subscriber of its messages is behind.")
         int clientBytesPerSecond,
     @Variable(
+            min = 100,
+            max = 100_000_000,
+            ifAbsent = 250_000,
+            text =
+                "Packets per second that the embedded broker reads from all clients together. Each client's first hundredth of CLIENT MESSAGES PER SECOND is not counted and never waits for the others.")
+        int totalMessagesPerSecond,
+    @Variable(
             min = 1,
             max = 1_000_000,
             ifAbsent = 200,

@@ -36,6 +36,8 @@ final class ConnectionFilter implements AutoCloseable {
 
   private static final int LEAST_READ = 512;
 
+  private static final double TOTAL_BURST_S = 0.01; // for so long a flood may hold up the others
+
   /** They log and count each packet, and nobody reads it. */
   private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
 
@@ -56,6 +58,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final AtomicLong connectionsSoFar = new AtomicLong();
   private final RetainedTable retained;
   private final Allowance.PerUser questions;
+  private final Allowance beyondShares; // touched by the network's thread only
   private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   private final MessageRouter router;
   private volatile boolean ending;
@@ -75,6 +78,8 @@ final class ConnectionFilter implements AutoCloseable {
     retained = new RetainedTable(limits);
     router = new MessageRouter(subscriptions, retained, connections);
     questions = new Allowance.PerUser(limits.clientQuestionsPerSecond());
+    double totalPerS = limits.totalMessagesPerSecond();
+    beyondShares = new Allowance(totalPerS, TOTAL_BURST_S * totalPerS, clock.micros());
   }
 
   private static byte[] newPass() {
@@ -259,6 +264,13 @@ final class ConnectionFilter implements AutoCloseable {
   /** How many questions each user may still ask. */
   Allowance.PerUser questions() {
     return questions;
+  }
+
+  /**
+   * Messages of all clients together, beyond each one's share. For the one thread that reads them.
+   */
+  Allowance beyondShares() {
+    return beyondShares;
   }
 
   BrokerLimits limits() {

@@ -20,14 +20,24 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   private static final double SLOWER_BURST_MESSAGES = 20.0; // as many come between two looks
 
+  /**
+   * What part of its rate a client has to itself, however much the others send: as much as a
+   * vehicle's service or an operator needs.
+   */
+  private static final double SHARE = 0.01;
+
+  private static final double SHARE_BURST_MESSAGES = 20.0; // of many clients at once
+
   private final ConnectionFilter filter;
   private final ClientSession session;
   private final Deque<Object> held = new ArrayDeque<>(); // what was read already
+  private final Allowance share; // what it need not ask the others for
   private final Allowance messages;
   private final Allowance bytes;
   private final Allowance slowMessages;
   private final Allowance slowBytes;
   private boolean isBehind; // a subscriber
+  private boolean isWithinShare; // the next message
   private boolean paused;
   private ChannelHandlerContext context;
 
@@ -37,6 +47,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     long now = filter.nowMicros();
     double messagesPerS = filter.limits().clientMessagesPerSecond();
     double bytesPerS = filter.limits().clientBytesPerSecond();
+    share = new Allowance(SHARE * messagesPerS, SHARE_BURST_MESSAGES, now);
     messages = new Allowance(messagesPerS, now);
     bytes = new Allowance(bytesPerS, now);
     slowMessages = new Allowance(SLOWER * messagesPerS, SLOWER_BURST_MESSAGES, now);
@@ -65,7 +76,9 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   private boolean isOpen() {
     long now = filter.nowMicros();
+    isWithinShare = share.isOpen(now);
     return session.isReady()
+        && (isWithinShare || filter.beyondShares().isOpen(now))
         && messages.isOpen(now)
         && bytes.isOpen(now)
         && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now))
@@ -88,6 +101,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   private void letIn(ChannelHandlerContext ctx, Object message) {
+    (isWithinShare ? share : filter.beyondShares()).take(1.0);
     messages.take(1.0);
     if (isBehind) {
       slowMessages.take(1.0);

@@ -7,6 +7,7 @@ import io.netty.channel.embedded.EmbeddedChannel;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttQoS;
 import io.netty.util.ReferenceCountUtil;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
@@ -33,15 +34,22 @@ class InflowTest {
     }
   }
 
-  private final ConnectionFilter filter =
-      new ConnectionFilter(
-          XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get(),
-          new MessageCodec(StandardTypes.registry()),
-          new TestClock(),
-          null,
-          line -> {});
+  private final ConnectionFilter filter = filter(Map.of());
   private final Inflow inflow = new Inflow(filter, new ClientSession(filter, new Outflow(filter)));
   private final EmbeddedChannel channel = new EmbeddedChannel(inflow);
+
+  private ConnectionFilter filter(Map<String, Object> variables) {
+    return new ConnectionFilter(
+        XmlConfiguration.inMemory("test", variables).settings(BrokerLimits.class).get(),
+        new MessageCodec(StandardTypes.registry()),
+        new TestClock(),
+        null,
+        line -> {});
+  }
+
+  private static EmbeddedChannel clientOf(ConnectionFilter broker) {
+    return new EmbeddedChannel(new Inflow(broker, new ClientSession(broker, new Outflow(broker))));
+  }
 
   @AfterEach
   void close() {
@@ -49,6 +57,10 @@ class InflowTest {
   }
 
   private void send(int messages) {
+    send(channel, messages);
+  }
+
+  private static void send(EmbeddedChannel channel, int messages) {
     for (int i = 0; i < messages; i++) {
       channel.writeInbound(
           MqttMessageBuilders.publish()
@@ -60,12 +72,20 @@ class InflowTest {
   }
 
   private void pass(int milliseconds) {
+    pass(channel, milliseconds);
+  }
+
+  private void pass(EmbeddedChannel channel, int milliseconds) {
     nowMicros += 1_000L * milliseconds;
     channel.advanceTimeBy(milliseconds, TimeUnit.MILLISECONDS);
     channel.runScheduledPendingTasks();
   }
 
   private int letIn() {
+    return letIn(channel);
+  }
+
+  private static int letIn(EmbeddedChannel channel) {
     int count = 0;
     for (Object message = channel.readInbound(); message != null; message = channel.readInbound()) {
       ReferenceCountUtil.release(message);
@@ -100,5 +120,27 @@ class InflowTest {
     pass(2);
     assertThat(letIn()).isEqualTo(1_000 - 20 - 100);
     assertThat(channel.config().isAutoRead()).isTrue();
+  }
+
+  @Test
+  void channelRead_othersFlood_togetherTheyGetTheTotalAndNobodyWaitsForItsShare() {
+    ConnectionFilter crowded =
+        filter(Map.of("CLIENT MESSAGES PER SECOND", 100_000, "TOTAL MESSAGES PER SECOND", 10_000));
+    EmbeddedChannel flood = clientOf(crowded);
+    EmbeddedChannel other = clientOf(crowded);
+    EmbeddedChannel modest = clientOf(crowded);
+
+    send(flood, 1_000);
+    send(other, 1_000);
+    assertThat(letIn(flood)).as("share and the total's burst").isEqualTo(20 + 100);
+    assertThat(letIn(other)).as("share").isEqualTo(20);
+
+    pass(flood, 10);
+    send(modest, 10);
+    assertThat(letIn(modest)).isEqualTo(10);
+    assertThat(letIn(flood)).as("share and total of 10 ms").isEqualTo(10 + 100);
+    for (EmbeddedChannel each : List.of(flood, other, modest)) {
+      each.finishAndReleaseAll();
+    }
   }
 }
