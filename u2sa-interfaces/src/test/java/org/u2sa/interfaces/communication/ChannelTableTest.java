@@ -9,6 +9,7 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.schema.U2SAData;
@@ -32,6 +33,7 @@ class ChannelTableTest {
     }
     for (U2SAData sample :
         List.of(
+            new PlannedPath().subsystem("subsystem"),
             new ActuatorAnnouncement().actuatorName("actuatorName"),
             new ServiceCondition().serviceName("serviceName"))) {
       if (!channel.sourceOf(sample).isEmpty()) {

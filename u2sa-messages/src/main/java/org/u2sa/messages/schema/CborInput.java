@@ -1,11 +1,6 @@
 package org.u2sa.messages.schema;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.ByteBuffer;
-import java.nio.CharBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 
 /**
  * Reads CBOR data items (RFC 8949) from hostile bytes, one after the other. Tags are skipped. Takes
@@ -218,7 +213,7 @@ final class CborInput {
 
   String text() {
     String text = shortText();
-    return text == null ? anyText() : text;
+    return text == null ? CborStrings.text(this) : text;
   }
 
   /** A text as most are: short, of ASCII, its length in its first byte. Else null: not read. */
@@ -234,97 +229,9 @@ final class CborInput {
     return text;
   }
 
-  private String anyText() {
-    if ((next() & Cbor.MAJOR) != Cbor.TEXT) {
-      throw unexpected("text");
-    }
-    if ((bytes[at] & Cbor.INFO) != Cbor.INDEFINITE) {
-      return chunk(Limits.TEXT_BYTES);
-    }
-    at++;
-    StringBuilder whole = new StringBuilder();
-    int left = Limits.TEXT_BYTES;
-    while (!isBreak()) {
-      if ((bytes[at] & Cbor.MAJOR) != Cbor.TEXT || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
-        throw unexpected("a piece of text or its end");
-      }
-      int before = at;
-      whole.append(chunk(left));
-      left -= at - before - 1;
-    }
-    return whole.toString();
-  }
-
-  private String chunk(int atMost) {
-    long length = argument();
-    if (length < 0 || length > atMost) {
-      throw new IllegalArgumentException(
-          "expected at most " + Limits.TEXT_BYTES + " bytes of text");
-    }
-    int start = skipBytes((int) length);
-    for (int i = start; i < at; i++) {
-      if (bytes[i] < 0) {
-        return utf8(start, (int) length);
-      }
-    }
-    return new String(bytes, start, (int) length, StandardCharsets.ISO_8859_1); // the same in ASCII
-  }
-
-  private String utf8(int start, int length) {
-    try {
-      CharBuffer text =
-          StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes, start, length));
-      return text.toString();
-    } catch (CharacterCodingException e) {
-      throw new IllegalArgumentException(
-          "expected text in UTF-8; half a surrogate pair is none", e);
-    }
-  }
-
-  /** A byte string, without a copy of it if it is whole; nobody writes to it. */
-  ByteBuffer bytesInPlace() {
-    if ((next() & Cbor.MAJOR) != Cbor.BYTES || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
-      return ByteBuffer.wrap(byteString().shared());
-    }
-    long length = argument();
-    if (length < 0 || length > bytes.length - at) {
-      throw new IllegalArgumentException("expected a byte string that fits into the message");
-    }
-    return ByteBuffer.wrap(bytes, skipBytes((int) length), (int) length);
-  }
-
   /** A byte string, whole or in pieces. */
   ByteString byteString() {
-    if ((next() & Cbor.MAJOR) != Cbor.BYTES) {
-      throw unexpected("a byte string");
-    }
-    if ((bytes[at] & Cbor.INFO) != Cbor.INDEFINITE) {
-      return ByteString.owning(piece(Limits.BYTE_STRING_BYTES));
-    }
-    at++;
-    ByteArrayOutputStream whole = new ByteArrayOutputStream();
-    while (!isBreak()) {
-      requireDefinitePiece();
-      byte[] piece = piece(Limits.BYTE_STRING_BYTES - whole.size());
-      whole.write(piece, 0, piece.length);
-    }
-    return ByteString.owning(whole.toByteArray());
-  }
-
-  private byte[] piece(int atMost) {
-    long length = argument();
-    if (length < 0 || length > atMost) {
-      throw new IllegalArgumentException(
-          "expected at most " + Limits.BYTE_STRING_BYTES + " bytes in a byte string");
-    }
-    int start = skipBytes((int) length);
-    return Arrays.copyOfRange(bytes, start, at);
-  }
-
-  private void requireDefinitePiece() {
-    if ((bytes[at] & Cbor.MAJOR) != Cbor.BYTES || (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
-      throw unexpected("a piece of a byte string or its end");
-    }
+    return CborStrings.byteString(this);
   }
 
   /** Opens an array; returns how many elements follow, or {@link #UNTIL_BREAK}. */
@@ -341,8 +248,7 @@ final class CborInput {
     if ((next() & Cbor.MAJOR) != major) {
       throw unexpected(what);
     }
-    if ((bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
-      at++;
+    if (takeIndefinite()) {
       return UNTIL_BREAK;
     }
     long length = argument();
@@ -352,12 +258,24 @@ final class CborInput {
     return length;
   }
 
+  /**
+   * Whether the item that is next has no length but ends with a break; reads its first byte then.
+   */
+  boolean takeIndefinite() {
+    boolean isIndefinite = (bytes[at] & Cbor.INFO) == Cbor.INDEFINITE;
+    if (isIndefinite) {
+      at++;
+    }
+    return isIndefinite;
+  }
+
   /** Whether an array or map ends here, of which so much was read; reads a break. */
   boolean isDone(long length, long read) {
     return length == UNTIL_BREAK ? isBreak() : read == length;
   }
 
-  private boolean isBreak() {
+  /** Whether a break is next, which is read then. */
+  boolean isBreak() {
     if (at == bytes.length) {
       throw new IllegalArgumentException("expected a data item or a break, not the end");
     }
@@ -376,12 +294,16 @@ final class CborInput {
   void skip(int levels) {
     int first = next();
     switch (first & Cbor.MAJOR) {
-      case Cbor.UNSIGNED, Cbor.NEGATIVE -> argument();
       case Cbor.TEXT -> text();
-      case Cbor.BYTES -> skipByteString();
+      case Cbor.BYTES -> CborStrings.skipBytes(this);
       case Cbor.ARRAY -> skipItems(array(), 1, levels);
       case Cbor.MAP -> skipItems(map(), 2, levels);
-      default -> skipSimple(first);
+      default -> {
+        if (first == Cbor.BREAK) {
+          throw new IllegalArgumentException("expected a data item, not a break");
+        }
+        argument();
+      }
     }
   }
 
@@ -396,31 +318,8 @@ final class CborInput {
     }
   }
 
-  private void skipByteString() {
-    if ((bytes[at] & Cbor.INFO) == Cbor.INDEFINITE) {
-      at++;
-      while (!isBreak()) {
-        requireDefinitePiece();
-        skipByteString();
-      }
-    } else {
-      long length = argument();
-      if (length < 0 || length > bytes.length - at) {
-        throw new IllegalArgumentException("expected a byte string that fits into the message");
-      }
-      skipBytes((int) length);
-    }
-  }
-
-  private void skipSimple(int first) {
-    if (first == Cbor.BREAK) {
-      throw new IllegalArgumentException("expected a data item, not a break");
-    }
-    argument();
-  }
-
   /** The argument of the item whose first byte is next, which is read too: unsigned. */
-  private long argument() {
+  long argument() {
     int info = bytes[at] & Cbor.INFO;
     if (info < Cbor.ONE_BYTE) {
       at++;
@@ -442,7 +341,7 @@ final class CborInput {
   }
 
   /** Passes so many bytes; returns where they begin. */
-  private int skipBytes(int count) {
+  int skipBytes(int count) {
     if (count > bytes.length - at) {
       at = bytes.length;
       throw new IllegalArgumentException("expected more bytes, not the end");

@@ -31,7 +31,7 @@ final class TypedArrays {
 
   /** The numbers of a typed array whose tag was read. */
   static double[] read(CborInput in, long tag) {
-    ByteBuffer data = in.bytesInPlace();
+    ByteBuffer data = CborStrings.bytesInPlace(in);
     data.order(tag < FIRST_LITTLE_ENDIAN ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN);
     int size = Short.BYTES << (tag & LENGTH);
     int count = data.remaining() / size;
