@@ -198,8 +198,7 @@ final class CborReader {
   List<Double> numbers() throws MalformedMessageException {
     List<Double> typed = typedNumbers();
     if (typed != null) {
-      requireRoom(typed.size());
-      return typed;
+      return typed; // what fits into a message; a field's bounds are checked behind this
     }
     long length = in.array();
     if (length == CborInput.UNTIL_BREAK) {
@@ -258,10 +257,7 @@ final class CborReader {
     if (!isSquare || count < 0 || columns < 1 || width != 0 && columns != width) {
       throw malformed("expected the dimensions [n, " + (width == 0 ? "m" : width) + "]");
     }
-    List<Double> numbers = typedNumbers();
-    if (numbers == null) {
-      numbers = numbers();
-    }
+    List<Double> numbers = numbers();
     if (numbers.size() != count * columns || !in.isDone(parts, 2)) {
       throw malformed(
           String.format(
