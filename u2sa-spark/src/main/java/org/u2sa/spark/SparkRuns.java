@@ -3,6 +3,7 @@ package org.u2sa.spark;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.net.ProtocolException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
@@ -89,7 +90,7 @@ final class SparkRuns implements RunBackend {
         throw broken(line.substring(SparkDriver.TROUBLE.length()));
       }
       int blank = line.indexOf(' ');
-      RunRequest request = requests.get(Integer.parseInt(line.substring(0, blank)));
+      RunRequest request = request(line.substring(0, Math.max(0, blank)), requests);
       RunAnswer answer = answer(request, line.substring(blank + 1));
       synchronized (lock) {
         if (stopped) {
@@ -101,6 +102,14 @@ final class SparkRuns implements RunBackend {
     }
     if (line == null && !isStopped()) {
       throw broken("its driver has died");
+    }
+  }
+
+  private RunRequest request(String number, List<RunRequest> requests) {
+    try {
+      return requests.get(Integer.parseInt(number));
+    } catch (NumberFormatException | IndexOutOfBoundsException e) {
+      throw broken("its driver printed a line that is not an answer");
     }
   }
 
@@ -122,9 +131,11 @@ final class SparkRuns implements RunBackend {
     }
     try {
       return RunLine.answer(line, directory.resolve(request.folder()));
+    } catch (ProtocolException e) {
+      return RunAnswer.lost(e.getMessage());
     } catch (IOException e) {
       throw new UncheckedIOException(
-          "run " + request.number() + ": what came of it cannot be written: " + e.getMessage(), e);
+          "run " + request.number() + ": its files cannot be written: " + e.getMessage(), e);
     }
   }
 

@@ -2,18 +2,27 @@ package org.u2sa.scenarios.campaign;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.net.ProtocolException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
+import java.util.zip.ZipException;
 import java.util.zip.ZipInputStream;
 import java.util.zip.ZipOutputStream;
 
 /** Folders as one piece: for the way between hosts. */
 public final class FolderArchive {
+  /** Limit on all files of an archive together: a small one can expand a thousandfold. */
+  private static final long MAX_BYTES = 8L << 30;
+
+  private static final int BLOCK_BYTES = 1 << 16;
+
   private FolderArchive() {}
 
   /** All files of a folder; none if there is no such folder. */
@@ -49,19 +58,47 @@ public final class FolderArchive {
   /**
    * Writes packed files into a folder, which is made if need be.
    *
-   * @throws IOException if one cannot be written, or lies outside the folder
+   * @throws ProtocolException if a file lies outside the folder, the files take more than 8 GiB, or
+   *     the bytes are not an archive
+   * @throws IOException if a file cannot be written
    */
   static void unpack(byte[] packed, Path folder) throws IOException {
+    unpack(packed, folder, MAX_BYTES);
+  }
+
+  /**
+   * @param maxBytes limit on all files together
+   */
+  static void unpack(byte[] packed, Path folder, long maxBytes) throws IOException {
+    long left = maxBytes;
     try (ZipInputStream zip = new ZipInputStream(new ByteArrayInputStream(packed))) {
       for (ZipEntry entry = zip.getNextEntry(); entry != null; entry = zip.getNextEntry()) {
         Path file = folder.resolve(entry.getName()).normalize();
         if (!file.startsWith(folder.normalize())) {
-          throw new IOException("\"" + entry.getName() + "\" would lie outside " + folder);
+          throw new ProtocolException("\"" + entry.getName() + "\" would lie outside " + folder);
         }
         Files.createDirectories(file.getParent());
-        Files.write(file, zip.readAllBytes());
+        left = copy(zip, file, left);
+      }
+    } catch (ZipException | EOFException | IllegalArgumentException e) { // the last: a name
+      throw new ProtocolException("the files of a run cannot be unpacked: " + e.getMessage());
+    }
+  }
+
+  /** Writes one entry; returns the bytes left of the limit. */
+  private static long copy(ZipInputStream zip, Path file, long left) throws IOException {
+    byte[] block = new byte[BLOCK_BYTES];
+    long remaining = left;
+    try (OutputStream out = Files.newOutputStream(file)) {
+      for (int read = zip.read(block); read >= 0; read = zip.read(block)) {
+        remaining -= read;
+        if (remaining < 0) {
+          throw new ProtocolException("the files of a run take more than is accepted: " + file);
+        }
+        out.write(block, 0, read);
       }
     }
+    return remaining;
   }
 
   /** Deletes a folder and what is in it, if it exists. */

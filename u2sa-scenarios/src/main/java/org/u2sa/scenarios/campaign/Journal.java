@@ -2,6 +2,7 @@ package org.u2sa.scenarios.campaign;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -67,7 +68,8 @@ final class Journal implements AutoCloseable {
       Path file, String campaign, List<Experiment> experiments, List<Outcome> done)
       throws IOException {
     List<String> lines = whole(file);
-    String said = lines.isEmpty() ? "" : fields(lines.get(0)).getOrDefault("campaign", "");
+    String said =
+        lines.isEmpty() ? "" : fields(lines.get(0), file + ", line 1").getOrDefault("campaign", "");
     if (!said.equals(campaign)) {
       throw new BadInputException(
           file
@@ -77,14 +79,35 @@ final class Journal implements AutoCloseable {
               + campaign
               + "\"; expected the same one, or another --out");
     }
-    for (String line : lines.subList(1, lines.size())) {
-      Map<String, String> fields = fields(line);
-      int exit = Integer.parseInt(fields.get("exit"));
-      Experiment experiment = experiments.get(Integer.parseInt(fields.get("run")) - 1);
+    for (int i = 1; i < lines.size(); i++) {
+      String where = file + ", line " + (i + 1);
+      Map<String, String> fields = fields(lines.get(i), where);
+      int exit = number(fields, "exit", Integer.MIN_VALUE, Integer.MAX_VALUE, where);
+      int run = number(fields, "run", 1, experiments.size(), where);
       if (exit != RunAnswer.LOST) {
-        done.add(new Outcome(experiment, exit, fields.get("summary"), fields.get("trouble")));
+        done.add(
+            new Outcome(
+                experiments.get(run - 1),
+                exit,
+                fields.getOrDefault("summary", ""),
+                fields.getOrDefault("trouble", "")));
       }
     }
+  }
+
+  private static int number(
+      Map<String, String> fields, String name, int min, int max, String where) {
+    String text = fields.getOrDefault(name, "");
+    try {
+      int value = Integer.parseInt(text);
+      if (value >= min && value <= max) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      // reported below, as a number out of range is
+    }
+    throw new BadInputException(
+        where + ", field \"" + name + "\": \"" + text + "\", expected a number " + min + "…" + max);
   }
 
   /** Its lines; cuts off one that was being written when the power went. */
@@ -97,14 +120,21 @@ final class Journal implements AutoCloseable {
     return new ArrayList<>(text.substring(0, end).lines().toList());
   }
 
-  private static Map<String, String> fields(String line) throws IOException {
+  private static Map<String, String> fields(String line, String where) throws IOException {
     Map<String, String> fields = new HashMap<>();
     try (JsonParser json = FACTORY.createParser(line)) {
       while (json.nextToken() != null) {
         if (json.currentToken().isScalarValue()) {
-          fields.put(json.currentName(), json.getText());
+          fields.put(String.valueOf(json.currentName()), json.getText());
         }
       }
+    } catch (JsonProcessingException e) {
+      throw new BadInputException(
+          where
+              + ": "
+              + e.getOriginalMessage()
+              + "; expected JSON; delete the line to run it again",
+          e);
     }
     return fields;
   }

@@ -18,7 +18,7 @@ record Outcome(Experiment experiment, int exit, String summary, String trouble) 
   private static final List<String> OF_THE_MACHINE = List.of("wallSeconds", "simSecondsPerSecond");
 
   static Outcome of(Experiment experiment, RunAnswer answer) {
-    String summary = answer.output().startsWith("{") ? answer.output() : "";
+    String summary = SummaryFigures.areIn(answer.output()) ? answer.output() : "";
     boolean isToldInSummary = !summary.isEmpty();
     String said = isToldInSummary ? answer.errors() : answer.output() + answer.errors();
     return new Outcome(

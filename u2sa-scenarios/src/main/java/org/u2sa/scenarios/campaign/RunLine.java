@@ -2,9 +2,11 @@ package org.u2sa.scenarios.campaign;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import java.io.IOException;
+import java.net.ProtocolException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -98,34 +100,45 @@ public final class RunLine {
   }
 
   /**
-   * Reads an answer, and puts the files that came with it in their place.
+   * Reads an answer and unpacks the files that came with it.
    *
-   * @param folder for them
-   * @throws IOException if the line is no answer, or files cannot be written
+   * @param folder receives the files
+   * @throws ProtocolException if the line is not an answer
+   * @throws IOException if the files cannot be written
    */
   public static RunAnswer answer(String line, Path folder) throws IOException {
     Map<String, List<String>> fields = fields(line);
-    byte[] files = Base64.getDecoder().decode(only(fields, FILES));
+    byte[] files;
+    RunAnswer answer;
+    try {
+      files = Base64.getDecoder().decode(only(fields, FILES));
+      answer =
+          new RunAnswer(
+              Integer.parseInt(only(fields, EXIT)), only(fields, OUTPUT), only(fields, ERRORS));
+    } catch (IllegalArgumentException e) { // NumberFormatException included
+      throw malformed(e.getMessage());
+    }
     if (files.length > 0) {
       FolderArchive.unpack(files, folder);
     }
-    return new RunAnswer(
-        Integer.parseInt(only(fields, EXIT)), only(fields, OUTPUT), only(fields, ERRORS));
+    return answer;
+  }
+
+  private static ProtocolException malformed(String why) {
+    return new ProtocolException("malformed line between the campaign's processes: " + why);
   }
 
   private static String only(Map<String, List<String>> fields, String name) throws IOException {
     List<String> values = fields.getOrDefault(name, List.of());
     if (values.size() != 1) {
-      throw new IOException(
-          "a line between the processes of the campaign has "
-              + values.size()
-              + " fields \""
-              + name
-              + "\", expected one");
+      throw malformed(values.size() + " fields \"" + name + "\", expected one");
     }
     return values.get(0);
   }
 
+  /**
+   * @throws ProtocolException if the line is not JSON
+   */
   private static Map<String, List<String>> fields(String line) throws IOException {
     Map<String, List<String>> fields = new HashMap<>();
     String name = "";
@@ -137,6 +150,8 @@ public final class RunLine {
           fields.computeIfAbsent(name, n -> new ArrayList<>()).add(json.getText());
         }
       }
+    } catch (JsonProcessingException e) {
+      throw malformed(e.getOriginalMessage());
     }
     return fields;
   }

@@ -20,7 +20,22 @@ final class SummaryFigures {
 
   private SummaryFigures() {}
 
-  /** An empty text has none. */
+  /** Whether a text is a JSON object, from start to end. */
+  static boolean areIn(String text) {
+    if (!text.startsWith("{")) {
+      return false;
+    }
+    try (JsonParser json = FACTORY.createParser(text)) {
+      while (json.nextToken() != null) {
+        // reads to the end
+      }
+      return true;
+    } catch (IOException e) {
+      return false; // of a string, so only its syntax can be wrong
+    }
+  }
+
+  /** The figures of a summary; none of an empty text. */
   static Map<String, Double> of(String summary) {
     Map<String, Double> figures = new TreeMap<>();
     try (JsonParser json = FACTORY.createParser(summary)) {

@@ -11,6 +11,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 
 class JournalTest {
@@ -71,5 +73,27 @@ class JournalTest {
         .hasMessageContaining("\"ugv\"")
         .hasMessageContaining("--out");
     assertThat(file).hasContent(text);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{\"exit\":0}",
+        "{\"run\":9,\"exit\":0}",
+        "{\"run\":1,\"exit\":\"\"}",
+        "{\"run\":0,\"exit\":0}",
+        "\u0000\u0000",
+        "{\"run\":1,"
+      })
+  void open_damagedLine_namesFileLineAndExpectation(String damaged) throws IOException {
+    write(outcome(1, 0));
+    Files.writeString(file, Files.readString(file) + damaged + "\n");
+    String before = Files.readString(file);
+
+    assertThatThrownBy(this::write)
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("runs.jsonl, line 3")
+        .hasMessageContaining("expected");
+    assertThat(file).hasContent(before);
   }
 }

@@ -97,4 +97,13 @@ class ResultsTest {
 
     assertThat(page).contains("&lt;script&gt;").doesNotContain("<script").contains("a &amp; b");
   }
+
+  @Test
+  void of_outputThatIsHalfASummary_isTroubleWithoutFigures() {
+    Outcome outcome = Outcome.of(RUNS.get(0), new RunAnswer(ExitCode.FAILED, "{\"a\": 1,", "died"));
+
+    assertThat(outcome.summary()).isEmpty();
+    assertThat(outcome.figures()).isEmpty();
+    assertThat(outcome.trouble()).contains("died");
+  }
 }
